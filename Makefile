@@ -20,9 +20,7 @@ stage   := $(CURDIR)/build/stage
 # The program, where `make cli` has built it; the stage is without.
 cli      = $(shell test -x build/cli/gusset && echo yes)
 archive := $(CURDIR)/build/dist/gusset-$(version)-linux-$(shell uname -m).tar.gz
-# Plain builds, with all features, in a folder of their own: one file name would otherwise stand for two libraries.
-plain   := $(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/plain
-openmfx := $(plain)/debug/libgusset.so
+openmfx := $(abspath $(release))/libgusset_openmfx.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
@@ -69,7 +67,7 @@ help:
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make wasm                         the npm package in wasm: the library as WebAssembly, with its tests under node; minutes'
-	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
+	@echo 'make openmfx                      the library with the entry points of OpenMfx'
 	@echo 'make install [PREFIX=/usr/local] [LIBDIR=] [DESTDIR=]   libraries, headers, pkg-config file, CMake package, docs'
 	@echo 'make install-debug                the same with line tables and symbols, for debuggers and profilers'
 	@echo 'make dist [DIST_URL=]             an archive for those without Rust, and recipes of conan and vcpkg for it, into build/dist'
@@ -104,11 +102,12 @@ test-rust: test-units test-programs
 lint:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked -p gusset --no-deps --features openmfx
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --workspace --exclude gusset-tests --exclude gusset-fuzz --no-deps
 
-# Of the library in a plain build, with checks of overflow.
+# The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
+units := --workspace --exclude gusset-tests --exclude gusset-fuzz
 test-units:
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --lib --features openmfx,reserve --target-dir '$(plain)'
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib
 
 # From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
 test-programs: build
@@ -117,17 +116,16 @@ test-programs: build
 # What is ignored in `make test` because it takes minutes, and all cases of the tests that try some of many.
 exhaustive:
 	GUSSET_EXHAUSTIVE=1 $(CARGO) test --locked -p gusset-tests --release $(released) --test curve --test mesh --test net --test surface
-	$(CARGO) test --locked -p gusset --lib --release $(released)
+	$(CARGO) test --locked $(units) --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 
-# The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx,reserve.
+# The library with the entry points of OpenMfx.
 openmfx:
-	CARGO_INCREMENTAL=0 $(CARGO) rustc --locked -p gusset --lib --crate-type cdylib --features openmfx,reserve --target-dir '$(plain)'
+	$(CARGO) build -p gusset-openmfx --profile $(PROFILE) --locked $(released)
 
 # Both sides at once: each has stretches where it keeps one core busy.
 test:
 	@scripts/install-packages.sh $(test_packages)
-	@mkdir -p '$(plain)' # Two that made it at once would be in each other's way.
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts test-rust
 
 test-hosts: dist openmfx

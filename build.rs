@@ -3,14 +3,14 @@
 use std::{env, fmt::Write, fs, path::PathBuf};
 
 fn main() {
-    println!("cargo:rerun-if-changed=src/ffi/status.rs");
+    println!("cargo:rerun-if-changed=src/capi/status.rs");
     println!("cargo:rerun-if-changed=build.rs");
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("set by cargo"));
     let out = PathBuf::from(env::var("OUT_DIR").expect("set by cargo"));
     let part = |name: &str| env::var(format!("CARGO_PKG_VERSION_{name}")).expect("set by cargo");
     let (major, minor) = (part("MAJOR"), part("MINOR"));
 
-    let statuses = fs::read_to_string(root.join("src/ffi/status.rs")).expect("the list of statuses can be read");
+    let statuses = fs::read_to_string(root.join("src/capi/status.rs")).expect("the list of statuses can be read");
     fs::write(out.join("status_text.rs"), status_text(&statuses)).expect("OUT_DIR can be written to");
 
     if env::var("TARGET").is_ok_and(|target| target == "wasm32-unknown-unknown") {

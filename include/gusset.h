@@ -1,4 +1,4 @@
-/* gusset: joins surfaces that come in pieces. Generated from src/ffi by cbindgen; do not edit.
+/* gusset: joins surfaces that come in pieces. Generated from src/capi by cbindgen; do not edit.
  *
  * Every function is reentrant, and takes NULL for a context: then there is no account of an error, no
  * progress, and no cancelling. Those that set something of a context or get its report need one. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,

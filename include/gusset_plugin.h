@@ -1,4 +1,4 @@
-/* gusset as a plugin: what a host needs to know. Generated from src/ffi/plugin by cbindgen; do not edit.
+/* gusset as a plugin: what a host needs to know. Generated from src/capi/plugin by cbindgen; do not edit.
  *
  * A host loads the library, looks up the one symbol gusset_plugin_entry, and finds in the tables behind it filters with typed
  * parameters, each of which takes meshes or curves and gives meshes, curves or text:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Doxygen's filter for the C headers: puts each item into the group of its file of src/ffi, links statuses, and adds to
+"""Doxygen's filter for the C headers: puts each item into the group of its file of src/capi, links statuses, and adds to
 each function the block of examples/reference that calls it, which the tests compile and run.
 
 `reference.py --check` lists what the comment of a function lacks, and fails if any lacks anything.
@@ -35,8 +35,8 @@ def groups():
 
 @functools.cache
 def origins():
-    """Where in src/ffi each name of the interface is declared: the file, without its ending."""
-    found, folder = {}, ROOT / "src/ffi"
+    """Where in src/capi each name of the interface is declared: the file, without its ending."""
+    found, folder = {}, ROOT / "src/capi"
     for path in sorted({*folder.glob("*.rs"), *folder.glob("*/*.rs")} - {*folder.glob("plugin/*"), *folder.glob("openmfx/*")}):
         declared = r"^\s*pub (?:unsafe )?(?:extern \"C\" )?(?:const|fn|struct|type|enum) (\w+)"
         place = path.relative_to(folder).with_suffix("")
@@ -84,7 +84,7 @@ def lacks(name, comment, declaration):
     there["errors in @return"] = not fallible or "or an error: " in re.sub(r"[\s*]+", " ", comment)
     there["@complexity"] = not fallible or "@complexity" in comment or "those of gusset_" in re.sub(r"[\s*]+", " ", comment)
     there["@since"] = "@since" in comment
-    there["a group (docs/reference.dox) for its file of src/ffi"] = group(name)
+    there["a group (docs/reference.dox) for its file of src/capi"] = group(name)
     there["an example (examples/reference)"] = example(name)
     return [what for what, present in there.items() if not present]
 

@@ -1,8 +1,8 @@
 //! Joins surfaces that come in pieces.
 //!
 //! `gusset` finds the free boundary loops of open polygon meshes and stitches them together: two
-//! open pieces become one closed, valid mesh. It is a Rust library with a C interface
-//! (`include/gusset.h`) and a C++ one (`include/gusset.hpp`).
+//! open pieces become one closed, valid mesh. It also builds regular networks of quads, answers
+//! queries about smooth surfaces, and passes Bézier curves through given points.
 //!
 //! ```
 //! use gusset::mesh::{Faces, MeshView, Positions};
@@ -24,60 +24,45 @@
 //! # Ok::<(), gusset::Error>(())
 //! ```
 //!
+//! This crate collects the crates of the workspace. It adds the interfaces for other languages.
+//!
 //! | module | what it does |
 //! |---|---|
-//! | [`mesh`] | the view of the host's arrays, the mesh that results come in, half-edges |
-//! | [`boundary`] | free boundary loops |
-//! | [`winged`] | winged-edge tables, and loops on them |
-//! | [`check`] | everything wrong or unusual in a mesh |
-//! | [`repair`] | vertices that lie together made one, orientation made consistent |
-//! | [`stitch`] | a strip of new faces between two loops, and many pieces in one mesh |
-//! | [`fill`] | holes closed by new faces |
-//! | [`develop`] | surfaces laid out in the plane |
-//! | [`outline`] | Bézier curves through given points |
-//! | [`net`] | regular networks of quads, closed to surfaces by gluing; scenes of them |
-//! | [`surface`] | surfaces through nets of curves, and what can be asked of them |
-//! | [`filters`] | the table of named filters with typed parameters, for hosts |
-//! | [`job`] | progress, cancel and threads of a computation |
-//! | [`error`] | causes of failure, each with the element it is about |
-//! | [`ffi`] | the C interface |
+//! | [`mesh`] | views the host's arrays, owns the meshes of results, pairs half-edges |
+//! | [`boundary`] | finds free boundary loops |
+//! | [`winged`] | builds winged-edge tables, and finds loops on them |
+//! | [`check`] | reports everything wrong or unusual in a mesh |
+//! | [`repair`] | merges coincident vertices, sews borders, makes orientation consistent |
+//! | [`align`] | finds the poses of overlapping pieces |
+//! | [`trim`] | removes what overlapping pieces cover twice |
+//! | [`stitch`] | joins two loops by a strip of new faces |
+//! | [`fill`] | closes holes by new faces |
+//! | [`assemble`] | joins many pieces into one mesh |
+//! | [`develop`] | lays surfaces out in the plane |
+//! | [`curve`] | passes Bézier curves through given points |
+//! | [`net`] | builds regular networks of quads, glued to surfaces; scenes of them |
+//! | [`surface`] | builds surfaces through nets of curves, and answers queries about them |
+//! | [`attributes`] | carries values of vertices, corners and faces to results |
+//! | [`filters`] | lists named filters with typed parameters, for hosts |
+//! | [`job`] | progress, cancellation and threads of one computation |
+//! | [`error`] | causes of failure, each with the element at fault |
+//! | [`capi`] | the C interface |
 //!
-//! Data flows one way: host arrays, view, core, result. The core has no global state (but with the
-//! feature `reserve`, the libraries for C), nothing is
-//! printed, no file is touched, and the same input gives the same bytes for any number of threads.
+//! Data flows one way: host arrays, view, core, result. The library prints nothing, touches no
+//! file, and gives the same bytes for any number of threads. It has no global state, except the
+//! memory reserve of the libraries for C (feature `reserve`).
 
-pub mod align;
-mod alloc;
 pub mod attributes;
-mod blend;
-pub mod boundary;
-pub mod check;
-mod choice;
-pub mod develop;
-pub mod error;
-mod fair;
-pub mod ffi;
-pub mod fill;
+pub mod capi;
 pub mod filters;
-mod geom;
-mod intersect;
-pub mod job;
-pub mod mesh;
-pub mod net;
-pub mod outline;
-mod par;
-mod remesh;
-pub mod repair;
-mod reserve;
-mod simd;
-mod sort;
-pub mod stitch;
-pub mod surface;
-#[cfg(test)]
-mod testing;
-mod threads;
-pub mod trim;
-pub mod winged;
 
-pub use error::{Element, Error, PairFault, Result, Side};
-pub use job::{Job, Progress};
+pub use gusset_base::{Element, Error, Job, PairFault, Progress, Result, Side, error, job};
+pub use gusset_curve as curve;
+pub use gusset_mesh::{align, assemble, boundary, check, develop, fill, mesh, repair, stitch, trim, winged};
+pub use gusset_net as net;
+pub use gusset_surface as surface;
+
+/// The allocator of the libraries for C.
+#[cfg(feature = "reserve")]
+#[global_allocator]
+static ALLOCATOR: gusset_base::reserve::Backed = gusset_base::reserve::Backed;

@@ -4,9 +4,9 @@
 use arbitrary::{Arbitrary, Result, Unstructured};
 use glam::DVec3;
 use gusset::attributes::{Domain, Origins};
+use gusset::curve::{Curve, CurveView};
 use gusset::mesh::{Faces, Mesh, MeshView, Positions, Scalar};
 use gusset::net::{Net, Shape, Sides, Topology};
-use gusset::outline::{Curve, CurveView};
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
 

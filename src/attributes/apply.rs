@@ -5,13 +5,13 @@ use super::domain::Domain;
 use super::origins::Origins;
 use super::table::Table;
 use super::values::{Output, ValueType};
-use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::bit_set::BitSet;
 use crate::job::Job;
-use crate::par;
-use crate::sort::select;
 use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::par;
+use gusset_base::sort::select;
 use std::ops::Range;
 
 const STAGE: &str = "carrying values over";

@@ -3,11 +3,11 @@
 
 use super::domain::{Counts, Domain};
 use super::values::ValueType;
-use crate::alloc;
 use crate::error::{Element, Error, Result};
-use crate::geom::strided::Strided;
 use crate::job::Job;
-use crate::par;
+use gusset_base::alloc;
+use gusset_base::geom::strided::Strided;
+use gusset_base::par;
 
 const STAGE: &str = "checking values";
 /// Elements that one thread checks at a time.

@@ -24,14 +24,14 @@
 use super::rims::{End, Rims};
 use super::table::{FACES_PER_REPORT, STAGE, Table};
 use super::values::Output;
-use crate::alloc;
 use crate::error::Result;
-use crate::geom::disjoint_sets::DisjointSets;
-use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
-use crate::sort::sort;
 use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::geom::scale::common_unit;
+use gusset_base::sort::sort;
 use std::ops::Range;
 
 /// Charts go on at most so many heights of the old face: needles lead nowhere.

@@ -4,15 +4,15 @@
 use super::domain::Counts;
 use super::origins::{Kept, Origins};
 use super::table::{STAGE, Table};
-use crate::alloc;
 use crate::develop::Developed;
 use crate::error::Result;
 use crate::fill::Filled;
-use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView};
 use crate::repair::orient::Oriented;
 use crate::stitch::{Ruled, Stitch};
+use gusset_base::alloc;
+use gusset_base::geom::bit_set::BitSet;
 
 impl Origins {
     /// Those of a stitched mesh.

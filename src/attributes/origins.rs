@@ -4,11 +4,11 @@ use super::continuation::Continuation;
 use super::domain::{Counts, Domain};
 use super::rims::Rims;
 use super::table::{FACES_PER_REPORT, STAGE, Table};
-use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
+use gusset_base::alloc;
+use gusset_base::geom::bit_set::BitSet;
 
 /// Of a vertex that very many old ones became, new vertices have no more sources than this.
 const MAX_SHARED: usize = 16;

@@ -5,15 +5,15 @@ use super::domain::Counts;
 use super::joined::places;
 use super::origins::{Kept, Origins};
 use super::table::{STAGE, Table};
-use crate::alloc;
+use crate::assemble::Assembly;
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, NONE};
 use crate::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use crate::repair::sew::Sew;
 use crate::repair::weld::Weld;
-use crate::stitch::assemble::Assembly;
 use crate::trim::Remains;
+use gusset_base::alloc;
 
 impl Origins {
     /// Those of a welded mesh.

@@ -5,12 +5,12 @@
 //! all rim edges at once, so that the bases of a strip's faces meet in the middle.
 
 use super::table::STAGE;
-use crate::alloc;
 use crate::error::Result;
-use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
-use crate::sort::{Buckets, sort};
+use gusset_base::alloc;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::sort::{Buckets, sort};
 
 /// An end of a rim edge.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,7 @@
 
 use super::domain::Domain;
 use super::origins::Origins;
-use crate::alloc;
+use crate::assemble::Assembly;
 use crate::error::Result;
 use crate::fill::Filled;
 use crate::job::Job;
@@ -17,8 +17,8 @@ use crate::repair::orient::Oriented;
 use crate::repair::sew::Sew;
 use crate::repair::weld::Weld;
 use crate::stitch::Stitch;
-use crate::stitch::assemble::Assembly;
 use crate::trim::Remains;
+use gusset_base::alloc;
 
 const STAGE: &str = "keeping split vertices";
 

@@ -1,10 +1,10 @@
 //! Rows of sources with weights, in compressed form.
 
-use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::NONE;
-use crate::sort::Buckets;
+use gusset_base::alloc;
+use gusset_base::sort::Buckets;
 use std::ops::Range;
 
 /// What hosts are told.

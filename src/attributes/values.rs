@@ -1,7 +1,7 @@
 //! Types of values, and the memory that those of a result go to.
 
 use crate::error::{Error, Result};
-use crate::geom::strided::Strided;
+use gusset_base::geom::strided::Strided;
 
 /// The type of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

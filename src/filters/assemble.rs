@@ -4,10 +4,10 @@ use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE};
 use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};
 use crate::align::{self, Alignment, align};
+use crate::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use crate::attributes::{KeepSplits, Origins};
 use crate::fill;
 use crate::repair::weld;
-use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use crate::stitch::{self, Fairing, Finish, Meridians, Rows};
 use crate::trim;
 

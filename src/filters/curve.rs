@@ -3,8 +3,8 @@
 
 use super::extent::plane_of;
 use super::prelude::*;
-use crate::outline::ops::Spacing;
-use crate::outline::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
+use crate::curve::ops::Spacing;
+use crate::curve::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
 
 pub(super) const CATEGORY: &str = "Curves";
 pub(super) const REFERENCE: &str = "T. Nadopta, Theoretical foundations of the identification of outline curves, 2008";

@@ -1,7 +1,7 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::prelude::*;
 use super::report::CURVE;
-use crate::outline::CurveView;
+use crate::curve::CurveView;
 
 /// The largest number of curves that the report lists.
 const MAX_LISTED: usize = 1000;

@@ -1,6 +1,6 @@
 use super::curve::{self, CATEGORY, INTERPOLATION};
 use super::prelude::*;
-use crate::outline::Curve;
+use crate::curve::Curve;
 
 /// The largest number of intersections that the report lists.
 const MAX_LISTED: usize = 1000;

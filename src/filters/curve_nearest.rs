@@ -1,8 +1,8 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::prelude::*;
 use super::report::{POINT, distances};
-use crate::outline::Curve;
-use crate::outline::ops::nearest_of_any;
+use crate::curve::Curve;
+use crate::curve::ops::nearest_of_any;
 
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 16;

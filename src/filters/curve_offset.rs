@@ -1,6 +1,6 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, CurvePlane, INTERPOLATION, PLANE};
 use super::prelude::*;
-use crate::outline::ops::{OffsetOptions, Spacing};
+use crate::curve::ops::{OffsetOptions, Spacing};
 
 /// The largest number of segments of an offset.
 const MAX_SEGMENTS: usize = 1 << 20;

@@ -1,6 +1,6 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, INTERPOLATION, REFERENCE};
 use super::prelude::*;
-use crate::outline::ops::Spacing;
+use crate::curve::ops::Spacing;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_resample",

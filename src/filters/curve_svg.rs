@@ -1,6 +1,6 @@
 use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE, suggest_plane};
 use super::prelude::*;
-use crate::outline::CurveView;
+use crate::curve::CurveView;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_svg",

@@ -1,11 +1,11 @@
 //! The inputs and outputs of filters.
 
 use super::report::Report;
-use crate::alloc;
 use crate::attributes::Origins;
 use crate::error::{Element, Error, Result};
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use glam::DVec3;
+use gusset_base::alloc;
 
 /// The kind of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

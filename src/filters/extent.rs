@@ -1,8 +1,8 @@
 //! Size and place of inputs, from which defaults that depend on them are made.
 
 use super::data::{Curves, Input};
-use crate::geom::Aabb;
 use glam::DVec3;
+use gusset_base::geom::Aabb;
 
 /// The box round all finite points of some inputs; `None` if there are none, or if they are all
 /// one.

@@ -1,8 +1,8 @@
 use super::curve::REFERENCE;
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};
-use crate::outline::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
-use crate::outline::{Outlines, Points};
+use crate::curve::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
+use crate::curve::{Outlines, Points};
 use crate::surface::construct::FrameSurface;
 use crate::surface::{Sheet, Surface};
 

@@ -1,11 +1,11 @@
 use super::prelude::*;
 use super::quads::CATEGORY;
 use super::report::{EDGE, FACE};
-use crate::geom::aabb;
 use crate::mesh::MeshView;
 use crate::net::analyse::analyse;
 use crate::net::convert::{GridNet, net_of_grid};
 use crate::net::{Coordinates, Net};
+use gusset_base::geom::aabb;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_analyse",

@@ -2,10 +2,10 @@ use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use super::report::{QUAD, ROW};
+use crate::curve::CurveView;
+use crate::curve::ops::Spacing;
 use crate::net::primitive::{Primitive, Request};
 use crate::net::transform::{Affine, transform};
-use crate::outline::CurveView;
-use crate::outline::ops::Spacing;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_lathe",

@@ -1,8 +1,8 @@
 use super::curve::{CATEGORY, REFERENCE, sampled};
 use super::prelude::*;
 use super::report::POINT;
-use crate::outline::ops::Spacing;
-use crate::outline::{
+use crate::curve::ops::Spacing;
+use crate::curve::{
     Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
 };
 use std::f64::consts::PI;

@@ -1,10 +1,10 @@
 //! Parameters: kinds, ranges, defaults, and the validation of values.
 
 use crate::attributes::Origins;
-pub use crate::choice::Choice;
-use crate::choice::Choices;
 use crate::error::{Error, Result};
 use glam::DVec3;
+pub use gusset_base::choice::Choice;
+use gusset_base::choice::Choices;
 use std::ops::Range;
 
 /// The kind of a parameter.

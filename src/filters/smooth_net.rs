@@ -1,7 +1,7 @@
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};
-use crate::outline::Curve;
+use crate::curve::Curve;
 use crate::surface::construct::CurveNet;
 use crate::surface::{Sheet, Surface};
 

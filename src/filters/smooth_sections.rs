@@ -1,8 +1,8 @@
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
-use crate::geom::aabb;
 use crate::surface::contour::Planes;
 use crate::surface::{Paths, Surface};
+use gusset_base::geom::aabb;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_sections",

@@ -3,8 +3,8 @@
 
 use crate::curves::*;
 use glam::DVec3;
-use gusset::outline::ops::{OffsetOptions, Spacing};
-use gusset::outline::{CurveView, Place};
+use gusset::curve::ops::{OffsetOptions, Spacing};
+use gusset::curve::{CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
 
@@ -98,7 +98,7 @@ fn texts_and_contours_and_splines() {
 }
 
 /// The point of a B-spline by de Boor's scheme.
-fn de_boor(spline: &gusset::outline::ops::Spline, x: f64) -> DVec3 {
+fn de_boor(spline: &gusset::curve::ops::Spline, x: f64) -> DVec3 {
     let (n, knots) = (spline.degree, &spline.knots);
     let mut k = n;
     while k + 1 < spline.controls.len() && knots[k + 1] <= x {
@@ -274,13 +274,12 @@ fn reducing_high_degrees_gives_numbers_or_keeps_them() {
 fn lengths_of_curves_whose_speed_is_noise_end() {
     // Points far apart that cancel: a single curve through points on a line, there and back.
     let points: Vec<[f64; 2]> = (0..18).map(|i| [f64::from(i), 0.0]).collect();
-    let outlines =
-        gusset::outline::Outlines { points: points[..].into(), offsets: None, closed: true, constraints: &[] };
-    let options = gusset::outline::Options {
-        mode: gusset::outline::Mode::Single,
-        method: gusset::outline::Method::Symmedian,
+    let outlines = gusset::curve::Outlines { points: points[..].into(), offsets: None, closed: true, constraints: &[] };
+    let options = gusset::curve::Options {
+        mode: gusset::curve::Mode::Single,
+        method: gusset::curve::Method::Symmedian,
         ..Default::default()
     };
-    let done = gusset::outline::fit(&outlines, &options, &Job::default()).unwrap();
+    let done = gusset::curve::fit(&outlines, &options, &Job::default()).unwrap();
     assert!(done.curve(0).length().unwrap() >= 34.0);
 }

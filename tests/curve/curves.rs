@@ -3,7 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
 
 use glam::DVec3;
-use gusset::outline::{CurveView, Place};
+use gusset::curve::{CurveView, Place};
 use proptest::prelude::*;
 
 pub fn v(x: f64, y: f64, z: f64) -> DVec3 {

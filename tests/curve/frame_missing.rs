@@ -1,8 +1,8 @@
 //! Frames of sections that lack points: what is filled is near the body, what is there is kept.
 
 use glam::DVec3;
-use gusset::outline::frame::{Correspondence, Frame, FrameOptions, frame};
-use gusset::outline::{Outlines, Points};
+use gusset::curve::frame::{Correspondence, Frame, FrameOptions, frame};
+use gusset::curve::{Outlines, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
 //! Intersections of curves, against formulas and brute force.
 
 use glam::DVec3;
-use gusset::outline::ops::Intersections;
-use gusset::outline::{CurveView, Place};
+use gusset::curve::ops::Intersections;
+use gusset::curve::{CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
 

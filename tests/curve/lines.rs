@@ -1,7 +1,7 @@
 //! Curves and lines where rounding decides, against the roots that the curves are made from.
 
 use glam::DVec3;
-use gusset::outline::CurveView;
+use gusset::curve::CurveView;
 
 /// The control points of y = f(x) over 0 <= x <= 1, by the Bernstein coefficients of f.
 fn graph(coefficients: &[f64]) -> Vec<DVec3> {

@@ -4,7 +4,7 @@ use crate::curves::Given;
 use crate::plane::casteljau;
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::CurveView;
+use gusset::curve::CurveView;
 
 fn view(points: &[DVec3]) -> Given {
     Given::one(points)
@@ -139,10 +139,10 @@ fn near_misses_are_the_least_distances() {
                     continue;
                 }
                 minima += 1;
-                let near = |m: &gusset::outline::ops::NearMiss| (m.a.t - s).abs() < 2e-3 && (m.b.t - t).abs() < 2e-3;
-                let inside = |o: &gusset::outline::ops::Overlap| {
+                let near = |m: &gusset::curve::ops::NearMiss| (m.a.t - s).abs() < 2e-3 && (m.b.t - t).abs() < 2e-3;
+                let inside = |o: &gusset::curve::ops::Overlap| {
                     let holds =
-                        |ends: [gusset::outline::Place; 2], x: f64| ends[0].t - 1e-3 <= x && x <= ends[1].t + 1e-3;
+                        |ends: [gusset::curve::Place; 2], x: f64| ends[0].t - 1e-3 <= x && x <= ends[1].t + 1e-3;
                     holds(o.a, s) && holds(o.b, t)
                 };
                 let reported = found.places.iter().any(near) || found.overlaps.iter().any(inside) || found.undecided;

@@ -2,7 +2,7 @@
 
 use crate::curves::*;
 use glam::DVec3;
-use gusset::outline::{Curve, CurveView, Place};
+use gusset::curve::{Curve, CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
 

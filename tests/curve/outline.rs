@@ -4,7 +4,7 @@
 use crate::common::Silent;
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
-use gusset::outline::{
+use gusset::curve::{
     Constraint, CurveView, Ends, Fit, FitStatus, JointParameter, Method, Mode, Options, Outlines, Place,
     PointConstraint, PointStatus, Points, fit,
 };

@@ -5,7 +5,7 @@
 use crate::outline_data::{Line, adversarial, arc, blob, check, outlines, random, size, solve, solve_with};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::{
+use gusset::curve::{
     Constraint, Ends, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointConstraint, PointStatus,
     Points, Solver, fit, sections,
 };
@@ -211,7 +211,7 @@ fn blends_tell_their_cusps() {
     }
 }
 
-fn check_cusps(line: &Line, fit: &gusset::outline::Fit, reversals: &[usize], method: Method) {
+fn check_cusps(line: &Line, fit: &gusset::curve::Fit, reversals: &[usize], method: Method) {
     for i in 1..line.points.len() - 1 {
         let said = fit.statuses()[i] == PointStatus::Cusp;
         assert_eq!(said, reversals.contains(&i), "{method:?} {i} {:?}", fit.statuses());

@@ -7,7 +7,7 @@
 use crate::common::some_of;
 use crate::outline_data::{Line, adversarial, check, outlines, random, size, solve, solve_with};
 use glam::DVec3;
-use gusset::outline::{
+use gusset::curve::{
     Constraint, CurveView, Fit, FitStatus, JointParameter, Lock, Method, Options, Outlines, PointConstraint,
     PointStatus, Points, fit,
 };

@@ -2,8 +2,8 @@
 //! every solution must be.
 
 use glam::DVec3;
+use gusset::curve::{Constraint, Fit, FitStatus, Options, Outlines, PointStatus, Points, fit};
 use gusset::job::Job;
-use gusset::outline::{Constraint, Fit, FitStatus, Options, Outlines, PointStatus, Points, fit};
 use std::path::PathBuf;
 
 /// Points, one after another.

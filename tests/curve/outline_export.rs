@@ -1,7 +1,7 @@
 //! What outlines are written as, read back by another library (kurbo): every point is on the path.
 
 use gusset::Job;
-use gusset::outline::{Fit, Mode, Options, Outlines, Points, fit};
+use gusset::curve::{Fit, Mode, Options, Outlines, Points, fit};
 use kurbo::{BezPath, ParamCurve, PathEl, Point};
 
 /// A blob by formula, and the outlines of the data folder.

@@ -1,18 +1,18 @@
 //! The frame of outlines, on bodies by formula.
 
 use glam::DVec3;
-use gusset::outline::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, frame, slice};
-use gusset::outline::{Constraint, Mode, Options, Outlines, PointConstraint, Points};
+use gusset::curve::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, frame, slice};
+use gusset::curve::{Constraint, Mode, Options, Outlines, PointConstraint, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
 
 const CUBIC: Options = Options {
     mode: Mode::CubicC2,
-    method: gusset::outline::Method::Bisector,
-    lock: gusset::outline::Lock::Parameter,
-    joint: gusset::outline::JointParameter::Half,
-    solver: gusset::outline::Solver::Fast,
-    ends: gusset::outline::Ends::Free,
+    method: gusset::curve::Method::Bisector,
+    lock: gusset::curve::Lock::Parameter,
+    joint: gusset::curve::JointParameter::Half,
+    solver: gusset::curve::Solver::Fast,
+    ends: gusset::curve::Ends::Free,
     parameter_limit: 1.0 / 6.0,
     repeat_tolerance: 1e-12,
     corner_angle: PI,

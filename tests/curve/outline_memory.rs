@@ -4,7 +4,7 @@
 
 use crate::common::Silent;
 use gusset::Job;
-use gusset::outline::{Lock, Mode, Options, Outlines, Points, fit};
+use gusset::curve::{Lock, Mode, Options, Outlines, Points, fit};
 use std::cell::Cell;
 
 thread_local! {

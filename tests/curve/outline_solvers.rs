@@ -9,7 +9,7 @@ use crate::outline_data::{
 };
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::{
+use gusset::curve::{
     Constraint, CurveView, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointConstraint,
     PointStatus, Points, Solver, fit, step_section,
 };

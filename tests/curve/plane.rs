@@ -3,7 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
 
 use glam::DVec3;
-use gusset::outline::Method;
+use gusset::curve::Method;
 
 pub const METHODS: [Method; 5] =
     [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.3)];

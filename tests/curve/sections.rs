@@ -3,7 +3,7 @@
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::{Constraint, Method, Options, Outlines, PointConstraint, PointStatus, Points, sections};
+use gusset::curve::{Constraint, Method, Options, Outlines, PointConstraint, PointStatus, Points, sections};
 use proptest::prelude::*;
 
 #[test]
@@ -60,7 +60,7 @@ proptest! {
 
 #[test]
 fn tangent_sections_and_why_there_is_none() {
-    use gusset::outline::{section_by_end_tangent, section_by_start_tangent, section_by_tangent};
+    use gusset::curve::{section_by_end_tangent, section_by_start_tangent, section_by_tangent};
     let [a, p, c] = [[0.0, 0.0], [1.0, 1.0], [3.0, 0.0]].map(lift);
     let along = |x, y| DVec3::new(x, y, 0.0);
     let start = section_by_start_tangent(a, p, c, along(1.0, 2.0)).unwrap();
@@ -107,8 +107,8 @@ fn sections_of_outlines() {
     let points = [[0.0, 0.0], [1.0, 1.0], [3.0, 0.0]];
     let tangent = DVec3::new(1.0, 2.0, 0.0);
     for (point, expected) in [
-        (0, gusset::outline::section_by_start_tangent(lift(points[0]), lift(points[1]), lift(points[2]), tangent)),
-        (1, gusset::outline::section_by_tangent(lift(points[0]), lift(points[1]), lift(points[2]), DVec3::X)),
+        (0, gusset::curve::section_by_start_tangent(lift(points[0]), lift(points[1]), lift(points[2]), tangent)),
+        (1, gusset::curve::section_by_tangent(lift(points[0]), lift(points[1]), lift(points[2]), DVec3::X)),
     ] {
         let tangent = if point == 0 { tangent } else { DVec3::X };
         let constraints = [Constraint { point, kind: PointConstraint::Tangent(tangent) }];

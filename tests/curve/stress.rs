@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::ops::{OffsetOptions, Spacing};
-use gusset::outline::{CurveView, Place};
+use gusset::curve::ops::{OffsetOptions, Spacing};
+use gusset::curve::{CurveView, Place};
 use proptest::prelude::*;
 
 fn coordinate() -> impl Strategy<Value = f64> {

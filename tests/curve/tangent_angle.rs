@@ -3,8 +3,8 @@
 
 use glam::{DMat3, DVec3};
 use gusset::Error;
-use gusset::outline::ops::TangentAngles;
-use gusset::outline::{Curve, CurveView, Place};
+use gusset::curve::ops::TangentAngles;
+use gusset::curve::{Curve, CurveView, Place};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 fn curve(points: &[DVec3], ends: &[u32], closed: bool) -> Curve {

@@ -46,7 +46,7 @@ fn the_committed_headers_are_the_generated_ones() {
     // The interfaces alone: C has no use for the constants of the core.
     let sources = [("mod.rs", library), ("plugin/mod.rs", config("cbindgen_plugin.toml"))];
     for (name, (source, config)) in HEADERS.iter().zip(sources) {
-        let builder = cbindgen::Builder::new().with_src(Path::new(ROOT).join("src/ffi").join(source));
+        let builder = cbindgen::Builder::new().with_src(Path::new(ROOT).join("src/capi").join(source));
         let mut generated = Vec::new();
         builder.with_config(config).generate().expect("the header can be generated").write(&mut generated);
         committed(&format!("include/{name}"), &String::from_utf8(generated).unwrap());
@@ -57,7 +57,7 @@ fn the_committed_headers_are_the_generated_ones() {
 fn the_version_is_the_package_s() {
     // SAFETY: the function returns a static string.
     #[allow(unsafe_code)]
-    let version = unsafe { CStr::from_ptr(gusset::ffi::version::gusset_version()) };
+    let version = unsafe { CStr::from_ptr(gusset::capi::version::gusset_version()) };
     assert_eq!(version.to_str().unwrap(), env!("CARGO_PKG_VERSION"));
     let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
     let parts: Vec<_> = env!("CARGO_PKG_VERSION").split('.').collect();
@@ -77,7 +77,7 @@ fn every_status_has_a_text_of_its_own() {
     #[allow(unsafe_code)]
     let text = |status| {
         // SAFETY: the function returns a static string.
-        unsafe { CStr::from_ptr(gusset::ffi::status::gusset_status_text(status)) }.to_str().unwrap()
+        unsafe { CStr::from_ptr(gusset::capi::status::gusset_status_text(status)) }.to_str().unwrap()
     };
     // Each is the first sentence of what the header says of the number.
     let mut comment = String::new();

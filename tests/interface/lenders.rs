@@ -3,19 +3,19 @@
 
 #![allow(unsafe_code, reason = "the functions are those of C")]
 
-use gusset::ffi::curve::export::*;
-use gusset::ffi::curve::intersect::*;
-use gusset::ffi::curve::{gusset_curve, gusset_curve_create, gusset_curve_destroy};
-use gusset::ffi::mesh::GUSSET_F64;
-use gusset::ffi::net::mesh::*;
-use gusset::ffi::net::{gusset_net_create, gusset_net_destroy, gusset_net_view};
-use gusset::ffi::status::gusset_status::{self, GUSSET_OK};
-use gusset::ffi::surface::contour::gusset_surface_section_create;
-use gusset::ffi::surface::line_intersection::*;
-use gusset::ffi::surface::nearest::*;
-use gusset::ffi::surface::sheet::*;
-use gusset::ffi::surface::surface_intersection::*;
-use gusset::ffi::surface::*;
+use gusset::capi::curve::export::*;
+use gusset::capi::curve::intersect::*;
+use gusset::capi::curve::{gusset_curve, gusset_curve_create, gusset_curve_destroy};
+use gusset::capi::mesh::GUSSET_F64;
+use gusset::capi::net::mesh::*;
+use gusset::capi::net::{gusset_net_create, gusset_net_destroy, gusset_net_view};
+use gusset::capi::status::gusset_status::{self, GUSSET_OK};
+use gusset::capi::surface::contour::gusset_surface_section_create;
+use gusset::capi::surface::line_intersection::*;
+use gusset::capi::surface::nearest::*;
+use gusset::capi::surface::sheet::*;
+use gusset::capi::surface::surface_intersection::*;
+use gusset::capi::surface::*;
 use std::ptr;
 
 /// What a function made, until it is dropped.
@@ -53,7 +53,7 @@ fn lent<T: Copy>(lend: impl FnOnce(*mut T) -> gusset_status) -> T {
     view
 }
 
-const DEFAULTS: *const gusset::ffi::context::gusset_context = ptr::null();
+const DEFAULTS: *const gusset::capi::context::gusset_context = ptr::null();
 
 #[test]
 fn the_parts_that_a_form_of_a_curve_does_not_have() {

@@ -1,8 +1,8 @@
 //! The C interface as built.
 
 mod c_abi;
+mod circles;
 mod features;
-mod layers;
 mod lenders;
 mod messages;
 mod modules;

@@ -3,15 +3,15 @@
 #![allow(unsafe_code, reason = "the functions are those of C")]
 
 use glam::DVec3;
-use gusset::ffi::context::*;
-use gusset::ffi::curve::frame::*;
-use gusset::ffi::curve::outline::gusset_outlines;
-use gusset::ffi::curve::outline_options::gusset_outline_options;
-use gusset::ffi::mesh::assembly::*;
-use gusset::ffi::mesh::fill::gusset_fill_options;
-use gusset::ffi::mesh::stitch_options::gusset_stitch_options;
-use gusset::ffi::mesh::weld::gusset_weld_options;
-use gusset::ffi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
+use gusset::capi::context::*;
+use gusset::capi::curve::frame::*;
+use gusset::capi::curve::outline::gusset_outlines;
+use gusset::capi::curve::outline_options::gusset_outline_options;
+use gusset::capi::mesh::assembly::*;
+use gusset::capi::mesh::fill::gusset_fill_options;
+use gusset::capi::mesh::stitch_options::gusset_stitch_options;
+use gusset::capi::mesh::weld::gusset_weld_options;
+use gusset::capi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
 use gusset::net::stream::StreamInfo;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};

@@ -3,8 +3,8 @@
 use crate::common::{Silent, Soup, data, edge_counts, faces_of, some_of, torus};
 use glam::{DMat3, DQuat, DVec3};
 use gusset::align::{Options, Pose, Reason, Start, align};
+use gusset::assemble::{self, Overlaps};
 use gusset::mesh::{MeshView, NONE};
-use gusset::stitch::assemble::{self, Overlaps};
 use gusset::{Job, fill, trim};
 use std::collections::HashMap;
 

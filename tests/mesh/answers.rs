@@ -2,10 +2,10 @@
 
 use crate::common::{Soup, cap, sheet};
 use crate::pieces::cube;
+use gusset::assemble::{self, MaxGap, Selector, assemble};
 use gusset::error::{PairFault, Side};
 use gusset::fill::{self, Selection, fill_holes};
 use gusset::mesh::{MeshView, NONE};
-use gusset::stitch::assemble::{self, MaxGap, Selector, assemble};
 use gusset::stitch::{self, Fairing, Orientation, Request, Rows, Stitch, stitch};
 use gusset::{Error, Job, Progress};
 use std::cell::RefCell;

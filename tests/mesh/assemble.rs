@@ -3,11 +3,11 @@
 
 use crate::common::{Soup, Steady, edge_counts, euler, faces_of, sheet, torus, volume};
 use crate::pieces::{around, cube, cut, shrunk, sphere};
+use gusset::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
 use gusset::check::check;
 use gusset::fill;
 use gusset::mesh::{Mesh, MeshView, NONE};
 use gusset::repair::weld;
-use gusset::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
 use gusset::stitch::{self, Fairing, Rows};
 use gusset::{Error, Job};
 use proptest::prelude::*;

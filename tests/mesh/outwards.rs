@@ -3,10 +3,10 @@
 
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus, volume};
 use crate::pieces::{cube, cut};
+use gusset::assemble::{self, Assembly, assemble};
 use gusset::fill::{self, Selection, fill_holes};
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{Outward, turn_outwards};
-use gusset::stitch::assemble::{self, Assembly, assemble};
 use gusset::stitch::{self, Extent, Request, Rows, Stitch, stitch};
 use gusset::{Error, Job, Progress};
 use std::cell::RefCell;

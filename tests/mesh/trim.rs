@@ -3,9 +3,9 @@
 use crate::common::{Soup, edge_counts, euler, faces_of, some_of};
 use glam::{DMat3, DQuat, DVec3};
 use gusset::Job;
+use gusset::assemble::{self, Assembly, Overlaps, assemble};
 use gusset::fill::{self, Keep};
 use gusset::mesh::{Mesh, MeshView};
-use gusset::stitch::assemble::{self, Assembly, Overlaps, assemble};
 use gusset::trim::{self, trim};
 use std::collections::{BTreeSet, HashMap};
 use std::f64::consts::TAU;

@@ -3,7 +3,7 @@
 
 use crate::shapes::{Random, SHAPES, grid};
 use glam::DVec3;
-use gusset::outline::{Curve, CurveView, Place};
+use gusset::curve::{Curve, CurveView, Place};
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
     AngleTarget, Arcs, Diameters, Figure, Goal, Object, SearchOptions, Sum, figure_incidence,

@@ -3,8 +3,8 @@
 
 use crate::shapes::{Random, wigley};
 use glam::DVec3;
-use gusset::outline::frame::{Correspondence, FrameOptions, frame};
-use gusset::outline::{Curve, CurveView, Mode, Options, Outlines, Points};
+use gusset::curve::frame::{Correspondence, FrameOptions, frame};
+use gusset::curve::{Curve, CurveView, Mode, Options, Outlines, Points};
 use gusset::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions, Tangents, Twists};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use gusset::{Element, Error, Job};
@@ -288,7 +288,7 @@ fn through(points: &[DVec3], closed: bool) -> Curve {
     let rows: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let outlines = Outlines { points: Points::from(&rows[..]), offsets: None, closed, constraints: &[] };
     let options = Options { mode: Mode::CubicC2, ..Options::default() };
-    gusset::outline::fit(&outlines, &options, &Job::default()).unwrap().curve(0).to_owned().unwrap()
+    gusset::curve::fit(&outlines, &options, &Job::default()).unwrap().curve(0).to_owned().unwrap()
 }
 
 /// The largest distance of a curve's points, 4 a segment, from the nearest point of the sheet.
@@ -297,7 +297,7 @@ fn distance_from(sheet: &Sheet<'static>, curve: CurveView<'_>) -> f64 {
     let mut worst = 0.0_f64;
     for segment in 0..curve.len() {
         for t in [0.05, 0.3, 0.6, 0.9] {
-            let place = gusset::outline::Place { segment: segment as u32, t };
+            let place = gusset::curve::Place { segment: segment as u32, t };
             let point = curve.point(place).unwrap();
             worst = worst.max(surface.closest(point, f64::INFINITY).unwrap().distance);
         }

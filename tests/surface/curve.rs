@@ -4,7 +4,7 @@
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::{Curve, CurveView, Place};
+use gusset::curve::{Curve, CurveView, Place};
 use gusset::surface::line_intersection::{HitSelection, Line};
 use gusset::surface::{Grid, Patches, Scheme, Sheet, Surface, curve_through};
 use std::f64::consts::TAU;
@@ -294,8 +294,7 @@ fn approaches_against_samples() {
         }
         // What samples show well within is there.
         for (s, t) in sampled(&a.view(), &b.view(), 0.9 * within) {
-            let near =
-                |p: &&gusset::outline::ops::NearMiss| (along(p.a) - s).abs() < 0.1 && (along(p.b) - t).abs() < 0.1;
+            let near = |p: &&gusset::curve::ops::NearMiss| (along(p.a) - s).abs() < 0.1 && (along(p.b) - t).abs() < 0.1;
             assert!(found.places.iter().any(|place| near(&place)), "{k}: {s} {t} {found:?}");
         }
         total += found.places.len();

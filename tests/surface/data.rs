@@ -2,8 +2,8 @@
 //! teapot. Skipped where the data is not.
 
 use glam::DVec3;
-use gusset::outline::frame::{Correspondence, FrameOptions, frame};
-use gusset::outline::{Curve, CurveView, Mode, Options, Outlines, Points};
+use gusset::curve::frame::{Correspondence, FrameOptions, frame};
+use gusset::curve::{Curve, CurveView, Mode, Options, Outlines, Points};
 use gusset::surface::construct::{CurveNet, FrameSurface};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
@@ -28,7 +28,7 @@ fn through(points: &[DVec3]) -> Curve {
     let rows: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let outlines = Outlines { points: Points::from(&rows[..]), offsets: None, closed: false, constraints: &[] };
     let options = Options { mode: Mode::CubicC2, ..Options::default() };
-    gusset::outline::fit(&outlines, &options, &Job::default()).unwrap().curve(0).to_owned().unwrap()
+    gusset::curve::fit(&outlines, &options, &Job::default()).unwrap().curve(0).to_owned().unwrap()
 }
 
 /// The given points of each station of the hull, from below.
@@ -197,7 +197,7 @@ fn sketched_nets_become_coons_patches_where_their_cycles_allow() {
                     if whole {
                         let surface = Surface::new(vec![sheet.clone()], None, &Job::default()).unwrap();
                         for (curve, t) in (0..length).flat_map(|k| [0.2, 0.7].map(|t| (curve(k), t))) {
-                            let point = curve.point(gusset::outline::Place { segment: 0, t }).unwrap();
+                            let point = curve.point(gusset::curve::Place { segment: 0, t }).unwrap();
                             let distance = surface.closest(point, f64::INFINITY).unwrap().distance;
                             assert!(distance < 4e-6, "{name}: {cycle:?}: {distance}");
                         }
@@ -260,7 +260,7 @@ fn a_foot_from_its_frame() {
             for fit in [&made.across, &made.along] {
                 for (curve, k) in (0..fit.len()).map(|k| (fit.curve(k), k)) {
                     let segment = (7 * k % curve.len()) as u32;
-                    let point = curve.point(gusset::outline::Place { segment, t: 0.37 }).unwrap();
+                    let point = curve.point(gusset::curve::Place { segment, t: 0.37 }).unwrap();
                     worst = worst.max(surface.closest(point, f64::INFINITY).unwrap().distance);
                 }
             }

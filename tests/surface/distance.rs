@@ -4,7 +4,7 @@
 use crate::shapes::{Random, rough, torus};
 use glam::{DMat3, DVec3};
 use gusset::Job;
-use gusset::outline::{Curve, CurveView};
+use gusset::curve::{Curve, CurveView};
 use gusset::surface::line_intersection::Line;
 use gusset::surface::{Approach, Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use std::time::Instant;
@@ -98,7 +98,7 @@ fn random_curve(random: &mut Random, from: DVec3) -> Curve {
 }
 
 fn curve_points(curve: &CurveView<'_>, n: usize) -> Vec<DVec3> {
-    let at = |k: usize| gusset::outline::Place { segment: (k / n) as u32, t: (k % n) as f64 / (n - 1) as f64 };
+    let at = |k: usize| gusset::curve::Place { segment: (k / n) as u32, t: (k % n) as f64 / (n - 1) as f64 };
     curve.points_at(&(0..n * curve.len()).map(at).collect::<Vec<_>>()).unwrap()
 }
 

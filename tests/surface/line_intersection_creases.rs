@@ -4,7 +4,7 @@
 use crate::shapes::{Random, SHAPES};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::CurveView;
+use gusset::curve::CurveView;
 use gusset::surface::line_intersection::{Hit, HitSelection, Line};
 use gusset::surface::{Grid, Nodes, Place, Scheme, Sheet, Surface};
 use std::f64::consts::TAU;

@@ -2,8 +2,8 @@
 
 use crate::common::some_of;
 use glam::DVec3;
-use gusset::outline::frame::{Correspondence, FrameOptions, OffsetDirection, frame, offset};
-use gusset::outline::{Outlines, Points};
+use gusset::curve::frame::{Correspondence, FrameOptions, OffsetDirection, frame, offset};
+use gusset::curve::{Outlines, Points};
 use gusset::surface::{Grid, Nodes, Scheme, Sheet};
 use gusset::{Error, Job};
 use std::f64::consts::{PI, TAU};

@@ -4,10 +4,10 @@
 use crate::agree::agreed;
 use crate::input::{self, Soup};
 use gusset::Job;
+use gusset::assemble::{Options, assemble};
 use gusset::check::check;
 use gusset::mesh::MeshView;
 use gusset::repair::weld;
-use gusset::stitch::assemble::{Options, assemble};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {

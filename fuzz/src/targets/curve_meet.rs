@@ -4,7 +4,7 @@
 use crate::agree::agreed;
 use crate::distance;
 use crate::input::{self, SmallCurve};
-use gusset::outline::CurveView;
+use gusset::curve::CurveView;
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {

@@ -5,7 +5,7 @@ use crate::agree::agreed;
 use crate::input::{self, Cloud};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::CurveView;
+use gusset::curve::CurveView;
 use gusset::surface::construct::CurveNet;
 use gusset::surface::{Sheet, Surface};
 

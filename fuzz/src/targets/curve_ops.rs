@@ -3,8 +3,8 @@
 use crate::input;
 use crate::input::{Cloud, Point, places};
 use gusset::Job;
-use gusset::outline::ops::{OffsetOptions, Spacing};
-use gusset::outline::{CurveView, Place};
+use gusset::curve::ops::{OffsetOptions, Spacing};
+use gusset::curve::{CurveView, Place};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {

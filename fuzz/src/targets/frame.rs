@@ -4,8 +4,8 @@
 use crate::agree::agreed;
 use crate::input::{self, Cloud, places};
 use glam::DVec3;
-use gusset::outline::frame::{Axis, Correspondence, FrameOptions, frame};
-use gusset::outline::{Outlines, Points};
+use gusset::curve::frame::{Axis, Correspondence, FrameOptions, frame};
+use gusset::curve::{Outlines, Points};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {

@@ -3,7 +3,7 @@
 use crate::input;
 use crate::input::{Cloud, places};
 use gusset::Job;
-use gusset::outline::{Ends, JointParameter, Lock, Mode, Options, Outlines, Points, fit};
+use gusset::curve::{Ends, JointParameter, Lock, Mode, Options, Outlines, Points, fit};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {

@@ -6,9 +6,9 @@ use crate::input::{self, Soup};
 use glam::DVec3;
 use gusset::Job;
 use gusset::align::{self, Pose, Start, align};
+use gusset::assemble::{self, Overlaps, assemble};
 use gusset::fill;
 use gusset::mesh::{Faces, MeshView, Positions};
-use gusset::stitch::assemble::{self, Overlaps, assemble};
 use gusset::trim::{self, trim};
 
 /// Runs one case.

@@ -4,12 +4,12 @@ use super::{Case, carried};
 use crate::common::{Soup, cap, sheet, some_of, torus};
 use glam::DVec3;
 use gusset::Job;
+use gusset::assemble::{self, assemble};
 use gusset::attributes::{Domain, Origins, Rule};
 use gusset::fill::{self, Selection, fill_holes};
 use gusset::repair::orient::{self, orient};
 use gusset::repair::sew::sew;
 use gusset::repair::weld::{self, weld};
-use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{self, Cells, Finish, Options, Request, Rows, stitch};
 use std::collections::HashMap;
 

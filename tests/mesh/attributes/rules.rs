@@ -4,10 +4,10 @@ use super::carried;
 use super::fields::{cases, job, stitched};
 use crate::common::{Soup, cap, sheet};
 use glam::DVec3;
+use gusset::assemble::{self, assemble};
 use gusset::attributes::{Channel, Domain, Origins, Output, Rule, ValueType, apply};
 use gusset::error::Element;
 use gusset::repair::weld;
-use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{Options, Rows};
 use gusset::{Error, Job};
 

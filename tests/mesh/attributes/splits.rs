@@ -3,6 +3,7 @@
 use super::fields::job;
 use crate::common::{Soup, cap, data, edge_counts, some_of, torus};
 use gusset::Error;
+use gusset::assemble::{self, assemble};
 use gusset::attributes::{Domain, KeepSplits, Origins, Rule};
 use gusset::boundary::{self, boundary_loops};
 use gusset::fill::{self, Selection, fill_holes};
@@ -11,7 +12,6 @@ use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, orient};
 use gusset::repair::sew::sew;
 use gusset::repair::weld::{self, weld};
-use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{Options, Request, Rows, stitch};
 use std::collections::{BTreeSet, HashMap};
 

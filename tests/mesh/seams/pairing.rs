@@ -2,8 +2,8 @@
 
 use crate::common::{Soup, euler, faces_of};
 use gusset::Job;
+use gusset::assemble::{Assembly, Options, Outcome, Reason, assemble};
 use gusset::mesh::MeshView;
-use gusset::stitch::assemble::{Assembly, Options, Outcome, Reason, assemble};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 

@@ -5,11 +5,11 @@ mod borders;
 
 use crate::common::{Soup, edge_counts, euler, faces_of, sheet, torus, volume};
 use borders::{cut, places, triangulated};
+use gusset::assemble::{self, MaxGap, assemble};
 use gusset::check::check;
 use gusset::mesh::{Faces, Mesh, MeshView, NONE, Positions};
 use gusset::repair::sew::{Sew, sew};
 use gusset::repair::weld::{Options, Vertices};
-use gusset::stitch::assemble::{self, MaxGap, assemble};
 use gusset::{Error, Job, Progress};
 use proptest::prelude::*;
 use std::cell::Cell;

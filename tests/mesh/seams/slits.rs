@@ -2,9 +2,9 @@
 
 use crate::common::{Soup, cap, edge_counts, euler, faces_of};
 use gusset::Job;
+use gusset::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
 use gusset::mesh::MeshView;
 use gusset::stitch::Finish;
-use gusset::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
 
 fn run(pieces: &[Soup], options: &Options<'_>) -> Assembly {
     let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();

@@ -3,10 +3,10 @@
 
 use crate::common::{Soup, edge_counts, euler, faces_of, sheet, torus};
 use gusset::Job;
+use gusset::assemble::{self, assemble};
 use gusset::check::check;
 use gusset::mesh::{Faces, Mesh, MeshView, Positions};
 use gusset::repair::weld::{Options, Vertices, Weld, weld};
-use gusset::stitch::assemble::{self, assemble};
 use std::collections::{HashMap, HashSet};
 
 /// Numbers from 0 to 1, the same each time.

@@ -1,0 +1,168 @@
+//! Axis-aligned bounding boxes, and ranges of numbers.
+//!
+//! The empty box has its low end at +infinity and its high end at -infinity, so that it is neutral
+//! in unions and infinitely far from every point.
+
+use glam::DVec3;
+use std::borrow::Borrow;
+
+/// A box with sides along the axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aabb {
+    pub low: DVec3,
+    pub high: DVec3,
+}
+
+impl Aabb {
+    pub const EMPTY: Aabb = Aabb { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+
+    /// The box of some points, taken in their order: a point that is no number replaces what came
+    /// before it.
+    #[inline]
+    pub fn of(points: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |whole, point| whole.with(*point.borrow()))
+    }
+
+    #[inline]
+    fn with(self, point: DVec3) -> Self {
+        Aabb { low: self.low.min(point), high: self.high.max(point) }
+    }
+
+    #[inline]
+    pub fn add(&mut self, point: DVec3) {
+        *self = self.with(point);
+    }
+
+    #[inline]
+    pub fn union(self, other: Aabb) -> Aabb {
+        Aabb { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The box with every side moved outwards.
+    #[inline]
+    pub fn inflated(self, by: f64) -> Aabb {
+        Aabb { low: self.low - by, high: self.high + by }
+    }
+
+    /// The Minkowski sum: all sums of a point of each.
+    #[inline]
+    pub fn sum(self, other: Aabb) -> Aabb {
+        Aabb { low: self.low + other.low, high: self.high + other.high }
+    }
+
+    /// True for the box of no points.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.low.x > self.high.x
+    }
+
+    #[inline]
+    pub fn size(&self) -> DVec3 {
+        self.high - self.low
+    }
+
+    /// The length from corner to corner.
+    pub fn diagonal(&self) -> f64 {
+        self.low.distance(self.high)
+    }
+
+    pub fn centre(&self) -> DVec3 {
+        self.low.midpoint(self.high)
+    }
+
+    /// The greatest length of a vector of the box, or more.
+    #[inline]
+    pub fn max_norm(&self) -> f64 {
+        self.low.abs().max(self.high.abs()).length()
+    }
+
+    /// True if the boxes have a point in common.
+    #[inline]
+    pub fn overlaps(&self, other: &Aabb) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
+    }
+
+    /// How far a point lies outside along each axis, 0 where it lies within.
+    #[inline]
+    pub fn outside(&self, point: DVec3) -> DVec3 {
+        (self.low - point).max(point - self.high).max(DVec3::ZERO)
+    }
+
+    /// The square of the distance to a point; infinite for the empty box.
+    #[inline]
+    pub fn distance_squared(&self, point: DVec3) -> f64 {
+        self.outside(point).length_squared()
+    }
+
+    /// The gap between the boxes along each axis, negative where they overlap.
+    #[inline]
+    pub fn separation(&self, other: &Aabb) -> DVec3 {
+        (self.low - other.high).max(other.low - self.high)
+    }
+
+    /// True if the boxes come within `slack` of each other along every axis.
+    #[inline]
+    pub fn is_within(&self, other: &Aabb, slack: f64) -> bool {
+        self.separation(other).max_element() <= slack
+    }
+
+    /// The distance between the boxes, 0 if they overlap.
+    #[inline]
+    pub fn distance(&self, other: &Aabb) -> f64 {
+        self.separation(other).max(DVec3::ZERO).length()
+    }
+}
+
+/// The least and the greatest of some numbers; [infinity, -infinity] for none. NaN is passed over.
+#[inline(always)]
+pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point() -> impl Strategy<Value = DVec3> {
+        (-3i8..4, -3i8..4, -3i8..4).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()))
+    }
+
+    fn cells(whole: &Aabb) -> Vec<DVec3> {
+        let along = |axis: usize| (whole.low[axis] as i32..=whole.high[axis] as i32).map(f64::from);
+        along(0).flat_map(|x| along(1).flat_map(move |y| along(2).map(move |z| DVec3::new(x, y, z)))).collect()
+    }
+
+    proptest! {
+        /// On a lattice, against a search through all lattice points of the boxes.
+        #[test]
+        fn distances_are_those_of_the_nearest_points(
+            p in prop::collection::vec(point(), 1..4), q in prop::collection::vec(point(), 1..4), query in point(),
+        ) {
+            let (a, b) = (Aabb::of(&p), Aabb::of(&q));
+            let (of_a, of_b) = (cells(&a), cells(&b));
+            let least = |squares: &mut dyn Iterator<Item = f64>| squares.fold(f64::INFINITY, f64::min);
+            let to_point = least(&mut of_a.iter().map(|x| x.distance_squared(query)));
+            prop_assert_eq!(a.distance_squared(query), to_point);
+            let between = least(&mut of_a.iter().flat_map(|x| of_b.iter().map(|y| x.distance_squared(*y))));
+            prop_assert_eq!(a.distance(&b), between.sqrt());
+            prop_assert_eq!(a.overlaps(&b), between == 0.0);
+            prop_assert_eq!(a.separation(&b).max_element() <= 0.0, between == 0.0);
+            prop_assert_eq!(a.union(b), Aabb::of(p.iter().chain(&q)));
+            prop_assert_eq!(a.sum(b), Aabb::of(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
+            prop_assert_eq!(a.max_norm(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
+            prop_assert_eq!(cells(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
+        }
+    }
+
+    #[test]
+    fn the_empty_box_is_neutral() {
+        let one = Aabb::of([DVec3::X]);
+        assert!(Aabb::EMPTY.is_empty() && !one.is_empty() && !one.overlaps(&Aabb::EMPTY));
+        assert_eq!(Aabb::EMPTY.union(one), one);
+        assert_eq!(Aabb::EMPTY.distance_squared(DVec3::ONE), f64::INFINITY);
+        assert_eq!(one.diagonal(), 0.0);
+        assert_eq!(range([2.0, f64::NAN, -1.0]), [-1.0, 2.0]);
+        assert_eq!(range([]), [f64::INFINITY, f64::NEG_INFINITY]);
+    }
+}

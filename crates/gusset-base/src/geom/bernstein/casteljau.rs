@@ -1,0 +1,297 @@
+//! De Casteljau's scheme: evaluation, subdivision, degree elevation, derivatives, blossoms and
+//! basis functions.
+//!
+//! Source: Farin, Curves and Surfaces for CAGD (2002), chapters 4 to 6. A column of the scheme
+//! replaces each coefficient by a combination of itself and the next one. O(n^2).
+
+use glam::{DVec2, DVec3, DVec4};
+use std::ops::{Mul, Sub};
+
+/// A coefficient: a number, a point, or a row of coefficients.
+pub trait Coefficient: Copy {
+    /// Replaces it by (1 - t) times itself plus t times the next one.
+    fn blend(&mut self, next: &Self, t: f64);
+
+    /// Replaces it by half the sum of itself and the next one.
+    fn average(&mut self, next: &Self);
+}
+
+macro_rules! plain_coefficients {
+    ($($kind:ty)*) => {$(
+        impl Coefficient for $kind {
+            #[inline(always)]
+            fn blend(&mut self, next: &Self, t: f64) {
+                *self = *self * (1.0 - t) + *next * t;
+            }
+
+            #[inline(always)]
+            fn average(&mut self, next: &Self) {
+                *self = 0.5 * (*self + *next);
+            }
+        }
+    )*};
+}
+plain_coefficients! { f64 DVec2 DVec3 DVec4 }
+
+impl<T: Coefficient, const N: usize> Coefficient for [T; N] {
+    #[inline(always)]
+    fn blend(&mut self, next: &Self, t: f64) {
+        self.iter_mut().zip(next).for_each(|(x, next)| x.blend(next, t));
+    }
+
+    #[inline(always)]
+    fn average(&mut self, next: &Self) {
+        self.iter_mut().zip(next).for_each(|(x, next)| x.average(next));
+    }
+}
+
+/// One column of de Casteljau's scheme: combines each coefficient with the next one, but for the
+/// last.
+#[inline(always)]
+fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
+    for k in 1..c.len() {
+        let (before, after) = c.split_at_mut(k);
+        combine(&mut before[k - 1], &after[0]);
+    }
+}
+
+/// De Casteljau's columns at t down to the last `keep`, which are the first ones of `c` then; the
+/// others keep what they had when they were left.
+#[inline(always)]
+pub fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
+    for count in (keep..c.len()).rev() {
+        column(&mut c[..=count], |x, next| x.blend(next, t));
+    }
+}
+
+#[inline(always)]
+pub fn evaluate<T: Coefficient, const N: usize>(c: &[T; N], t: f64) -> T {
+    let mut work = *c;
+    reduce(&mut work, t, 1);
+    work[0]
+}
+
+/// The value and the first derivative at t.
+#[inline(always)]
+pub fn evaluate_with_slope<T, const N: usize>(c: &[T; N], t: f64) -> [T; 2]
+where
+    T: Coefficient + Sub<Output = T> + Mul<f64, Output = T>,
+{
+    let mut work = *c;
+    reduce(&mut work, t, 2);
+    let slope = (work[1] - work[0]) * (N - 1) as f64;
+    reduce(&mut work[..2], t, 1);
+    [work[0], slope]
+}
+
+/// The value and the first derivative at t, by differences: x + t (y - x) in place of (1 - t) x + t
+/// y, which is cheaper, but does not end at y.
+#[inline(always)]
+pub fn value_and_slope_by_differences<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
+    let mut work = *c;
+    for count in (2..N).rev() {
+        column(&mut work[..=count], |x, next| *x += t * (next - *x));
+    }
+    let rise = work[1] - work[0];
+    [work[0] + t * rise, (N - 1) as f64 * rise]
+}
+
+/// Splits at t: `c` keeps the part after t, `before` receives the one before.
+#[inline(always)]
+pub fn split<T: Coefficient>(c: &mut [T], t: f64, before: &mut [T]) {
+    let n = c.len();
+    for (k, first) in before.iter_mut().enumerate().take(n) {
+        *first = c[0];
+        column(&mut c[..n - k], |x, next| x.blend(next, t));
+    }
+}
+
+/// Splits at 1/2: `c` keeps the part after, `before` receives the one before.
+#[inline(always)]
+pub fn halve<T: Coefficient>(c: &mut [T], before: &mut [T]) {
+    let n = c.len();
+    for (k, first) in before.iter_mut().enumerate().take(n) {
+        *first = c[0];
+        column(&mut c[..n - k], Coefficient::average);
+    }
+}
+
+/// The halves before and after 1/2.
+#[inline(always)]
+pub fn halves<T: Coefficient, const N: usize>(c: &[T; N]) -> [[T; N]; 2] {
+    let (mut before, mut after) = (*c, *c);
+    halve(&mut after, &mut before);
+    [before, after]
+}
+
+/// Restricts to the part from one parameter to a greater one, exactly itself over all.
+#[inline(always)]
+pub fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
+    let mut end = to;
+    if from > 0.0 {
+        reduce(c, from, 1);
+        end = (to - from) / (1.0 - from);
+    }
+    if to < 1.0 {
+        for first in 1..c.len() {
+            for k in (first..c.len()).rev() {
+                let mut x = c[k - 1];
+                x.blend(&c[k], end);
+                c[k] = x;
+            }
+        }
+    }
+}
+
+/// Raises a polynomial of `degree` to the degree that fills `c`: c'_k = k / n c_(k - 1) + (1 - k /
+/// n) c_k for each new degree n.
+#[inline(always)]
+pub fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
+    for n in degree + 1..c.len() {
+        c[n] = c[n - 1];
+        for k in (1..n).rev() {
+            let before = c[k - 1];
+            c[k].blend(&before, k as f64 / n as f64);
+        }
+    }
+}
+
+/// Replaces coefficients by those of the derivative, n (c_(i + 1) - c_i), and returns how many
+/// there are: 0 for a constant.
+#[inline(always)]
+pub fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> usize {
+    let n = c.len().saturating_sub(1);
+    for i in 0..n {
+        c[i] = (c[i + 1] - c[i]) * n as f64;
+    }
+    n
+}
+
+/// The blossom at as many arguments as the degree (Ramshaw 1987): the symmetric function that is
+/// affine in each and the polynomial where all are equal. Exact where the arguments are 0 and 1.
+#[inline(always)]
+pub fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoIterator<Item = f64>) -> T {
+    let mut work = *c;
+    for (count, t) in (1..N).rev().zip(arguments) {
+        column(&mut work[..=count], |x, next| x.blend(next, t));
+    }
+    work[0]
+}
+
+/// The Bernstein polynomials of the degree that fills `values`, at t.
+#[inline(always)]
+pub fn basis(values: &mut [f64], t: f64) {
+    values[0] = 1.0;
+    for degree in 1..values.len() {
+        values[degree] = 0.0;
+        raise_basis(&mut values[..=degree], t);
+    }
+}
+
+/// From the Bernstein polynomials of a degree, and a 0 behind them, to those of the next degree.
+#[inline(always)]
+fn raise_basis(values: &mut [f64], t: f64) {
+    for k in (1..values.len()).rev() {
+        values[k] = (1.0 - t) * values[k] + t * values[k - 1];
+    }
+    values[0] *= 1.0 - t;
+}
+
+/// The Bernstein polynomials of degree N - 1 >= 1 at t, and their derivatives.
+#[inline(always)]
+pub fn basis_with_slopes<const N: usize>(t: f64) -> [[f64; N]; 2] {
+    let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
+    basis(&mut values[..N - 1], t);
+    for k in 0..N {
+        let before = if k > 0 { values[k - 1] } else { 0.0 };
+        slopes[k] = (N - 1) as f64 * (before - values[k]);
+    }
+    raise_basis(&mut values, t);
+    [values, slopes]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The definition, term by term, with binomials from Pascal's triangle.
+    fn by_definition(c: &[f64], t: f64) -> f64 {
+        let mut row = vec![1.0];
+        for _ in 1..c.len() {
+            row = (0..=row.len())
+                .map(|k| if k > 0 { row[k - 1] } else { 0.0 } + row.get(k).copied().unwrap_or(0.0))
+                .collect();
+        }
+        let term =
+            |(i, (c, b)): (usize, (&f64, &f64))| b * c * t.powi(i as i32) * (1.0 - t).powi((row.len() - 1 - i) as i32);
+        c.iter().zip(&row).enumerate().map(term).sum()
+    }
+
+    fn coefficients() -> impl Strategy<Value = [f64; 6]> {
+        prop::array::uniform6(-1.0..1.0f64)
+    }
+
+    proptest! {
+        #[test]
+        fn values_are_those_of_the_definition(c in coefficients(), t in 0.0..1.0f64) {
+            let truth = by_definition(&c, t);
+            let steps: Vec<f64> = c.windows(2).map(|pair| 5.0 * (pair[1] - pair[0])).collect();
+            let slope = by_definition(&steps, t);
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-13;
+            prop_assert!(near(evaluate(&c, t), truth));
+            for [value, derivative] in [evaluate_with_slope(&c, t), value_and_slope_by_differences(&c, t)] {
+                prop_assert!(near(value, truth) && near(derivative, slope));
+            }
+            prop_assert!(near(blossom(&c, [t; 5]), truth));
+            let [values, slopes] = basis_with_slopes::<6>(t);
+            let sum = |weights: [f64; 6]| weights.iter().zip(c).map(|(w, c)| w * c).sum::<f64>();
+            prop_assert!(near(sum(values), truth) && near(sum(slopes), slope));
+            let mut derived = c;
+            prop_assert_eq!(derive(&mut derived), 5);
+            prop_assert_eq!(&derived[..5], &steps[..]);
+            let mut raised = [0.0; 9];
+            raised[..6].copy_from_slice(&c);
+            elevate(&mut raised, 5);
+            prop_assert!(near(by_definition(&raised, t), truth));
+        }
+
+        #[test]
+        fn parts_are_the_whole(c in coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-13;
+            for at in [from, to] {
+                let (mut after, mut before) = (c, [0.0; 6]);
+                split(&mut after, at, &mut before);
+                prop_assert!(near(by_definition(&before, t), by_definition(&c, at * t)));
+                prop_assert!(near(by_definition(&after, t), by_definition(&c, at + (1.0 - at) * t)));
+            }
+            let [before, after] = halves(&c);
+            prop_assert!(near(by_definition(&before, t), by_definition(&c, 0.5 * t)));
+            prop_assert!(near(by_definition(&after, t), by_definition(&c, 0.5 + 0.5 * t)));
+            let mut part = c;
+            restrict(&mut part, [from, to]);
+            prop_assert!(near(by_definition(&part, t), by_definition(&c, from + (to - from) * t)));
+            let mut all = c;
+            restrict(&mut all, [0.0, 1.0]);
+            prop_assert_eq!(all, c);
+        }
+
+        /// A net is a curve of curves, and a curve of points one of coordinates.
+        #[test]
+        fn nets_are_polynomials_with_rows(rows in prop::array::uniform4(prop::array::uniform4(-1.0..1.0f64))) {
+            let turned = |c: &[[f64; 4]; 4]| -> [[f64; 4]; 4] {
+                std::array::from_fn(|a| std::array::from_fn(|b| c[b][a]))
+            };
+            let points = rows.map(|[x, y, z, _]| DVec3::new(x, y, z));
+            let along = |axis: usize| halves(&points.map(|p| p[axis]));
+            for (half, of) in halves(&points).iter().enumerate() {
+                for (k, p) in of.iter().enumerate() {
+                    prop_assert_eq!(p.to_array(), [0, 1, 2].map(|axis| along(axis)[half][k]));
+                }
+            }
+            for b in 0..4 {
+                prop_assert_eq!(evaluate(&rows, 0.3)[b], evaluate(&turned(&rows)[b], 0.3));
+            }
+        }
+    }
+}

@@ -1,0 +1,399 @@
+//! All real roots of a polynomial in Bernstein form between 0 and 1.
+//!
+//! A polynomial has at most as many roots in (0, 1) as its coefficients change sign, and the
+//! difference is even (Descartes' rule in Bernstein form; Farouki and Rajan 1987): none or one
+//! change decides, and otherwise the interval is halved, which de Casteljau's scheme does without
+//! loss. One root is closed in on by Newton's method, held inside its bracket.
+//!
+//! Multiple roots are where rounding hides the sign: values within `noise` of 0 cannot be told from
+//! 0. So the rule is asked of f - noise and of f + noise: where the coefficients of neither change
+//! sign more than once, f is within the noise on one interval at most, and otherwise the halving
+//! goes on, however the signs of f itself may be. Intervals where all coefficients are within the
+//! noise and the roots that adjoin them become one root: where the polynomial, or else one of its
+//! first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is found
+//! once; places that come closer to 0 than the noise without reaching it count as double roots.
+
+use super::casteljau::{derive, halve};
+use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
+
+/// Roots in ascending order.
+#[derive(Clone, Copy)]
+pub struct Roots {
+    at: [f64; MAX_COEFFICIENTS],
+    len: usize,
+    /// The polynomial is 0 everywhere, as far as one can tell; there are no single roots then.
+    pub everywhere: bool,
+}
+
+impl Roots {
+    pub fn new() -> Self {
+        Roots { at: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
+    }
+
+    pub fn as_slice(&self) -> &[f64] {
+        &self.at[..self.len]
+    }
+
+    fn push(&mut self, t: f64) {
+        if self.len < MAX_COEFFICIENTS {
+            self.at[self.len] = t;
+            self.len += 1;
+        }
+    }
+}
+
+/// Visits a polynomial from `from` to `to`, or where `visit` asks for it, the halves of this
+/// interval from left to right, and so on. O(n^2) for each halving.
+pub fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
+    c: &mut A,
+    [from, to]: [f64; 2],
+    visit: &mut impl FnMut(&A, [f64; 2]) -> bool,
+) {
+    if visit(c, [from, to]) {
+        let mut before = c.clone();
+        halve(c.as_mut(), before.as_mut());
+        let middle = 0.5 * (from + to);
+        bisect(&mut before, [from, middle], visit);
+        bisect(c, [middle, to], visit);
+    }
+}
+
+/// The number of changes of sign among coefficients: by Descartes' rule that of the roots in (0,
+/// 1), or an even number more.
+#[inline(always)]
+pub fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
+    let mut last = None;
+    signs.filter(|&sign| last.replace(sign).is_some_and(|last| last != sign)).count()
+}
+
+/// Coefficients in a buffer of fixed size.
+#[derive(Clone)]
+struct Coefficients {
+    c: [f64; MAX_COEFFICIENTS],
+    len: usize,
+}
+
+impl Coefficients {
+    fn of(given: &[f64]) -> Self {
+        let mut c = [0.0; MAX_COEFFICIENTS];
+        c[..given.len()].copy_from_slice(given);
+        Coefficients { c, len: given.len() }
+    }
+}
+
+impl AsRef<[f64]> for Coefficients {
+    fn as_ref(&self) -> &[f64] {
+        &self.c[..self.len]
+    }
+}
+
+impl AsMut<[f64]> for Coefficients {
+    fn as_mut(&mut self) -> &mut [f64] {
+        &mut self.c[..self.len]
+    }
+}
+
+/// Intervals are not halved beyond this width.
+const MIN_WIDTH: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// Halvings for one polynomial. Its roots need fewer; values that rounding moves to and fro across
+/// the noise would need any number.
+const MAX_HALVINGS: u32 = 20_000;
+
+/// The roots of the polynomial with these coefficients, at least one and at most
+/// [`MAX_COEFFICIENTS`]; values up to `noise`, in absolute terms, are taken for 0. O(n^2) for each
+/// halving; a simple root takes about log2 of 1 over its distance from the next one, a root of
+/// multiplicity m about log2(1 / noise) / m.
+pub fn roots(c: &[f64], noise: f64) -> Roots {
+    let mut found = Roots::new();
+    if c.is_empty() || c.len() > MAX_COEFFICIENTS {
+        return found;
+    }
+    if c.iter().all(|x| x.abs() <= noise) {
+        found.everywhere = true;
+        return found;
+    }
+    // An interval without a root left is told by the coefficients' signs alone.
+    if c.iter().all(|&x| x > noise) || c.iter().all(|&x| x < -noise) {
+        return found;
+    }
+    if let [a, b] = *c {
+        linear(a, b, noise, &mut found);
+        return found;
+    }
+    if let [a, b, d] = *c
+        && quadratic(a, b, d, noise, &mut found)
+    {
+        return found;
+    }
+    let mut search =
+        RootIsolation { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0, halvings_left: MAX_HALVINGS };
+    bisect(&mut Coefficients::of(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
+    for &(low, high) in &search.clusters[..search.len] {
+        found.push(search.centre(low, high));
+    }
+    found
+}
+
+/// a (1 - t) + b t, not both within the noise.
+fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
+    if a.abs() <= noise {
+        found.push(0.0);
+    } else if b.abs() <= noise {
+        found.push(1.0);
+    } else if (a < 0.0) != (b < 0.0) {
+        found.push(a / (a - b));
+    }
+}
+
+/// a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. False if a root is so near to an end, or two
+/// to each other, that only the search can tell.
+///
+/// With A = a - 2 b + d, B = b - a: A t^2 + 2 B t + a = 0, whose roots are a / q and q / A with q =
+/// -B -+ sqrt(b^2 - a d), the sign so that nothing cancels.
+fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
+    let discriminant = b * b - a * d;
+    let size = a.abs().max(b.abs()).max(d.abs());
+    if a.abs() <= noise || d.abs() <= noise || discriminant.abs() <= 4.0 * noise * size {
+        return false;
+    }
+    if discriminant < 0.0 {
+        return true;
+    }
+    let (quadratic, linear) = ((a - b) + (d - b), b - a);
+    let root = discriminant.sqrt();
+    let q = if linear < 0.0 { root - linear } else { -root - linear };
+    // q is 0 only with the discriminant.
+    let (mut first, mut second) = (a / q, q / quadratic);
+    if first > second {
+        (first, second) = (second, first);
+    }
+    for t in [first, second] {
+        // NaN and infinity from A = 0 fail the test too.
+        if (0.0..=1.0).contains(&t) {
+            found.push(t);
+        }
+    }
+    true
+}
+
+struct RootIsolation<'a> {
+    c: &'a [f64],
+    noise: f64,
+    /// From where to where the polynomial is as good as 0: a point for most roots.
+    clusters: [(f64, f64); MAX_COEFFICIENTS],
+    len: usize,
+    halvings_left: u32,
+}
+
+impl RootIsolation<'_> {
+    /// Finds the roots between two ends, where the polynomial has the coefficients `c`, from left
+    /// to right; true if the halves must be searched instead.
+    fn isolate(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
+        let noise = self.noise;
+        if c.iter().all(|x| x.abs() <= noise) {
+            self.add(low, high);
+            return false;
+        }
+        let changes = |level: f64| sign_changes(c.iter().map(|&x| x > level));
+        if changes(noise).max(changes(-noise)) > 1 {
+            let decides = high - low <= MIN_WIDTH || self.halvings_left == 0;
+            if decides {
+                self.add(low, high);
+            } else {
+                self.halvings_left -= 1;
+            }
+            return !decides;
+        }
+        // Where the polynomial is within the noise is one interval at most: about a crossing, or at
+        // an end.
+        let (first, last) = (c[0], c[c.len() - 1]);
+        if first.abs() <= noise {
+            self.add(low, low);
+        } else if last.abs() <= noise {
+            self.add(high, high);
+        } else if (first < 0.0) != (last < 0.0) {
+            let t = low + (high - low) * bracketed_root(0.0, 1.0, first, |t| value_and_slope(c, t));
+            self.add(t, t);
+        }
+        false
+    }
+
+    /// Adds a root, or an interval of them, after all others. Where the polynomial is within the
+    /// noise at the end of one interval, it is so at the start of the next: both are the same root.
+    fn add(&mut self, low: f64, high: f64) {
+        if self.len > 0 {
+            let last = &mut self.clusters[self.len - 1];
+            if low <= last.1 {
+                last.1 = last.1.max(high);
+                return;
+            }
+        }
+        if self.len < MAX_COEFFICIENTS {
+            self.clusters[self.len] = (low, high);
+            self.len += 1;
+        }
+    }
+
+    /// The root that a cluster stands for. An end of the whole interval that belongs to it is
+    /// preferred: the next segment has it too.
+    fn centre(&self, low: f64, high: f64) -> f64 {
+        if low == high || low <= 0.0 {
+            return low.max(0.0);
+        }
+        if high >= 1.0 {
+            return 1.0;
+        }
+        let (a, b) = ((low - (high - low)).max(0.0), (high + (high - low)).min(1.0));
+        let mut derived = [0.0; MAX_COEFFICIENTS];
+        derived[..self.c.len()].copy_from_slice(self.c);
+        let mut n = self.c.len();
+        for _ in 0..3 {
+            let c = &derived[..n];
+            let (fa, fb) = (value_and_slope(c, a).0, value_and_slope(c, b).0);
+            let largest = c.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            if fa * fb < 0.0 && fa.abs().min(fb.abs()) > 4.0 * self.noise.max(f64::EPSILON * largest) {
+                return bracketed_root(a, b, fa, |t| value_and_slope(c, t));
+            }
+            if n == 1 {
+                break;
+            }
+            n = derive(&mut derived[..n]);
+        }
+        0.5 * (low + high)
+    }
+}
+
+/// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it
+/// has the other: Newton's method from the middle, or halving where that leaves the bracket or does
+/// not halve the step. At most 100 rounds.
+pub fn bracketed_root(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut t = 0.5 * (low + high);
+    let mut last_step = high - low;
+    for _ in 0..100 {
+        let (value, slope) = f(t);
+        if value == 0.0 {
+            return t;
+        }
+        if (value < 0.0) == (at_low < 0.0) {
+            low = t;
+        } else {
+            high = t;
+        }
+        let newton = t - value / slope;
+        let inside = newton > low && newton < high && (newton - t).abs() <= 0.5 * last_step.abs();
+        let next = if inside { newton } else { 0.5 * (low + high) };
+        last_step = next - t;
+        if next == t || next <= low || next >= high {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::polynomial::add_product;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The polynomial with the roots given.
+    fn with_roots(at: &[f64]) -> Vec<f64> {
+        at.iter().fold(vec![1.0], |f, &r| {
+            let mut product = vec![0.0; f.len() + 1];
+            add_product(&f, &[-r, 1.0 - r], 1.0, &mut product);
+            product
+        })
+    }
+
+    fn normalised(mut c: Vec<f64>) -> Vec<f64> {
+        let size = c.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        c.iter_mut().for_each(|x| *x /= size);
+        c
+    }
+
+    const NOISE: f64 = 1e-14;
+
+    #[test]
+    fn known_roots() {
+        for (given, expected, error) in [
+            (&[0.5][..], &[0.5][..], 1e-16),
+            (&[0.25, 0.75], &[0.25, 0.75], 1e-15),
+            (&[0.25, 0.25], &[0.25], 1e-7),
+            (&[-0.5, 1.5], &[], 0.0),
+            (&[0.0, 1.0], &[0.0, 1.0], 0.0),
+            (&[0.0, 0.0, 0.3], &[0.0, 0.3], 1e-13),
+            (&[0.1, 0.2, 0.3, 0.4, 0.5], &[0.1, 0.2, 0.3, 0.4, 0.5], 1e-9),
+            (&[0.3, 0.3, 0.3], &[0.3], 1e-4),
+            (&[0.3, 0.3, 0.7, 0.7], &[0.3, 0.7], 1e-6),
+            (&[1.0, 1.0, 1.0, 0.5], &[0.5, 1.0], 1e-12),
+            (&[0.123, 0.123_001, 0.9], &[0.123, 0.123_001, 0.9], 1e-8),
+        ] {
+            let found = roots(&normalised(with_roots(given)), NOISE);
+            assert_eq!(found.as_slice().len(), expected.len(), "{given:?}: {:?}", found.as_slice());
+            for (a, b) in found.as_slice().iter().zip(expected) {
+                assert!((a - b).abs() <= error, "{given:?}: {:?}", found.as_slice());
+            }
+        }
+        assert!(roots(&[1e-15, -1e-15, 0.0], NOISE).everywhere);
+        assert!(roots(&[], NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, 0.2, 1.0], NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], NOISE).as_slice().len() < 4);
+    }
+
+    /// (t - a)^2 times a factor that is not 0 at `a`, lifted by less than the noise: whichever way
+    /// rounding and the lift turn the least value, it is a touch. What has no touch, lifted by 5
+    /// times the noise, has none.
+    #[test]
+    fn every_touch_is_found_and_no_other() {
+        let factors: [&[f64]; 4] = [&[1.0], &[-0.7, 0.3], &[0.3, 0.5, 0.1], &[1.0, 0.2, 0.3, 2.0]];
+        for (k, factor) in factors.iter().enumerate() {
+            for i in 1..400 {
+                let a = f64::from(i) / 400.0 + 1e-4 * (f64::from(i) * 0.7).sin();
+                let Some(sign) = [value_and_slope(factor, a).0].into_iter().find(|x| x.abs() > 0.05) else { continue };
+                let mut product = vec![0.0; factor.len() + 2];
+                add_product(&[a * a, -a * (1.0 - a), (1.0 - a) * (1.0 - a)], factor, 1.0, &mut product);
+                for (lift, touches) in [(0.0, 1), (0.5, 1), (-0.5, 1), (5.0, 0)] {
+                    let c: Vec<f64> = product.iter().map(|x| x + lift * NOISE * sign.signum()).collect();
+                    let found = roots(&c, NOISE);
+                    let near = found.as_slice().iter().filter(|&&t| (t - a).abs() < 1e-5);
+                    assert_eq!(near.count(), touches, "factor {k}, a {a}, lift {lift}: {:?}", found.as_slice());
+                }
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn separated_roots_are_all_found(
+            at in proptest::collection::vec(0.0..1.0f64, 1..7), outside in proptest::collection::vec(1.2..3.0f64, 0..4)
+        ) {
+            let mut at = at;
+            at.sort_by(f64::total_cmp);
+            at.dedup_by(|a, b| *a - *b < 0.05);
+            let all: Vec<f64> = at.iter().copied().chain(outside).collect();
+            let found = roots(&normalised(with_roots(&all)), NOISE);
+            prop_assert_eq!(found.as_slice().len(), at.len());
+            for (a, b) in found.as_slice().iter().zip(&at) {
+                prop_assert!((a - b).abs() < 1e-8);
+            }
+        }
+
+        #[test]
+        fn signs_change_at_roots_only(c in proptest::collection::vec(-1.0..1.0f64, 1..20)) {
+            let found = roots(&c, NOISE);
+            let mut stops = vec![0.0];
+            stops.extend_from_slice(found.as_slice());
+            stops.push(1.0);
+            for pair in stops.windows(2) {
+                let inside = |k: i32| pair[0] + (pair[1] - pair[0]) * (0.01 + 0.98 * f64::from(k) / 50.0);
+                let values: Vec<f64> = (0..=50).map(|k| value_and_slope(&c, inside(k)).0).collect();
+                prop_assert!(values.iter().all(|&v| v >= -1e-12) || values.iter().all(|&v| v <= 1e-12));
+            }
+            for &t in found.as_slice() {
+                prop_assert!(value_and_slope(&c, t).0.abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! Bounding volume hierarchy over boxes in an order in which neighbours are near each other.
+//!
+//! The tree is the complete binary one over the order, without pointers: node k has the children 2
+//! k and 2 k + 1, and the leaves are the last nodes, padded by empty boxes to a power of two.
+//! Consecutive parts of a curve are neighbours as they come; boxes without an order get one from
+//! [`spatial_order`].
+
+use super::Aabb;
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::sort::{select, select_reported};
+use glam::DVec3;
+
+/// The tree; 48 bytes a node, and at most four nodes for each leaf.
+pub struct BoxTree {
+    nodes: Vec<Aabb>,
+    leaves: usize,
+}
+
+impl BoxTree {
+    /// O(n).
+    pub fn new(boxes: impl ExactSizeIterator<Item = Aabb>) -> Result<Self> {
+        Self::new_cancellable(boxes, &Job::default(), "")
+    }
+
+    /// The same of so many that a host would wait.
+    pub fn new_cancellable(
+        mut boxes: impl ExactSizeIterator<Item = Aabb>,
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> Result<Self> {
+        let (count, leaves) = (boxes.len(), boxes.len().next_power_of_two());
+        let mut nodes = alloc::with_capacity(2 * leaves)?;
+        job.ranges(stage, leaves, |range| {
+            nodes.resize(range.end, Aabb::EMPTY);
+            Ok(())
+        })?;
+        job.ranges(stage, count, |range| {
+            nodes.extend(boxes.by_ref().take(range.len()));
+            Ok(())
+        })?;
+        job.ranges(stage, leaves - count, |range| {
+            nodes.resize(nodes.len() + range.len(), Aabb::EMPTY);
+            Ok(())
+        })?;
+        job.ranges(stage, leaves, |range| {
+            for k in range.map(|k| leaves - k).filter(|&k| k < leaves) {
+                nodes[k] = nodes[2 * k].union(nodes[2 * k + 1]);
+            }
+            Ok(())
+        })?;
+        Ok(BoxTree { nodes, leaves })
+    }
+
+    /// Descends to the leaves whose boxes are nearer to `p` than the best so far, the nearer child
+    /// first. `leaf` is given the leaf, and returns the square of the best distance.
+    pub fn nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
+        // At most one node of each level is on the stack, beside the one at work.
+        let mut stack = [(0usize, 0.0); 64];
+        let mut len = 1;
+        stack[0] = (1, self.nodes[1].distance_squared(p));
+        while len > 0 {
+            len -= 1;
+            let (node, distance) = stack[len];
+            if distance >= best {
+                continue;
+            }
+            if node >= self.leaves {
+                best = leaf(node - self.leaves);
+                continue;
+            }
+            let [a, b] = [2 * node, 2 * node + 1].map(|k| (k, self.nodes[k].distance_squared(p)));
+            let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };
+            stack[len] = far;
+            stack[len + 1] = near;
+            len += 2;
+        }
+    }
+
+    /// Calls `leaf` for the leaves whose boxes come within `slack` of `b` along every axis, in
+    /// ascending order.
+    pub fn overlapping(&self, b: &Aabb, slack: f64, leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
+        self.descend(|_, node| node.is_within(b, slack), leaf)
+    }
+
+    /// Calls `leaf` for the leaves that `enter` takes, given a node's number and box, as it takes
+    /// all nodes above them; in ascending order.
+    #[inline]
+    pub fn descend(
+        &self,
+        enter: impl Fn(usize, &Aabb) -> bool,
+        mut leaf: impl FnMut(usize) -> Result<()>,
+    ) -> Result<()> {
+        let mut stack = [0usize; 64];
+        let mut len = 1;
+        stack[0] = 1;
+        while len > 0 {
+            len -= 1;
+            let node = stack[len];
+            if !enter(node, &self.nodes[node]) {
+                continue;
+            }
+            if node >= self.leaves {
+                leaf(node - self.leaves)?;
+                continue;
+            }
+            stack[len] = 2 * node + 1;
+            stack[len + 1] = 2 * node;
+            len += 2;
+        }
+        Ok(())
+    }
+}
+
+/// An order of boxes in which consecutive runs of `group`, of twice as many and so on lie close
+/// together: each part is split by its boxes' lower or upper corners along the axis where those are
+/// spread widest, at a multiple of what makes the tree over the groups complete. So long boxes that
+/// have an end in common stay together, as the needles of a fan do, which others lie across.
+/// O(n log n). Reports before each part of many boxes.
+pub fn spatial_order(boxes: &[Aabb], group: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+    let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
+    let mut done = 0;
+    let mut report = |count: usize| {
+        job.step(done as f64 / boxes.len() as f64, stage)?;
+        done += count;
+        Ok(())
+    };
+    split(boxes, &mut order, group, &mut report)?;
+    Ok(order)
+}
+
+/// Parts of at most so many boxes are split between two progress reports.
+const MAX_UNREPORTED: usize = 1 << 14;
+
+/// `report` is told of each part of at most [`MAX_UNREPORTED`] boxes, and of larger ones with 0.
+fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
+    if order.len() <= MAX_UNREPORTED {
+        report(order.len())?;
+        split_small(boxes, order, group);
+    } else if order.len() > group {
+        report(0)?;
+        let (end, axis) = longest_axis(boxes, order);
+        report(0)?;
+        let middle = middle(order, group);
+        select_reported(order, middle, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
+        let (first, second) = order.split_at_mut(middle);
+        split(boxes, first, group, report)?;
+        split(boxes, second, group, report)?;
+    }
+    Ok(())
+}
+
+fn split_small(boxes: &[Aabb], order: &mut [u32], group: usize) {
+    if order.len() > group {
+        let (end, axis) = longest_axis(boxes, order);
+        let middle = middle(order, group);
+        select(order, middle, |i| end(&boxes[i as usize])[axis]);
+        let (first, second) = order.split_at_mut(middle);
+        split_small(boxes, first, group);
+        split_small(boxes, second, group);
+    }
+}
+
+/// An end of boxes and an axis along which these ends are spread most.
+type Along = (fn(&Aabb) -> DVec3, usize);
+
+fn longest_axis(boxes: &[Aabb], order: &[u32]) -> Along {
+    let spread = |end: fn(&Aabb) -> DVec3| Aabb::of(order.iter().map(|&i| end(&boxes[i as usize]))).size();
+    let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
+    let [low, high] = ends.map(spread);
+    let (end, spread) = if low.max_element() > high.max_element() { (ends[0], low) } else { (ends[1], high) };
+    (end, spread.max_position())
+}
+
+/// How many come before where a part is split, so that groups stay whole.
+fn middle(order: &[u32], group: usize) -> usize {
+    group * (order.len().div_ceil(group).next_power_of_two() / 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn equals_brute_force(
+            corners in prop::collection::vec((0u8..9, 0u8..9, 0u8..9, 0u8..3, 0u8..3, 0u8..3), 1..80),
+            group in 1usize..5,
+        ) {
+            let boxes: Vec<Aabb> = corners.iter().map(|&(x, y, z, u, v, w)| {
+                let low = DVec3::new(x.into(), y.into(), z.into());
+                Aabb { low, high: low + DVec3::new(u.into(), v.into(), w.into()) }
+            }).collect();
+            let order = spatial_order(&boxes, group, &Job::default(), "").unwrap();
+            let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
+            let tree = BoxTree::new(order.chunks(group).map(around)).unwrap();
+            for (k, query) in boxes.iter().enumerate() {
+                for slack in [0.0, 1.0] {
+                    let (mut leaves, mut found) = (Vec::new(), Vec::<u32>::new());
+                    tree.overlapping(query, slack, |leaf| {
+                        leaves.push(leaf);
+                        found.extend(order.chunks(group).nth(leaf).into_iter().flatten().copied());
+                        Ok(())
+                    }).unwrap();
+                    prop_assert!(leaves.is_sorted());
+                    found.retain(|&i| boxes[i as usize].is_within(query, slack));
+                    found.sort_unstable();
+                    let near = |&i: &u32| boxes[i as usize].is_within(query, slack);
+                    prop_assert_eq!(found, (0..boxes.len() as u32).filter(near).collect::<Vec<_>>());
+                }
+                let point = query.high + k as f64 / 7.0;
+                let mut best = f64::INFINITY;
+                tree.nearest(point, best, &mut |leaf| {
+                    let group = order.chunks(group).nth(leaf).unwrap();
+                    let distance = |&i: &u32| boxes[i as usize].distance_squared(point);
+                    best = group.iter().map(distance).fold(best, f64::min);
+                    best
+                });
+                let truth = boxes.iter().map(|b| b.distance_squared(point)).fold(f64::INFINITY, f64::min);
+                prop_assert_eq!(best, truth);
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Symmetric banded systems that are positive definite, by Cholesky's method, row by row: a row is
+//! factored as soon as it is known. O(n W^2) time and O(n W) memory for n rows.
+
+use crate::alloc;
+use crate::error::Result;
+
+/// A pivot below this part of its diagonal entry is rounding: the row depends on those before it,
+/// and its unknown is 0.
+const MIN_PIVOT: f64 = 1e-13;
+
+/// The factor of a matrix whose entries farther than W - 1 from the diagonal are 0, and the right
+/// side, forwards solved.
+#[derive(Default)]
+pub struct Banded<const W: usize> {
+    /// The entries of each row of the factor up to the diagonal, which comes last.
+    rows: Vec<[f64; W]>,
+    right: Vec<f64>,
+}
+
+impl<const W: usize> Banded<W> {
+    /// No rows, and room for `count`.
+    pub fn begin(&mut self, count: usize) -> Result<()> {
+        self.rows.clear();
+        self.right.clear();
+        alloc::reserve(&mut self.rows, count)?;
+        alloc::reserve(&mut self.right, count)
+    }
+
+    /// Appends a row by its entries up to the diagonal, which comes last, and its right side; there
+    /// must be room for it.
+    pub fn push(&mut self, mut row: [f64; W], mut right: f64) {
+        let r = self.rows.len();
+        let diagonal = row[W - 1];
+        for d in (1..W.min(r + 1)).rev() {
+            // Column r - d: the row and that one have W - 1 - d columns in common before it.
+            let other = &self.rows[r - d];
+            let known: f64 = row[..W - 1 - d].iter().zip(&other[d..W - 1]).map(|(a, b)| a * b).sum();
+            row[W - 1 - d] = (row[W - 1 - d] - known) / other[W - 1];
+        }
+        let pivot = diagonal - row[..W - 1].iter().map(|a| a * a).sum::<f64>();
+        for d in 1..W.min(r + 1) {
+            right -= row[W - 1 - d] * self.right[r - d];
+        }
+        if pivot > MIN_PIVOT * diagonal {
+            row[W - 1] = pivot.sqrt();
+            self.right.push(right / row[W - 1]);
+        } else {
+            row = [0.0; W];
+            row[W - 1] = 1.0;
+            self.right.push(0.0);
+        }
+        self.rows.push(row);
+    }
+
+    /// The unknowns.
+    pub fn solve(&mut self) -> &[f64] {
+        for r in (0..self.rows.len()).rev() {
+            let row = &self.rows[r];
+            let known = self.right[r] / row[W - 1];
+            self.right[r] = known;
+            for d in 1..W.min(r + 1) {
+                self.right[r - d] -= row[W - 1 - d] * known;
+            }
+        }
+        &self.right
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_banded_system() {
+        // 4 on the diagonal, -1 and 0.5 beside it.
+        let entry = |d: usize| [4.0, -1.0, 0.5][d];
+        let wanted: Vec<f64> = (0..9).map(|i| f64::from(i * i % 7) - 2.0).collect();
+        let mut banded = Banded::<3>::default();
+        banded.begin(9).unwrap();
+        for r in 0..9usize {
+            let right = (0..9usize).filter(|c| c.abs_diff(r) < 3).map(|c| entry(c.abs_diff(r)) * wanted[c]).sum();
+            let row = [2, 1, 0].map(|d| if d <= r { entry(d) } else { 0.0 });
+            banded.push(row, right);
+        }
+        for (x, wanted) in banded.solve().iter().zip(&wanted) {
+            assert!((x - wanted).abs() < 1e-14, "{x} {wanted}");
+        }
+        // A row that repeats the one before it has no say.
+        banded.begin(2).unwrap();
+        banded.push([0.0, 0.0, 4.0], 8.0);
+        banded.push([0.0, 4.0, 4.0], 8.0);
+        assert_eq!(banded.solve(), [2.0, 0.0]);
+    }
+}

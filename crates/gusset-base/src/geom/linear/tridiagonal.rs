@@ -1,0 +1,202 @@
+//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without
+//! exchanges (Thomas's algorithm), which is stable for dominant rows. A cyclic system carries its
+//! last unknown along until its part has faded below rounding. O(n).
+
+use glam::DVec3;
+
+/// Smaller pivots, in rows whose coefficients are near 1, make the system singular.
+const MIN_PIVOT: f64 = 1e-14;
+
+/// Smaller contributions of the last unknown of a cyclic system are left out.
+const MAX_NEGLIGIBLE: f64 = 1e-24;
+
+/// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the
+/// coefficients of unknowns i - 1, i and i + 1; `known(i)`: the right side. `upper`: room for n
+/// factors. False if the system is singular.
+pub fn solve(
+    unknowns: &mut [DVec3],
+    upper: &mut [f64],
+    row: impl Fn(usize) -> [f64; 3],
+    known: impl Fn(usize) -> DVec3,
+) -> bool {
+    let last = unknowns.len() - 1;
+    let mut sound = true;
+    let (mut before, mut ratio) = (unknowns[0], 0.0);
+    for i in 1..last {
+        let [lower, diagonal, above] = row(i);
+        let diagonal = diagonal - lower * ratio;
+        sound &= diagonal.abs() > MIN_PIVOT;
+        let scale = 1.0 / diagonal;
+        before = (known(i) - before * lower) * scale;
+        ratio = above * scale;
+        unknowns[i] = before;
+        upper[i] = ratio;
+    }
+    let mut after = unknowns[last];
+    for i in (1..last).rev() {
+        after = unknowns[i] - after * upper[i];
+        unknowns[i] = after;
+    }
+    sound
+}
+
+/// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached
+/// last is `known` - `ratio` * (the next one) - `across` * (the last unknown).
+struct Front {
+    known: DVec3,
+    ratio: f64,
+    across: f64,
+    /// The coefficient of the next unknown in the last row.
+    far: f64,
+}
+
+impl Front {
+    /// Before any row the unknown reached is the last one itself.
+    fn new(far: f64) -> Self {
+        Front { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
+    }
+
+    /// Takes a row: the coefficients of the unknown reached, of the next one and of the one after.
+    /// The pivot, and what the row took of the unknown reached.
+    #[inline]
+    fn eliminate(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
+        let pivot = diagonal - behind * self.ratio;
+        let scale = 1.0 / pivot;
+        self.known = (known - self.known * behind) * scale;
+        self.ratio = ahead * scale;
+        [pivot, behind * scale]
+    }
+
+    /// The same, and carries the last unknown along, in this row and in the last one.
+    #[inline]
+    fn carry(&mut self, row: [f64; 3], known: DVec3, last: &mut (f64, DVec3)) -> f64 {
+        let [pivot, taken] = self.eliminate(row, known);
+        self.across *= -taken;
+        last.0 -= self.far * self.across;
+        last.1 -= self.known * self.far;
+        self.far *= -self.ratio;
+        pivot
+    }
+
+    /// Whether the last unknown has no part in it any more.
+    fn is_free(&self) -> bool {
+        self.across.abs() <= MAX_NEGLIGIBLE && self.far.abs() <= MAX_NEGLIGIBLE
+    }
+}
+
+/// Solves a cyclic system of n >= 3 unknowns. `row(i, before)`: the coefficients of unknowns
+/// `before` (i - 1, round the end), i and i + 1; `known(i)`: the right side. `upper`, `across`:
+/// room for n factors each. False if the system is singular.
+///
+/// As for an open system, but from both ends at once, which keeps a processor busy while it
+/// divides; and with the last unknown carried along in the rows next to it, until it has faded
+/// away.
+pub fn solve_cyclic(
+    unknowns: &mut [DVec3],
+    upper: &mut [f64],
+    across: &mut [f64],
+    row: impl Fn(usize, usize) -> [f64; 3],
+    known: impl Fn(usize) -> DVec3,
+) -> bool {
+    let n = unknowns.len();
+    let (upper, across) = (&mut upper[..n], &mut across[..n]);
+    let forth = |i: usize| row(i, if i == 0 { n - 1 } else { i - 1 });
+    let back = |i: usize| {
+        let [behind, diagonal, ahead] = row(i, i - 1);
+        [ahead, diagonal, behind]
+    };
+    let [lower, diagonal, above] = row(n - 1, n - 2);
+    let mut last = (diagonal, known(n - 1));
+    let (mut first_end, mut last_end) = (Front::new(above), Front::new(lower));
+    let mut least = f64::INFINITY;
+    // Rows 0 to n - 2 but the middle one: in pairs, and row 0 before them if it has no partner.
+    let (pairs, alone) = ((n - 2) / 2, n % 2);
+    let middle = pairs + alone;
+    if alone == 1 {
+        least = first_end.carry(forth(0), known(0), &mut last).abs();
+        (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
+    }
+    let mut carried = 0;
+    while carried < pairs && !(first_end.is_free() && last_end.is_free()) {
+        let (i, j) = (alone + carried, n - 2 - carried);
+        let pivots = [first_end.carry(forth(i), known(i), &mut last), last_end.carry(back(j), known(j), &mut last)];
+        least = least.min(pivots[0].abs()).min(pivots[1].abs());
+        (unknowns[i], upper[i], across[i]) = (first_end.known, first_end.ratio, first_end.across);
+        (unknowns[j], upper[j], across[j]) = (last_end.known, last_end.ratio, last_end.across);
+        carried += 1;
+    }
+    for k in carried..pairs {
+        let (i, j) = (alone + k, n - 2 - k);
+        let [[p, _], [q, _]] = [first_end.eliminate(forth(i), known(i)), last_end.eliminate(back(j), known(j))];
+        least = least.min(p.abs()).min(q.abs());
+        (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
+        (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
+    }
+    // The middle row and the last one, in the middle unknown and the last one.
+    let [lower, diagonal, above] = forth(middle);
+    let pivot = diagonal - lower * first_end.ratio - above * last_end.ratio;
+    let scale = 1.0 / pivot;
+    let own = (known(middle) - first_end.known * lower - last_end.known * above) * scale;
+    let share = -(lower * first_end.across + above * last_end.across) * scale;
+    let far = first_end.far + last_end.far;
+    let last_pivot = last.0 - far * share;
+    let end = (last.1 - own * far) / last_pivot;
+    let centre = own - end * share;
+    (unknowns[n - 1], unknowns[middle]) = (end, centre);
+    let (mut after, mut before) = (centre, centre);
+    for k in (0..pairs).rev() {
+        let (i, j) = (alone + k, n - 2 - k);
+        after = unknowns[i] - after * upper[i];
+        before = unknowns[j] - before * upper[j];
+        if k < carried {
+            after -= end * across[i];
+            before -= end * across[j];
+        }
+        (unknowns[i], unknowns[j]) = (after, before);
+    }
+    if alone == 1 {
+        unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
+    }
+    least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The rows hold for what comes out, in long systems and in the shortest.
+        #[test]
+        fn rows_hold(
+            rows in prop::collection::vec((-1.0f64..1.0, 0.1f64..3.0, -1.0f64..1.0, -9.0f64..9.0), 3..90),
+        ) {
+            let n = rows.len();
+            let row = |i: usize| { let (l, d, u, _) = rows[i]; [l, l.abs() + u.abs() + d, u] };
+            let known = |i: usize| DVec3::new(rows[i].3, 1.0, -rows[i].3);
+            let (mut unknowns, mut upper, mut across) = (vec![DVec3::ZERO; n], vec![0.0; n], vec![0.0; n]);
+            prop_assert!(solve_cyclic(&mut unknowns, &mut upper, &mut across, |i, _| row(i), known));
+            for i in 0..n {
+                let [l, d, u] = row(i);
+                let left = unknowns[(i + n - 1) % n] * l + unknowns[i] * d + unknowns[(i + 1) % n] * u;
+                prop_assert!((left - known(i)).length() < 1e-12, "{i} of {n}");
+            }
+            unknowns[0] = DVec3::X;
+            unknowns[n - 1] = DVec3::Y;
+            prop_assert!(solve(&mut unknowns, &mut upper, row, known));
+            for i in 1..n - 1 {
+                let [l, d, u] = row(i);
+                let left = unknowns[i - 1] * l + unknowns[i] * d + unknowns[i + 1] * u;
+                prop_assert!((left - known(i)).length() < 1e-12, "{i} of {n}");
+            }
+            prop_assert_eq!((unknowns[0], unknowns[n - 1]), (DVec3::X, DVec3::Y));
+        }
+    }
+
+    #[test]
+    fn singular_systems_are_told() {
+        let (mut unknowns, mut upper, mut across) = ([DVec3::ONE; 4], [0.0; 4], [0.0; 4]);
+        assert!(!solve(&mut unknowns, &mut upper, |_| [1.0, 0.0, 1.0], |_| DVec3::ZERO));
+        assert!(!solve_cyclic(&mut unknowns, &mut upper, &mut across, |_, _| [-1.0, 2.0, -1.0], |_| DVec3::ZERO));
+    }
+}

@@ -1,0 +1,37 @@
+//! Small geometry shared by all modules, over [`glam`]'s double-precision vectors.
+//!
+//! * [`aabb`]: axis-aligned boxes.
+//! * [`bernstein`]: polynomials in Bernstein form, scalar, vectorial and tensor.
+//! * [`linear`]: systems of linear equations.
+//! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
+//! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
+//! * [`hull_distance`]: how far two convex hulls are apart.
+//! * [`node_normals`]: normals of a surface at a grid of nodes.
+//! * [`oriented_box`]: boxes turned with what they hold.
+//! * [`rotation`]: the rotation that brings points nearest to others.
+//! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
+//!   what is left.
+//! * [`strided`]: elements of a host, at any stride and alignment.
+//! * [`triangle`], [`triangle_places`]: area, angles and aspect ratio of one triangle; the nearest
+//!   places on a set of them.
+//! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow
+//!   nor vanish whatever the host's units are.
+
+pub mod aabb;
+pub mod bernstein;
+pub mod bit_set;
+pub mod box_tree;
+pub mod disjoint_sets;
+pub mod hull_distance;
+pub mod kd_tree;
+pub mod linear;
+pub mod node_normals;
+pub mod oriented_box;
+pub mod rotation;
+pub mod scale;
+pub mod strided;
+pub mod subdivision;
+pub mod triangle;
+pub mod triangle_places;
+
+pub use aabb::Aabb;

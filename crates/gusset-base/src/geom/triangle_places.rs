@@ -1,0 +1,87 @@
+//! The nearest places on a set of triangles, in barycentric coordinates.
+
+use super::Aabb;
+use super::box_tree::{BoxTree, spatial_order};
+use super::triangle::nearest_weights;
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec3;
+
+/// Places between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 12;
+
+/// A place on a set of triangles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrianglePlace {
+    pub triangle: u32,
+    /// At least 0, with sum 1.
+    pub weights: [f64; 3],
+    /// The square of the distance from what was looked for.
+    pub squared: f64,
+}
+
+/// Triangles that answer which of their places is nearest.
+pub struct TriangleTree<'a> {
+    points: &'a [DVec3],
+    triangles: &'a [[u32; 3]],
+    order: Vec<u32>,
+    tree: BoxTree,
+}
+
+impl<'a> TriangleTree<'a> {
+    /// O(n log n).
+    pub fn new(points: &'a [DVec3], triangles: &'a [[u32; 3]], stage: &'static str, job: &Job<'_>) -> Result<Self> {
+        let boxes = triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize])));
+        let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), stage)?;
+        let order = spatial_order(&boxes, 1, job, stage)?;
+        let tree = BoxTree::new_cancellable(order.iter().map(|&t| boxes[t as usize]), &job.part(1.0, 1.0), stage)?;
+        Ok(TriangleTree { points, triangles, order, tree })
+    }
+
+    /// The place nearest to a point, among those nearer than `limit` (squared); of equally near
+    /// ones that which is met first.
+    pub fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
+        self.nearest_beside(p, limit, None)
+    }
+
+    /// The same, faster where `guess` is a triangle near to it, as that of a point beside it.
+    pub fn nearest_beside(&self, p: DVec3, limit: f64, guess: Option<u32>) -> Option<TrianglePlace> {
+        let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared: limit };
+        let mut look = |triangle: u32| {
+            let corners = self.triangles[triangle as usize].map(|v| self.points[v as usize]);
+            let weights = nearest_weights(corners, p);
+            let place: DVec3 = corners.into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
+            let squared = place.distance_squared(p);
+            if squared < best.squared {
+                best = TrianglePlace { triangle, weights, squared };
+            }
+            best.squared
+        };
+        let limit = guess.map_or(limit, &mut look);
+        self.tree.nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
+        (best.triangle != u32::MAX).then_some(best)
+    }
+}
+
+/// For each of `places` the corners of the triangle nearest to it and the barycentric coordinates
+/// of its nearest point: at least 0, with sum 1. There must be a triangle if there are places.
+/// O(n log n).
+pub fn nearest_places(
+    points: &[DVec3],
+    triangles: &[[u32; 3]],
+    places: &[DVec3],
+    stage: &'static str,
+    job: &Job<'_>,
+) -> Result<Vec<([u32; 3], [f64; 3])>> {
+    if places.is_empty() {
+        return Ok(Vec::new());
+    }
+    let tree = TriangleTree::new(points, triangles, stage, &job.part(0.0, 0.1))?;
+    let job = job.part(0.1, 1.0);
+    alloc::try_collect(places.iter().enumerate().map(|(k, &p)| {
+        job.step_every(REPORT_INTERVAL, k, places.len(), stage)?;
+        let found = tree.nearest(p, f64::INFINITY);
+        Ok(found.map_or((triangles[0], [1.0, 0.0, 0.0]), |place| (triangles[place.triangle as usize], place.weights)))
+    }))
+}

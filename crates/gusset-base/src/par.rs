@@ -1,0 +1,417 @@
+//! Work on many threads whose result does not depend on their number.
+//!
+//! The work is cut into items that do not depend on the number of threads, and the results come
+//! back in the order of the items: whatever is reduced over them is reduced in the same order on
+//! one thread and on a hundred. No thread outlives the call.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::job::{Job, Progress};
+use crate::threads::{lock, run_beside};
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+/// How long the host is not asked while a thread waits for another.
+const BETWEEN_REPORTS: Duration = Duration::from_millis(10);
+
+/// Applies `work` to every item and returns the results in order.
+///
+/// `threads`: 0 for as many as the machine has; the calling thread is one of them.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), for the results.
+pub fn map<T: Send, R: Send>(
+    threads: usize,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T) -> R + Sync,
+) -> Result<Vec<R>> {
+    run_ordered(threads, items, work, |_| Ok(()))
+}
+
+/// [`map`] that the host can cancel: the calling thread reports progress before each item that it
+/// takes, and once the host cancels no thread takes another. Items should be large enough to be
+/// worth a report and small enough not to delay one.
+///
+/// # Errors
+/// [`Error::Cancelled`](crate::Error::Cancelled),
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+pub fn map_cancellable<T: Send, R: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T) -> R + Sync,
+) -> Result<Vec<R>> {
+    let count = items.len().max(1) as f64;
+    job.step(0.0, stage)?;
+    run_ordered(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
+}
+
+/// [`map_cancellable`] for items that may be large: the work hears the job, too. On this thread
+/// that is the host's; the others hear of it once the host cancels or an item fails, and while this
+/// thread waits for them the host is asked. What the others report and note is not passed on.
+///
+/// # Errors
+/// The first of the items' in their order; those of [`map_cancellable`].
+pub fn map_jobs<T: Send, R: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T, &Job<'_>) -> Result<R> + Sync,
+) -> Result<Vec<R>> {
+    let count = items.len();
+    let helpers = at_most(count, job.threads()).saturating_sub(1);
+    let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
+    // Room for all of them before the first item: after the last, what was done can no longer fail.
+    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
+    let busy = Busy::default();
+    let finish = |i: usize, item: T, job: &Job<'_>| {
+        let result = work(item, job);
+        let failed = result.is_err();
+        lock(&results)[i] = Some(result);
+        stopped.fetch_or(failed, Ordering::Relaxed);
+    };
+    let next = || lock(&queue).next().filter(|_| !stopped.load(Ordering::Relaxed));
+    let help = || {
+        let _one = busy.begin();
+        let own = Unless(&stopped);
+        while let Some((i, item)) = next() {
+            finish(i, item, &Job::new(1, &own));
+        }
+    };
+    let mut reported = Ok(());
+    let mut lead = |_| {
+        let stop = StopOnDrop(&stopped);
+        let ask = |done: usize| job.step(done as f64 / count.max(1) as f64, stage);
+        reported = (|| {
+            while let Some((i, item)) = next() {
+                ask(i)?;
+                finish(i, item, &job.share(i, count).with_threads(1));
+            }
+            busy.wait(|| ask(count))
+        })();
+        if reported.is_ok() {
+            std::mem::forget(stop);
+        }
+    };
+    run_beside(helpers, &help, &mut lead);
+    reported?;
+    for result in results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten() {
+        all.push(result?);
+    }
+    Ok(all)
+}
+
+/// Places for as many results.
+fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
+    Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
+}
+
+/// The engine of [`map`]: results in the order of the items. `before` is called on this thread with
+/// the number of each item that it takes.
+fn run_ordered<T: Send, R: Send>(
+    threads: usize,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T) -> R + Sync,
+    before: impl Fn(usize) -> Result<()>,
+) -> Result<Vec<R>> {
+    let count = items.len();
+    let wanted = at_most(count, threads);
+    let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
+    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
+    let next = || lock(&queue).next();
+    let finish = |(i, item)| {
+        let result = work(item);
+        lock(&results)[i] = Some(result);
+    };
+    let help = || {
+        while let Some(item) = next().filter(|_| !stopped.load(Ordering::Relaxed)) {
+            finish(item);
+        }
+    };
+    let mut reported = Ok(());
+    let mut lead = |_| {
+        while let Some((i, item)) = next() {
+            reported = before(i);
+            if reported.is_err() {
+                return stopped.store(true, Ordering::Relaxed);
+            }
+            finish((i, item));
+        }
+    };
+    run_beside(wanted.saturating_sub(1), &help, &mut lead);
+    reported?;
+    all.extend(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten());
+    Ok(all)
+}
+
+/// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
+/// asked while this thread waits; once the first fails or the host cancels, the second hears of it
+/// at its next report. What the second reports and notes is not passed on. Both hold their memory at
+/// once.
+///
+/// # Errors
+/// Those of the first, then those of the second; [`Error::Cancelled`](crate::Error::Cancelled).
+pub fn both<R, S: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    first: impl FnOnce(&Job<'_>) -> Result<R>,
+    second: impl FnOnce(&Job<'_>) -> Result<S> + Send,
+) -> Result<(R, S)> {
+    if at_most(2, job.threads()) < 2 {
+        return Ok((first(&job.part(0.0, 0.5))?, second(&job.part(0.5, 1.0))?));
+    }
+    let stopped = AtomicBool::new(false);
+    let (second, done) = (Mutex::new(Some(second)), Mutex::new(None));
+    let busy = Busy::default();
+    let help = || {
+        let _one = busy.begin();
+        let second = lock(&second).take();
+        *lock(&done) = second.map(|second| second(&Job::new(1, &Unless(&stopped))));
+    };
+    let (mut first, mut found) = (Some(first), None);
+    let mut lead = |_| {
+        let stop = StopOnDrop(&stopped);
+        found = first.take().map(|first| {
+            let found = first(&job.part(0.0, 0.5))?;
+            // What the other thread has not begun is done by this one.
+            let late = lock(&second).take();
+            let late = late.map(|second| second(&job.part(0.5, 1.0))).transpose()?;
+            busy.wait(|| job.step(0.5, stage))?;
+            Ok((found, late))
+        });
+        if matches!(found, Some(Ok(_))) {
+            std::mem::forget(stop);
+        }
+    };
+    run_beside(1, &help, &mut lead);
+    let (found, late) = found.unwrap_or(Err(crate::Error::Cancelled))?;
+    match late.map(Ok).or(done.into_inner().unwrap_or_else(PoisonError::into_inner)) {
+        Some(second) => Ok((found, second?)),
+        None => Err(crate::Error::Cancelled),
+    }
+}
+
+/// How many other threads are at work.
+#[derive(Default)]
+struct Busy {
+    count: AtomicUsize,
+    /// Whoever waits for fewer holds this from its look at the count on.
+    looking: Mutex<()>,
+    fewer: Condvar,
+}
+
+impl Busy {
+    /// One more, until what is returned is dropped.
+    fn begin(&self) -> impl Drop + use<'_> {
+        self.count.fetch_add(1, Ordering::Relaxed);
+        AtWork(self)
+    }
+
+    /// Waits until there are none; `ask` is called first and now and then.
+    fn wait(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
+        while self.count.load(Ordering::Acquire) > 0 {
+            ask()?;
+            let looking = lock(&self.looking);
+            if self.count.load(Ordering::Acquire) > 0 {
+                drop(self.fewer.wait_timeout(looking, BETWEEN_REPORTS));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One of [`Busy`].
+struct AtWork<'a>(&'a Busy);
+
+impl Drop for AtWork<'_> {
+    fn drop(&mut self) {
+        self.0.count.fetch_sub(1, Ordering::Release);
+        drop(lock(&self.0.looking));
+        self.0.fewer.notify_one();
+    }
+}
+
+/// Tells [`Unless`] to break off, whether by failure or by panic.
+struct StopOnDrop<'a>(&'a AtomicBool);
+
+impl Drop for StopOnDrop<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Breaks off once it is told to.
+struct Unless<'a>(&'a AtomicBool);
+
+impl Progress for Unless<'_> {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// Consecutive ranges of `size` elements that cover `0..len`, as items.
+pub fn ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
+    (0..len.div_ceil(size)).map(move |i| i * size..len.min((i + 1) * size))
+}
+
+/// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and
+/// at least 1.
+pub fn at_most(limit: usize, threads: usize) -> usize {
+    match threads {
+        // Asking the system takes longer than a small job.
+        _ if limit <= 1 => 1,
+        0 => thread::available_parallelism().map_or(1, usize::from).min(limit),
+        n => n.min(limit),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Error;
+    use std::cell::Cell;
+    use std::sync::atomic::AtomicUsize;
+
+    #[test]
+    fn the_same_for_any_thread_count() {
+        let sums =
+            |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>()).unwrap();
+        let one = sums(1);
+        assert_eq!(one.len(), 101);
+        for threads in [0, 2, 3, 64] {
+            assert_eq!(one, sums(threads));
+        }
+        assert_eq!(map(4, ranges(0, 10), |range| range.len()), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn progress_is_reported_before_every_item_of_this_thread() {
+        struct Counter(Cell<u32>);
+        impl crate::Progress for Counter {
+            fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
+                assert!((0.0..1.0).contains(&fraction));
+                self.0.set(self.0.get() - 1);
+                if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            }
+        }
+        let run = |threads, calls| {
+            let counter = Counter(Cell::new(calls));
+            let begun = AtomicUsize::new(0);
+            let work = |range: Range<usize>| begun.fetch_add(1, Ordering::Relaxed) + range.len();
+            let done = map_cancellable(&Job::new(threads, &counter), "work", ranges(1000, 10), work);
+            (done.map(|done| done.len()), begun.into_inner(), calls - counter.0.get())
+        };
+        // One call at first, and one for each item.
+        assert_eq!(run(1, 1000), (Ok(100), 100, 101));
+        assert_eq!(run(1, 41), (Err(crate::Error::Cancelled), 39, 41));
+        for threads in [2, 16] {
+            assert_eq!(run(threads, 1000).0, Ok(100));
+            let (done, begun, _) = run(threads, 1);
+            assert_eq!((done, begun), (Err(crate::Error::Cancelled), 0));
+        }
+    }
+
+    #[test]
+    fn large_items_hear_the_host() {
+        // The host cancels at its third answer: an item that never ends does, on any thread.
+        struct Patience(Cell<u32>);
+        impl crate::Progress for Patience {
+            fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+                self.0.set(self.0.get().saturating_sub(1));
+                if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            }
+        }
+        let endless = |_: usize, job: &Job<'_>| -> Result<()> {
+            loop {
+                job.step(0.0, "endless")?;
+            }
+        };
+        for threads in [1, 2, 16] {
+            let patience = Patience(Cell::new(3));
+            assert_eq!(map_jobs(&Job::new(threads, &patience), "work", 0..5, endless), Err(Error::Cancelled));
+            let job = Job::new(threads, &Forever);
+            assert_eq!(map_jobs(&job, "work", 0..50, |i: usize, _: &Job<'_>| Ok(i * i)).unwrap()[7], 49);
+            let fails = |i: usize, _: &Job<'_>| if i == 3 { Err(Error::Cancelled) } else { Ok(i) };
+            assert_eq!(map_jobs(&job, "work", 0..50, fails), Err(Error::Cancelled));
+            // One item fails, and the others hear of it.
+            let either = |i: usize, job: &Job<'_>| if i == 0 { Err(Error::Cancelled) } else { endless(i, job) };
+            assert_eq!(map_jobs(&job, "work", 0..2, either), Err(Error::Cancelled));
+        }
+    }
+
+    #[test]
+    fn both_are_done_and_either_stops_the_other() {
+        let work = |n: u32| move |_: &Job<'_>| Ok(n);
+        for threads in [1, 2, 16] {
+            let job = Job::new(threads, &Forever);
+            assert_eq!(both(&job, "both", work(1), work(2)), Ok((1, 2)));
+            let refuse = |_: &Job<'_>| Err::<u32, _>(Error::Cancelled);
+            assert_eq!(both(&job, "both", work(1), refuse), Err(Error::Cancelled));
+            // The second goes on until it hears of it.
+            let endless = |job: &Job<'_>| loop {
+                job.step(0.0, "endless")?;
+            };
+            let found: Result<(u32, u32)> = both(&job, "both", refuse, endless);
+            assert_eq!(found, Err(Error::Cancelled));
+        }
+    }
+
+    #[test]
+    fn a_panic_of_either_stops_the_other_and_is_passed_on() {
+        let endless = |job: &Job<'_>| loop {
+            job.step(0.0, "endless")?;
+        };
+        let fails = |_: &Job<'_>| -> Result<()> { std::panic::panic_any("of work") };
+        let passed_on = |found: thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
+        for threads in [1, 2] {
+            let job = Job::new(threads, &Forever);
+            let first = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| both(&job, "both", fails, endless)));
+            assert_eq!(passed_on(first), "of work");
+            let second =
+                std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| both(&job, "both", |_| Ok(()), fails)));
+            assert_eq!(passed_on(second), "of work");
+        }
+    }
+
+    #[test]
+    fn the_host_is_asked_while_this_thread_waits() {
+        struct Patience(Cell<u32>);
+        impl Progress for Patience {
+            fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+                self.0.set(self.0.get() - 1);
+                if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            }
+        }
+        let endless = |job: &Job<'_>| loop {
+            job.step(0.0, "endless")?;
+        };
+        let patience = Patience(Cell::new(3));
+        let found: Result<((), ())> = both(&Job::new(2, &patience), "both", |_| Ok(()), endless);
+        assert_eq!((found, patience.0.get()), (Err(Error::Cancelled), 0));
+    }
+
+    struct Forever;
+
+    impl Progress for Forever {
+        fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+            ControlFlow::Continue(())
+        }
+    }
+
+    #[test]
+    fn items_may_be_parts_of_an_array() {
+        for threads in [1, 2, 64] {
+            let mut squares = vec![0; 1000];
+            let parts = map(threads, squares.chunks_mut(7).enumerate(), |(i, part)| {
+                part.iter_mut().zip(7 * i..).for_each(|(square, k)| *square = k * k);
+                part.len()
+            })
+            .unwrap();
+            assert_eq!(parts.iter().sum::<usize>(), 1000);
+            assert!(squares.iter().enumerate().all(|(k, &square)| square == k * k));
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Supernodes: groups of columns of the factor that are stored and computed as one dense block.
+//!
+//! Columns whose rows are nearly the same, one an ancestor of the other, form a group, with some
+//! zeros stored among its entries. The groups form a tree; their columns are numbered anew in its
+//! postorder, which changes nothing of the factor but the order of rows and columns. Sources: C.
+//! Ashcraft, R. Grimes, *The influence of relaxed supernode partitions on the multifrontal method*
+//! (1989); J. W. H. Liu, *The multifrontal method for sparse matrix solution* (1992).
+
+use super::symmetric::Symmetric;
+use super::tree::{column_counts, parents, postorder};
+use crate::NONE;
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::sort::Buckets;
+use std::ops::Range;
+
+/// Groups of up to so many columns may hold this share of zeros; wider ones the last.
+const MAX_ZEROS: [(u64, f64); 3] = [(16, 0.6), (48, 0.15), (u64::MAX, 0.05)];
+/// Groups of up to so many columns may hold any number of zeros.
+const MIN_COLUMNS: u64 = 4;
+/// So many columns are one group.
+const MAX_SINGLE: usize = 24;
+/// Entries looked at between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
+
+/// The groups in the order of elimination.
+pub struct Supernodes {
+    /// The columns as the matrix numbers them, in their new order.
+    pub order: Vec<u32>,
+    /// The new number of each.
+    pub place: Vec<u32>,
+    /// The first column of each group, and the number of columns.
+    first: Vec<u32>,
+    /// The rows of each group below its columns, ascending.
+    rows: Vec<u32>,
+    rows_start: Vec<usize>,
+    /// The group that has the first of these rows as a column; `NONE` of a root.
+    parent: Vec<u32>,
+    /// The first group of the subtree below each.
+    subtree: Vec<u32>,
+}
+
+impl Supernodes {
+    /// The groups of a matrix; `below`: what it has below its diagonal. O(e log n) for the e rows
+    /// of all groups.
+    pub fn new(matrix: &Symmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
+        let n = matrix.len();
+        if n <= MAX_SINGLE {
+            return Supernodes::single(n);
+        }
+        let parent = parents(matrix, &job.part(0.0, 0.2))?;
+        let count = column_counts(below, &parent, &job.part(0.2, 0.6))?;
+        job.step(0.6, "solving")?;
+        let group = groups(&parent, &count)?;
+        job.step(0.6, "solving")?;
+
+        // A group has the number of its last column until it is numbered in postorder.
+        let (mut last, mut number) = (Vec::new(), alloc::filled(NONE, n)?);
+        for k in (0..n).filter(|&k| group[k] as usize == k) {
+            number[k] = last.len() as u32;
+            alloc::push(&mut last, k as u32)?;
+        }
+        let group_of = |column: u32| if column == NONE { NONE } else { number[group[column as usize] as usize] };
+        let unordered = alloc::collect(last.iter().map(|&k| group_of(parent[k as usize])))?;
+        let sequence = postorder(&unordered, &job.part(0.6, 0.6))?;
+        job.step(0.6, "solving")?;
+        let columns = Buckets::new(last.len(), 0, (0..n as u32).map(|k| (group_of(k) as usize, k)))?;
+        job.step(0.6, "solving")?;
+
+        let (mut order, mut first) = (alloc::with_capacity(n)?, alloc::with_capacity(last.len() + 1)?);
+        let mut renumbered = alloc::filled(NONE, last.len())?;
+        for (k, &group) in sequence.iter().enumerate() {
+            renumbered[group as usize] = k as u32;
+            first.push(order.len() as u32);
+            order.extend_from_slice(columns.get(group as usize));
+        }
+        first.push(n as u32);
+        let mut place = alloc::filled(0, n)?;
+        order.iter().zip(0..).for_each(|(&k, to)| place[k as usize] = to);
+        job.step(0.6, "solving")?;
+        let new = |group: u32| renumbered.get(group as usize).copied().unwrap_or(NONE);
+        let parent = alloc::collect(sequence.iter().map(|&group| new(unordered[group as usize])))?;
+        let mut subtree = alloc::collect(0..last.len() as u32)?;
+        for s in 0..last.len() {
+            if let Some(begin) = subtree.get(parent[s] as usize).copied() {
+                subtree[parent[s] as usize] = begin.min(subtree[s]);
+            }
+        }
+        let mut supernodes =
+            Supernodes { order, place, first, rows: Vec::new(), rows_start: Vec::new(), parent, subtree };
+        supernodes.find_rows(below, &job.part(0.6, 1.0))?;
+        Ok(supernodes)
+    }
+
+    /// One group of all columns.
+    fn single(n: usize) -> Result<Self> {
+        let numbers = alloc::collect(0..n as u32)?;
+        let [place, first, parent, subtree] = [numbers.clone(), vec![0, n as u32], vec![NONE], vec![0]];
+        Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
+    }
+
+    /// How many groups there are.
+    pub fn len(&self) -> usize {
+        self.parent.len()
+    }
+
+    /// The columns of a group.
+    pub fn columns(&self, s: usize) -> Range<usize> {
+        self.first[s] as usize..self.first[s + 1] as usize
+    }
+
+    /// The rows below them in which they have entries.
+    pub fn rows(&self, s: usize) -> &[u32] {
+        &self.rows[self.rows_start[s]..self.rows_start[s + 1]]
+    }
+
+    /// The children of a group, the last one first.
+    pub fn children(&self, s: usize) -> impl Iterator<Item = usize> + '_ {
+        let child = move |s_before: usize| s_before.checked_sub(1).filter(|&c| self.parent[c] == s as u32);
+        std::iter::successors(child(s), move |&c| child(self.subtree[c] as usize))
+    }
+
+    /// The rows of a group are those of the matrix in its columns and those of its children.
+    fn find_rows(&mut self, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<()> {
+        let mut seen = alloc::filled(NONE, self.order.len())?;
+        let mut found = Vec::new();
+        self.rows_start = alloc::with_capacity(self.len() + 1)?;
+        self.rows_start.push(0);
+        let mut looked_at = 0;
+        for s in 0..self.len() {
+            let columns = self.columns(s);
+            let mut add = |row: u32| {
+                if row as usize >= columns.end && seen[row as usize] != s as u32 {
+                    seen[row as usize] = s as u32;
+                    alloc::push(&mut found, row)?;
+                }
+                Ok(())
+            };
+            for &k in &self.order[columns.clone()] {
+                let rows = below.get(k as usize);
+                looked_at += rows.len();
+                rows.iter().try_for_each(|&(i, _)| add(self.place[i as usize]))?;
+            }
+            for child in self.children(s) {
+                let rows = self.rows(child);
+                looked_at += rows.len();
+                rows.iter().try_for_each(|&row| add(row))?;
+            }
+            found.sort_unstable();
+            alloc::append(&mut self.rows, &found)?;
+            found.clear();
+            self.rows_start.push(self.rows.len());
+            if looked_at >= REPORT_INTERVAL {
+                job.step(s as f64 / self.len() as f64, "solving")?;
+                looked_at = 0;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a group costs.
+#[derive(Clone, Copy)]
+struct Size {
+    columns: u64,
+    /// Below its columns.
+    rows: u64,
+    /// Entries that the factor does not have.
+    zeros: u64,
+}
+
+impl Size {
+    /// The entries below the diagonal and on it.
+    fn entries(self) -> u64 {
+        self.columns * (self.columns + 1) / 2 + self.columns * self.rows
+    }
+
+    /// A group with its child.
+    fn with(self, child: Size) -> Size {
+        let both = Size { columns: self.columns + child.columns, ..self };
+        let stored = self.entries() - self.zeros + child.entries() - child.zeros;
+        Size { zeros: both.entries() - stored, ..both }
+    }
+
+    fn is_dense(self) -> bool {
+        let share = self.zeros as f64 / self.entries() as f64;
+        let bound = MAX_ZEROS.iter().find(|(columns, _)| self.columns <= *columns);
+        self.columns <= MIN_COLUMNS || bound.is_some_and(|&(_, bound)| share <= bound)
+    }
+}
+
+/// The last column of each column's group. From the leaves on, each column takes up the groups of
+/// its children, the last one first, as long as few zeros come in.
+fn groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
+    let n = parent.len();
+    let mut last = alloc::collect(0..n as u32)?;
+    let whole = |&count: &u32| Size { columns: 1, rows: u64::from(count) - 1, zeros: 0 };
+    let mut size = alloc::collect(count.iter().map(whole))?;
+    let (mut child, mut sibling) = (alloc::filled(NONE, n)?, alloc::filled(NONE, n)?);
+    for k in 0..n {
+        let mut next = child[k];
+        while next != NONE {
+            let both = size[k].with(size[next as usize]);
+            if both.is_dense() {
+                size[k] = both;
+                last[next as usize] = k as u32;
+            }
+            next = sibling[next as usize];
+        }
+        // The last one first.
+        if let Some(first) = child.get_mut(parent[k] as usize) {
+            sibling[k] = std::mem::replace(first, k as u32);
+        }
+    }
+    // From the root on, so that each finds its group's last column.
+    for k in (0..n).rev() {
+        last[k] = last[last[k] as usize];
+    }
+    Ok(last)
+}

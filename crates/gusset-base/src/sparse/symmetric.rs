@@ -1,0 +1,31 @@
+//! Sparse symmetric matrices.
+
+use crate::error::Result;
+use crate::job::Job;
+use crate::sort::Buckets;
+
+/// A symmetric matrix: its diagonal, and what is above it, column by column as (row, value).
+pub struct Symmetric {
+    pub start: Vec<usize>,
+    pub entries: Vec<(u32, f64)>,
+    pub diagonal: Vec<f64>,
+}
+
+impl Symmetric {
+    /// How many rows it has.
+    pub fn len(&self) -> usize {
+        self.diagonal.len()
+    }
+
+    /// The entries of column `k` above the diagonal: those of row `k` before it.
+    pub fn column(&self, k: usize) -> &[(u32, f64)] {
+        &self.entries[self.start[k]..self.start[k + 1]]
+    }
+
+    /// What is below the diagonal, column by column. 16 bytes an entry.
+    pub fn below(&self, job: &Job<'_>) -> Result<Buckets<(u32, f64)>> {
+        let columns = (0..self.len()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));
+        let items = columns.map(|(k, i, value)| (i as usize, (k as u32, value)));
+        Buckets::new_cancellable(self.len(), (0, 0.0), items, job, "solving")
+    }
+}

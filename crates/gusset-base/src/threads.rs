@@ -1,0 +1,153 @@
+//! Threads that end with the call.
+//!
+//! Those of the standard library cannot be started without memory: what it notes of each it asks
+//! the system for, whatever the allocator, and aborts if that has none. Where there are POSIX
+//! threads, these are used.
+
+#![allow(unsafe_code, reason = "POSIX threads, which borrow from the thread that starts them")]
+
+use std::sync::{Mutex, MutexGuard, TryLockError};
+use std::thread;
+
+/// Runs `lead` on this thread, which learns how many others there are, and `help` on `helpers`
+/// others at most; returns when all have returned. A thread that cannot be started is no failure. A
+/// panic of any is passed on.
+pub fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut(usize)) {
+    if helpers == 0 {
+        return lead(0);
+    }
+    started::run_beside(helpers, help, lead);
+}
+
+/// Locks what is held for a few instructions at a time, and so never slept for: the sanitizer of
+/// threads, too, sees this, and not what the standard library does while it sleeps. What a thread
+/// that panicked leaves behind is whole: nothing is changed in two steps.
+pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    loop {
+        match mutex.try_lock() {
+            Ok(guard) => return guard,
+            Err(TryLockError::Poisoned(panicked)) => return panicked.into_inner(),
+            Err(TryLockError::WouldBlock) => thread::yield_now(),
+        }
+    }
+}
+
+#[cfg(unix)]
+mod started {
+    use super::lock;
+    use crate::alloc;
+    use libc::{c_void, pthread_attr_t, pthread_t};
+    use std::any::Any;
+    use std::mem::MaybeUninit;
+    use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+    use std::ptr;
+    use std::sync::{Mutex, PoisonError};
+
+    /// Bytes of a stack: as many as the standard library gives to a thread.
+    const STACK: usize = 2 << 20;
+
+    /// What the threads share.
+    struct Shared<'a> {
+        help: &'a (dyn Fn() + Sync),
+        panic: Mutex<Option<Box<dyn Any + Send>>>,
+    }
+
+    extern "C" fn run(shared: *mut c_void) -> *mut c_void {
+        // SAFETY: the thread that started this one waits for it before it gives `shared` up.
+        let shared = unsafe { &*shared.cast::<Shared<'_>>() };
+        if let Err(panic) = catch_unwind(AssertUnwindSafe(shared.help)) {
+            *lock(&shared.panic) = Some(panic);
+        }
+        ptr::null_mut()
+    }
+
+    /// Threads that run, and are waited for even if this one panics.
+    struct Threads(Vec<pthread_t>);
+
+    impl Drop for Threads {
+        fn drop(&mut self) {
+            for &thread in &self.0 {
+                // SAFETY: a thread that was started, and is waited for once.
+                unsafe { libc::pthread_join(thread, ptr::null_mut()) };
+            }
+        }
+    }
+
+    /// Starts a thread; its number, unless the system has no room for it.
+    fn start(shared: &Shared<'_>) -> Option<pthread_t> {
+        let (mut attributes, mut thread) =
+            (MaybeUninit::<pthread_attr_t>::uninit(), MaybeUninit::<pthread_t>::uninit());
+        // SAFETY: attributes are initialised, used and destroyed; `shared` lives until the thread
+        // has been waited for, which the caller sees to, and is Sync but for the lifetime.
+        unsafe {
+            if libc::pthread_attr_init(attributes.as_mut_ptr()) != 0 {
+                return None;
+            }
+            libc::pthread_attr_setstacksize(attributes.as_mut_ptr(), STACK);
+            let argument = ptr::from_ref(shared).cast_mut().cast();
+            let failed = libc::pthread_create(thread.as_mut_ptr(), attributes.as_ptr(), run, argument);
+            libc::pthread_attr_destroy(attributes.as_mut_ptr());
+            (failed == 0).then(|| thread.assume_init())
+        }
+    }
+
+    pub(super) fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut(usize)) {
+        let shared = Shared { help, panic: Mutex::new(None) };
+        // Without room for their numbers there are none.
+        let mut threads = Threads(alloc::with_capacity(helpers).unwrap_or_default());
+        while threads.0.len() < helpers.min(threads.0.capacity())
+            && let Some(thread) = start(&shared)
+        {
+            threads.0.push(thread);
+        }
+        lead(threads.0.len());
+        drop(threads);
+        if let Some(panic) = shared.panic.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            resume_unwind(panic);
+        }
+    }
+}
+
+#[cfg(not(unix))]
+mod started {
+    use std::thread;
+
+    pub(super) fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut(usize)) {
+        thread::scope(|scope| {
+            let handles: Vec<_> =
+                (0..helpers).map_while(|_| thread::Builder::new().spawn_scoped(scope, help).ok()).collect();
+            lead(handles.len());
+            for handle in handles {
+                handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            }
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::run_beside;
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    #[test]
+    fn all_have_returned_and_a_panic_of_any_is_passed_on() {
+        for helpers in [0, 1, 7] {
+            let (ran, mut told) = (AtomicUsize::new(0), 0);
+            let help = || {
+                std::thread::yield_now();
+                ran.fetch_add(1, Ordering::Relaxed);
+            };
+            run_beside(helpers, &help, &mut |others| told = others);
+            assert_eq!((told, ran.load(Ordering::Relaxed)), (helpers, helpers));
+            let of_this = catch_unwind(AssertUnwindSafe(|| {
+                run_beside(helpers, &help, &mut |_| std::panic::panic_any("this"));
+            }));
+            assert_eq!(*of_this.unwrap_err().downcast::<&str>().unwrap(), "this");
+            assert_eq!(ran.load(Ordering::Relaxed), 2 * helpers);
+        }
+        let fails = || std::panic::panic_any("another");
+        let passed_on = catch_unwind(AssertUnwindSafe(|| run_beside(3, &fails, &mut |_| ())));
+        assert_eq!(*passed_on.unwrap_err().downcast::<&str>().unwrap(), "another");
+    }
+}

@@ -1,0 +1,216 @@
+//! Piecewise Bézier curves: the data that all of this module reads and makes.
+//!
+//! * here: [`CurveView`], borrowed control points, and [`Curve`], owned ones. Segments of any
+//!   degrees, one after another.
+//! * segment: one segment by its control points.
+//! * unit_frame: coordinates in which a curve is near the origin and of size about 1.
+
+pub(crate) mod segment;
+pub(crate) mod unit_frame;
+
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+
+pub use segment::MAX_DEGREE;
+
+/// A borrowed curve: segment k has the control points `ends[k]..=ends[k + 1]`, so that each begins
+/// with the last control point of the one before. A plane curve has z = 0 everywhere.
+#[derive(Debug, Clone, Copy)]
+pub struct CurveView<'a> {
+    points: &'a [DVec3],
+    ends: &'a [u32],
+    closed: bool,
+}
+
+/// That a point is finite; `point`: its number, for the error.
+pub(crate) fn check_finite(point: usize, p: DVec3) -> Result<()> {
+    Error::check_finite(Element::Point, point as u64, p)
+}
+
+/// A place on a curve: a segment, and the parameter there, 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Counted from 0.
+    pub segment: u32,
+    /// 0 at the segment's first control point, 1 at its last.
+    pub t: f64,
+}
+
+impl Place {
+    pub(super) const START: Place = Place { segment: 0, t: 0.0 };
+
+    /// The place as one number: segment and parameter added.
+    pub(super) fn along(self) -> f64 {
+        f64::from(self.segment) + self.t
+    }
+}
+
+impl<'a> CurveView<'a> {
+    /// `ends`: 0, then the place of the last control point of each segment, which is
+    /// `points.len() - 1` for the last one. `closed`: the last control point is the first one
+    /// again.
+    ///
+    /// # Errors
+    /// [`Error::BadOffsets`] (they do not start at 0, do not rise, or end elsewhere),
+    /// [`Error::OptionOutOfRange`] (a degree above [`MAX_DEGREE`]), [`Error::NotFinite`],
+    /// [`Error::CurveNotClosed`].
+    pub fn new(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Result<Self> {
+        let bad =
+            |entry: usize| Error::BadOffsets { entry: entry as u32, value: ends.get(entry).copied().unwrap_or(0) };
+        if ends.first() != Some(&0) {
+            return Err(bad(0));
+        }
+        for k in 1..ends.len() {
+            if ends[k] <= ends[k - 1] || ends[k] as usize >= points.len() {
+                return Err(bad(k));
+            }
+            let degree = (ends[k] - ends[k - 1]) as usize;
+            Error::require(degree <= MAX_DEGREE, "degree", degree as f64)?;
+        }
+        if ends.len() > 1 && ends[ends.len() - 1] as usize != points.len() - 1 {
+            return Err(bad(ends.len() - 1));
+        }
+        points.iter().enumerate().try_for_each(|(point, &p)| check_finite(point, p))?;
+        if closed && points.first() != points.last() {
+            return Err(Error::CurveNotClosed);
+        }
+        Ok(CurveView { points, ends, closed })
+    }
+
+    /// A curve whose points and ends are known to be valid.
+    pub(super) fn trusted(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Self {
+        CurveView { points, ends, closed }
+    }
+
+    /// All control points; a closed curve has its first one at the end once more.
+    pub fn points(&self) -> &'a [DVec3] {
+        self.points
+    }
+
+    /// See [`CurveView::new`].
+    pub fn ends(&self) -> &'a [u32] {
+        self.ends
+    }
+
+    /// Whether the curve ends where it begins and goes on there.
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The number of segments; 0 for a curve without any extent that was never identified.
+    pub fn len(&self) -> usize {
+        self.ends.len().saturating_sub(1)
+    }
+
+    /// True if there are no segments.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The control points of segment `k`: one more than its degree.
+    ///
+    /// # Panics
+    /// If there is no segment `k`.
+    pub fn segment(&self, k: usize) -> &'a [DVec3] {
+        &self.points[self.ends[k] as usize..=self.ends[k + 1] as usize]
+    }
+
+    /// The control points of each segment.
+    pub fn segments(&self) -> impl ExactSizeIterator<Item = &'a [DVec3]> + Clone + use<'a> {
+        let points = self.points;
+        self.ends.windows(2).map(move |pair| &points[pair[0] as usize..=pair[1] as usize])
+    }
+
+    /// That a place lies on the curve; `index`: its number, for the error.
+    pub(super) fn check_place(&self, index: usize, place: Place) -> Result<()> {
+        if (place.segment as usize) < self.len() && (0.0..=1.0).contains(&place.t) {
+            return Ok(());
+        }
+        Err(Error::NoSuchPlace { index: index as u32, segment: place.segment, t: place.t })
+    }
+
+    /// The end of the last segment.
+    pub(super) fn last_place(&self) -> Place {
+        Place { segment: self.len() as u32 - 1, t: 1.0 }
+    }
+
+    pub(super) fn check_not_empty(&self) -> Result<()> {
+        if self.points.is_empty() { Err(Error::EmptyCurve) } else { Ok(()) }
+    }
+
+    /// That the curve lies in the plane z = 0.
+    pub(super) fn check_plane(&self) -> Result<()> {
+        let outside = self.points.iter().position(|p| p.z != 0.0);
+        outside.map_or(Ok(()), |point| Err(Error::CurveNotPlane { point: point as u32 }))
+    }
+
+    /// The number of segments after which a closed curve comes round; infinite for an open one.
+    pub(super) fn period(&self) -> f64 {
+        if self.closed { self.len() as f64 } else { f64::INFINITY }
+    }
+
+    /// A copy that owns its points.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn to_owned(&self) -> Result<Curve> {
+        Ok(Curve { points: alloc::copied(self.points)?, ends: alloc::copied(self.ends)?, closed: self.closed })
+    }
+}
+
+/// A curve that owns its control points; see [`CurveView`].
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Curve {
+    pub(super) points: Vec<DVec3>,
+    pub(super) ends: Vec<u32>,
+    pub(super) closed: bool,
+}
+
+impl Curve {
+    /// A curve without segments that begins at a point.
+    pub(super) fn from_point(start: DVec3) -> Result<Self> {
+        let mut curve = Curve::default();
+        alloc::push(&mut curve.points, start)?;
+        alloc::push(&mut curve.ends, 0)?;
+        Ok(curve)
+    }
+
+    /// Appends a segment by its control points but the first, which is where the curve ends so far.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] (more control points than 32 bits can count), [`Error::OutOfMemory`].
+    pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
+        Error::check_count("control points", (self.points.len() + rest.len()) as u64, u32::MAX.into())?;
+        alloc::append(&mut self.points, rest)?;
+        alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
+    }
+
+    /// The curve, borrowed.
+    pub fn view(&self) -> CurveView<'_> {
+        CurveView::trusted(&self.points, &self.ends, self.closed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn invalid_curves_are_refused() {
+        let points = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        assert_eq!(CurveView::new(&points, &[0, 2], false).unwrap().segment(0), points);
+        assert_eq!(CurveView::new(&points, &[0, 1, 2], false).unwrap().len(), 2);
+        assert!(CurveView::new(&[], &[0], true).unwrap().is_empty());
+        let bad = |ends: &[u32]| matches!(CurveView::new(&points, ends, false), Err(Error::BadOffsets { .. }));
+        assert!(bad(&[]) && bad(&[1, 2]) && bad(&[0, 0, 2]) && bad(&[0, 1]) && bad(&[0, 3]) && bad(&[0, 2, 1]));
+        assert_eq!(CurveView::new(&points, &[0, 2], true).unwrap_err(), Error::CurveNotClosed);
+        let nan = [DVec3::ZERO, DVec3::new(0.0, f64::NAN, 0.0)];
+        assert!(matches!(
+            CurveView::new(&nan, &[0, 1], false),
+            Err(Error::NotFinite { element: Element::Point, index: 1, .. })
+        ));
+        let many = vec![DVec3::ZERO; 66];
+        assert!(matches!(CurveView::new(&many, &[0, 65], false), Err(Error::OptionOutOfRange { .. })));
+    }
+}

@@ -1,0 +1,96 @@
+//! The unit frame of a curve: coordinates in which it is near the origin and of size about 1.
+//!
+//! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the
+//! centre o cannot overflow, then the extent does. Powers of 2 change no digits.
+
+use super::segment::SegmentBuffer;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+
+/// A translation and a scaling by a power of 2.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct UnitFrame {
+    coarse: f64,
+    origin: DVec3,
+    fine: f64,
+}
+
+/// The power of 2 that brings `x` to 1/2 or more but below 1, or as near to that as a normal number
+/// can.
+pub(crate) fn power_to_one(x: f64) -> f64 {
+    let (_, exponent) = libm::frexp(x);
+    libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))
+}
+
+impl UnitFrame {
+    /// The frame of the box of some finite points.
+    pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
+        let whole = Aabb::of(points);
+        let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::of([DVec3::ZERO]) };
+        let coarse = power_to_one(low.abs().max(high.abs()).max_element());
+        let (low, high) = (low * coarse, high * coarse);
+        UnitFrame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }
+    }
+
+    /// A point in the frame; the components of those that the frame was made for are at most 1.
+    pub(crate) fn point(&self, p: DVec3) -> DVec3 {
+        (p * self.coarse - self.origin) * self.fine
+    }
+
+    /// A point in the frame as [`point`](Self::point) rounds it, and what rounding took off.
+    pub(crate) fn point_with_remainder(&self, p: DVec3) -> [DVec3; 2] {
+        let (given, origin) = (p * self.coarse, self.origin);
+        let rounded = given - origin;
+        // Knuth's TwoSum.
+        let back = rounded - given;
+        let remainder = (given - (rounded - back)) - (origin + back);
+        [rounded * self.fine, remainder * self.fine]
+    }
+
+    pub(crate) fn points(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {
+        alloc::collect(points.iter().map(|&p| self.point(p)))
+    }
+
+    /// The control points of a segment in the frame.
+    pub(crate) fn segment(&self, controls: &[DVec3]) -> SegmentBuffer {
+        SegmentBuffer::mapped(controls, |p| self.point(p))
+    }
+
+    /// A point of the frame in the host's coordinates.
+    pub(crate) fn point_back(&self, p: DVec3) -> DVec3 {
+        (p / self.fine + self.origin) / self.coarse
+    }
+
+    pub(crate) fn length(&self, x: f64) -> f64 {
+        x * self.coarse * self.fine
+    }
+
+    /// A length of the frame in the host's unit.
+    pub(crate) fn length_back(&self, x: f64) -> f64 {
+        x / self.fine / self.coarse
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_size_becomes_one_and_comes_back() {
+        for scale in [1.0, 1e200, 1e-200, 1e308, 1e-310] {
+            let points = [DVec3::new(1.0, -1.0, 0.5) * scale, DVec3::new(0.25, 1.5, 0.5) * scale];
+            let frame = UnitFrame::of(&points);
+            for p in points {
+                let local = frame.point(p);
+                assert!(local.abs().max_element() <= 1.0, "{scale}: {local}");
+                assert!((frame.point_back(local) - p).abs().max_element() <= 1e-15 * scale, "{scale}");
+            }
+            let length = frame.length(scale);
+            assert!((scale < 1e-300 || (0.2..4.0).contains(&length)) && frame.length_back(length) == scale);
+        }
+        let same = [DVec3::splat(3.0); 2];
+        assert_eq!(UnitFrame::of(&same).point(same[0]), DVec3::ZERO);
+    }
+}

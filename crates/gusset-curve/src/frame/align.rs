@@ -1,0 +1,140 @@
+//! Where closed sections start.
+//!
+//! The first point of a section's list says nothing about the body: nodes counted from there would
+//! wring it like a cloth. A section starts where it is turned least against the one before: at the
+//! shift d that makes the mean of |P(u) - Q(u + d)|^2 least, for the points P and Q at equal parts u
+//! of both lengths. The shift of one pair has no influence on that of another, so that each is found
+//! by itself; what is left over when a ring closes is spread evenly over all its pairs.
+//!
+//! The first section starts at its anchor, the point that is farthest from its centre. Neither the
+//! anchor nor a shift depends on where the lists of points begin.
+
+use crate::curve::Place;
+use crate::ops::Lengths;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// Points of a section that are compared.
+const SAMPLES: usize = 128;
+/// Distances and sums that differ by this part are equal: round-off does not choose.
+const TIE: f64 = 1e-9;
+
+/// A closed section, as it is passed from its anchor on.
+pub(super) struct Ring<'a> {
+    pub(super) lengths: Lengths<'a>,
+    /// How far along the curve the anchor is.
+    pub(super) anchor: f64,
+    pub(super) backwards: bool,
+}
+
+impl Ring<'_> {
+    /// The place after this part of the length from the anchor on.
+    pub(super) fn place(&self, part: f64) -> Result<Place> {
+        let total = self.lengths.total();
+        let by = (part - part.floor()) * total;
+        let at = self.anchor + if self.backwards { -by } else { by };
+        let at = if at < 0.0 { at + total } else { at };
+        self.lengths.place(if at >= total { at - total } else { at })
+    }
+
+    /// How far a place is along the way from the anchor on: at least 0, less than the length.
+    pub(super) fn along(&self, place: Place) -> Result<f64> {
+        let by = self.lengths.up_to(place)? - self.anchor;
+        let by = if self.backwards { -by } else { by };
+        Ok(if by < 0.0 { by + self.lengths.total() } else { by })
+    }
+
+    /// Points at equal parts of the length, from the mean of all.
+    fn samples(&self) -> Result<Vec<DVec3>> {
+        let at = |k: usize| self.lengths.curve().point(self.place(k as f64 / SAMPLES as f64)?);
+        let mut points = alloc::try_collect((0..SAMPLES).map(at))?;
+        let mean = points.iter().map(|&p| p / SAMPLES as f64).sum::<DVec3>();
+        points.iter_mut().for_each(|p| *p -= mean);
+        let size = points.iter().map(|p| p.abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
+        points.iter_mut().for_each(|p| *p /= size);
+        Ok(points)
+    }
+}
+
+/// The number of the anchor among the points of a section: farthest from the mean of all; of several
+/// the one with the largest x, then y, then z.
+pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> usize {
+    let count = points.len() as f64;
+    let mean = points.clone().map(|p| p / count).sum::<DVec3>();
+    let size = points.clone().map(|p| (p - mean).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
+    let far = |p: DVec3| ((p - mean) / size).length();
+    let least = points.clone().map(far).fold(0.0, f64::max) * (1.0 - TIE);
+    let place = |p: DVec3| p.to_array();
+    let all = points.enumerate().filter(|&(_, p)| far(p) >= least);
+    let best = all.max_by(|&(_, p), &(_, q)| place(p).partial_cmp(&place(q)).unwrap_or(std::cmp::Ordering::Equal));
+    best.map_or(0, |(k, _)| k)
+}
+
+/// Sections between two progress reports.
+const SECTIONS_PER_REPORT: usize = 1 << 8;
+
+/// After which part of its length from its anchor each section starts. `ring`: the last one is
+/// followed by the first. O(sections), with the comparison of 128 points with 128 for each.
+pub(super) fn starts(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
+    let samples = alloc::try_collect(sections.iter().map(Ring::samples))?;
+    let mut starts = alloc::with_capacity(sections.len())?;
+    let mut start = 0.0;
+    starts.push(start);
+    for (k, pair) in samples.windows(2).enumerate() {
+        job.step_every(SECTIONS_PER_REPORT, k, samples.len(), "finding nodes")?;
+        start += shift(&pair[0], &pair[1]);
+        starts.push(start);
+    }
+    if let (true, Some(last), Some(first)) = (ring, samples.last(), samples.first()) {
+        let over = start + shift(last, first);
+        let over = over - over.round();
+        let count = sections.len() as f64;
+        starts.iter_mut().zip(0..).for_each(|(start, k)| *start -= over * f64::from(k) / count);
+    }
+    Ok(starts)
+}
+
+/// The shift of a section against the one before, in parts of its length.
+fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
+    let n = SAMPLES;
+    // Both sums of squares are constant, so that the least distance is the largest product.
+    let product = |d: usize| (0..n).map(|k| before[k].dot(section[(k + d) % n])).sum::<f64>();
+    let products: [f64; SAMPLES] = std::array::from_fn(product);
+    let most = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let best = products.iter().position(|&product| product >= most - TIE * most.abs()).unwrap_or(0);
+    // Between samples, by the parabola through three.
+    let [left, right] = [products[(best + n - 1) % n], products[(best + 1) % n]];
+    let bend = left - 2.0 * products[best] + right;
+    let off = if bend < 0.0 { (0.5 * (left - right) / bend).clamp(-0.5, 0.5) } else { 0.0 };
+    let shift = (best as f64 + off) / n as f64;
+    if shift > 0.5 { shift - 1.0 } else { shift }
+}
+
+/// The largest angle, in radians, by which a row of nodes round a body is turned against the one
+/// before: that of the rotation about the rows' common axis which brings them nearest to each other,
+/// their means apart.
+pub(super) fn twist(nodes: &[DVec3], columns: usize, ring: bool) -> f64 {
+    let rows = nodes.len() / columns;
+    let row = |k: usize| &nodes[(k % rows) * columns..(k % rows + 1) * columns];
+    let pairs = if ring { rows } else { rows.saturating_sub(1) };
+    (0..pairs).map(|k| angle(row(k), row(k + 1)).abs()).fold(0.0, f64::max)
+}
+
+fn angle(p: &[DVec3], q: &[DVec3]) -> f64 {
+    let n = p.len();
+    let mean = |row: &[DVec3]| row.iter().map(|&v| v / n as f64).sum::<DVec3>();
+    let (p0, q0) = (mean(p), mean(q));
+    let both = || p.iter().map(|&v| v - p0).chain(q.iter().map(|&v| v - q0));
+    let size = both().map(|v| v.abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
+    let at = |k: usize| ((p[k % n] - p0) / size, (q[k % n] - q0) / size);
+    let (mut axis, mut cross, mut dot) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+    for k in 0..n {
+        let ((u, v), (next_u, next_v)) = (at(k), at(k + 1));
+        axis += u.cross(next_u) + v.cross(next_v);
+        cross += u.cross(v);
+        dot += u.dot(v);
+    }
+    libm::atan2(cross.dot(axis.normalize_or_zero()), dot)
+}

@@ -1,0 +1,100 @@
+//! The axis that angles are counted about, straight or bent.
+//!
+//! Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, *Computation of rotation minimizing frames* (2008):
+//! two reflections carry a direction from one point of a curve to the next, so that it turns with
+//! the curve and not about it.
+
+use super::options::Axis;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::scale::distance;
+
+/// The sine of the least angle between an axis and the reference.
+const MIN_SINE: f64 = 1e-9;
+
+/// For each section the point of its axis, and three directions at right angles: along the axis,
+/// towards the reference, and on from there. `ring`: the last section is followed by the first; what
+/// the directions lack when they come round is spread evenly.
+pub(super) fn places(
+    axis: Axis<'_>,
+    reference: DVec3,
+    sections: usize,
+    ring: bool,
+) -> Result<Vec<(DVec3, [DVec3; 3])>> {
+    let points = match axis {
+        Axis::Line { point, direction } => {
+            return alloc::filled((point, axes(unit(direction, "axis")?, reference)?), sections);
+        }
+        Axis::Points(points) => points,
+    };
+    let n = sections;
+    Error::require(points.len() == n, "axis_points", points.len() as f64)?;
+    // A frame of fewer is refused for their number.
+    if n < if ring { 3 } else { 2 } {
+        return Ok(Vec::new());
+    }
+    let bad = points.iter().flat_map(DVec3::to_array).find(|x| !x.is_finite());
+    bad.map_or(Ok(()), |x| Error::require(false, "axis_points", x))?;
+    // In halves, as a difference may be too large for a number.
+    let half = |k: usize| points[k % n] * 0.5;
+    let chord = |k: usize| Ok((unit(half(k + 1) - half(k), "axis_points")?, distance(half(k), half(k + 1))));
+    let chords = alloc::try_collect((0..if ring { n } else { n - 1 }).map(chord))?;
+    let tangents = alloc::try_collect((0..n).map(|k| tangent(&chords, k, ring)))?;
+    let [along, start, second] = axes(tangents[0], reference)?;
+    let (mut first, mut places) = (start, alloc::with_capacity(n + 1)?);
+    places.push((points[0], [along, first, second]));
+    for (k, &(chord, _)) in chords.iter().enumerate() {
+        let (from, to) = (tangents[k], tangents[(k + 1) % n]);
+        let reflected = |v: DVec3, normal: DVec3| v - 2.0 * v.dot(normal) * normal;
+        let over = (to - reflected(from, chord)).normalize_or_zero();
+        first = reflected(reflected(first, chord), over);
+        // Round-off would add up.
+        first = (first - to * to.dot(first)).normalize_or_zero();
+        places.push((points[(k + 1) % n], [to, first, to.cross(first)]));
+    }
+    if ring {
+        places.pop();
+        let over = libm::atan2(first.dot(second), first.dot(start));
+        for (k, (_, [_, first, second])) in places.iter_mut().enumerate() {
+            let (sin, cos) = libm::sincos(over * k as f64 / n as f64);
+            (*first, *second) = (*first * cos - *second * sin, *second * cos + *first * sin);
+        }
+    }
+    Ok(places)
+}
+
+/// The unit tangent at point k: of the circle through it and those beside it; at an end of that
+/// through the last three. `chords`: the directions from point to point, and how far that is.
+fn tangent(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DVec3> {
+    let count = chords.len();
+    let middle = |[(arrives, before), (leaves, after)]: [(DVec3, f64); 2]| {
+        let longer = before.max(after);
+        unit(arrives * (after / longer) + leaves * (before / longer), "axis_points")
+    };
+    // An arc makes equal angles with its chord at both ends.
+    let mirrored = |v: DVec3, chord: DVec3| 2.0 * v.dot(chord) * chord - v;
+    Ok(match k {
+        k if ring => middle([chords[(k + count - 1) % count], chords[k]])?,
+        _ if count == 1 => chords[0].0,
+        0 => mirrored(middle([chords[0], chords[1]])?, chords[0].0),
+        k if k == count => mirrored(middle([chords[k - 2], chords[k - 1]])?, chords[k - 1].0),
+        k => middle([chords[k - 1], chords[k]])?,
+    })
+}
+
+fn unit(v: DVec3, option: &'static str) -> Result<DVec3> {
+    let largest = v.abs().max_element();
+    Error::require(v.is_finite() && largest > 0.0, option, largest)?;
+    Ok((v / largest).normalize())
+}
+
+/// Three directions at right angles: a unit vector along the axis, towards the reference, and on from
+/// there.
+fn axes(along: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
+    let reference = unit(reference, "reference")?;
+    let across = reference - along * reference.dot(along);
+    Error::require(across.length() >= MIN_SINE, "reference", across.length())?;
+    let first = across.normalize();
+    Ok([along, first, along.cross(first)])
+}

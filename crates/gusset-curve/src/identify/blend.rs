@@ -1,0 +1,77 @@
+//! Blended sections: from point to point, between the section of the one and the section of the
+//! other.
+//!
+//! From P_i to P_(i+1) run a part of section i, the quadratic (P_i, X, P_(i+1)), and a part of
+//! section i + 1, (P_i, Y, P_(i+1)). Blended linearly, (1 - u) F + u G, they are the cubic
+//!
+//! P_i, (P_i + 2 X) / 3, (2 Y + P_(i+1)) / 3, P_(i+1),
+//!
+//! which with the bisector is the centripetal Catmull-Rom spline and with the median the uniform
+//! one. Blended by w = 3 u^2 - 2 u^3, whose derivative is 0 at both ends, the curve has at each
+//! point the first and second derivatives of its section, on both sides: a quintic, C2 in the knots
+//! of the method's exponent.
+//!
+//! Where the outline turns back, P_(i-1) and P_(i+1) being in one direction from P_i, so does the
+//! curve, on the line or at the point: such points are cusps, and say so.
+//!
+//! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic
+//! that takes the place of the missing section. O(n).
+//!
+//! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
+//! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
+
+use super::method::{Method, through};
+use super::options::Mode;
+use super::report::PointStatus;
+use super::solution::Solution;
+use super::subcurve::{Output, Subcurve};
+use gusset_base::error::Result;
+
+/// The sine of the angle between the legs at a point where the outline turns back.
+const MAX_REVERSAL_SINE: f64 = 1e-9;
+
+/// Appends the blended curve of a subcurve's points.
+pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
+    let (points, n, method) = (sub.points, sub.len(), sub.options.method);
+    solution.resize(n)?;
+    let (controls, parameters) = (&mut solution.controls, &mut solution.t);
+    for i in sub.sections() {
+        let [a, p, c] = sub.triple(i);
+        let (u, w) = (a - p, c - p);
+        if u.dot(w) > 0.0 && u.cross(w).length() <= MAX_REVERSAL_SINE * u.length() * w.length() {
+            out.results[i].flag(PointStatus::Cusp);
+        }
+        let t = method.parameter(a, p, c).or_else(|status| {
+            out.results[i].flag(status);
+            Method::Bisector.parameter(a, p, c)
+        });
+        let section = t.and_then(|t| through(a, p, c, t)).or_else(|status| {
+            // So near its neighbour that only the median will do.
+            out.results[i].flag(status);
+            through(a, p, c, 0.5)
+        });
+        if let Ok(section) = section {
+            (controls[i], parameters[i]) = (section.control, section.t);
+        }
+    }
+    out.builder.begin(points[0])?;
+    for i in sub.spans() {
+        let next = sub.next(i);
+        let (p, q) = (points[i], points[next]);
+        let half = 0.5 * p.distance(q);
+        let forward = (sub.closed || i > 0).then(|| controls[i].lerp(q, parameters[i]));
+        let backward = (sub.closed || next < n - 1).then(|| p.lerp(controls[next], parameters[next]));
+        let x = forward.or_else(|| sub.tangents[0].map(|tangent| p + tangent * half));
+        let y = backward.or_else(|| sub.tangents[1].map(|tangent| q - tangent * half));
+        let middle = p.midpoint(q);
+        let (x, y) = (x.or(y).unwrap_or(middle), y.or(x).unwrap_or(middle));
+        if sub.options.mode == Mode::BlendC1 {
+            out.push_span(sub, i, &[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?;
+            continue;
+        }
+        let (first, second) = ((p * 3.0 + x * 2.0) / 5.0, (p * 3.0 + x * 6.0 + q) / 10.0);
+        let (third, fourth) = ((p + y * 6.0 + q * 3.0) / 10.0, (y * 2.0 + q * 3.0) / 5.0);
+        out.push_span(sub, i, &[first, second, third, fourth, q])?;
+    }
+    Ok(())
+}

@@ -1,0 +1,242 @@
+//! The equations of a composite curve with continuous curvature, and their derivatives.
+//!
+//! Point i has the unknowns B_i, t_i, the logit of beta_i and those of lambda_i and mu_i, and the
+//! equations
+//!
+//! * w_0 J_(i-1) + w_1 B_i + w_2 J_i = P_i: the section passes its point;
+//! * that of the lock: t_i is the method's on the section's triangle, or B_i is on its guide;
+//! * log kappa of section i at J_i = log kappa of section i + 1 there.
+//!
+//! With the legs e_i = B_(i+1) - B_i and E_i = |e_(i-1) x e_i| the last one is
+//!
+//! log (1 - lambda_i) - 2 log mu_i + log (1 - beta_(i-1)) - 2 log beta_i + log E_i
+//! = log (1 - mu_(i+1)) - 2 log lambda_(i+1) + log beta_(i+1) - 2 log (1 - beta_i) + log E_(i+1):
+//!
+//! |e_i|^3 is on both sides. All equations are free of units: lengths are by the spacing of the
+//! points.
+
+use super::super::{equations, self_consistent};
+use crate::identify::subcurve::Subcurve;
+use glam::DVec3;
+
+/// The number of unknowns of a point: three coordinates, t, beta, lambda, mu.
+pub(super) const UNKNOWNS: usize = 7;
+
+/// The number of equations of a point: three coordinates, the lock, the curvature.
+pub(super) const EQUATIONS: usize = 5;
+
+/// The points whose unknowns are in the equations of one: the one before, itself, and two more.
+pub(super) const SPAN: usize = 4;
+
+/// The derivatives of the equations of a point.
+pub(super) type Rows = [[[f64; UNKNOWNS]; SPAN]; EQUATIONS];
+
+/// The unknowns of a point.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Node {
+    pub(super) control: DVec3,
+    pub(super) t: f64,
+    pub(super) beta: f64,
+    pub(super) handles: [f64; 2],
+}
+
+/// The equation of the lock at a point.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Tie {
+    /// t is given.
+    Parameter,
+    /// t is that of the method on the section's own triangle.
+    Triangle,
+    /// The control point is on the guide with this normal, of length 1.
+    Guide(DVec3),
+}
+
+/// What is known of a point.
+#[derive(Clone, Copy)]
+pub(super) struct Known {
+    pub(super) tie: Tie,
+    /// The unit of lengths: the distance of its neighbours.
+    pub(super) spacing: f64,
+    /// The side to which the polygon turns at its control point, of length 1.
+    pub(super) normal: DVec3,
+    /// Whether the joint behind its section has an equation, of curvatures that are not 0.
+    pub(super) curved: bool,
+    /// Whether the control point is given: at the ends of an open subcurve.
+    pub(super) fixed: bool,
+    /// Whether beta, lambda and mu are unknown.
+    pub(super) free: [bool; 3],
+}
+
+/// The legs before and after control point `i`: at the ends of an open subcurve, those from and to
+/// its points.
+pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
+    let b = nodes[i].control;
+    let first = if sub.closed || i > 0 { nodes[sub.previous(i)].control } else { sub.points[0] };
+    let last = if sub.closed || i + 1 < sub.len() { nodes[sub.next(i)].control } else { sub.points[i] };
+    [b - first, last - b]
+}
+
+/// beta before section `i`; 0 for the segment that begins an open subcurve.
+fn beta_before(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
+    if sub.closed || i > 0 { nodes[sub.previous(i)].beta } else { 0.0 }
+}
+
+/// beta behind section `i`; 1 for the segment that ends an open subcurve.
+fn beta_behind(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
+    if sub.closed || i + 1 < sub.len() { nodes[i].beta } else { 1.0 }
+}
+
+/// The equations of point `i`; those that it does not have are 0.
+pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> [f64; EQUATIONS] {
+    let mut values = [0.0; EQUATIONS];
+    if sub.sections().contains(&i) {
+        let section = Section::new(sub, nodes, i);
+        let miss = section.miss(&nodes[i]) / known[i].spacing;
+        values[..3].copy_from_slice(&miss.to_array());
+        values[3] = match known[i].tie {
+            Tie::Parameter => 0.0,
+            Tie::Triangle => nodes[i].t - self_consistent::parameter(sub.options, section.u, section.v).0,
+            Tie::Guide(across) => across.dot(section.b) / known[i].spacing,
+        };
+    }
+    if known[i].curved {
+        values[4] = arriving(sub, known, nodes, i) - leaving(sub, known, nodes, sub.next(i));
+    }
+    values
+}
+
+/// log (2/3 kappa |e_i|^3) of section `i` where it ends; not a number if the polygon turns the
+/// other way.
+fn arriving(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+    let [lambda, mu] = nodes[i].handles;
+    let (before, beta) = (beta_before(sub, nodes, i), beta_behind(sub, nodes, i));
+    libm::log((1.0 - lambda) * (1.0 - before) * area(sub, known, nodes, i) / (mu * beta).powi(2))
+}
+
+/// The same where it begins, with |e_(i-1)|^3.
+fn leaving(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+    let [lambda, mu] = nodes[i].handles;
+    let (before, beta) = (beta_before(sub, nodes, i), beta_behind(sub, nodes, i));
+    libm::log((1.0 - mu) * beta * area(sub, known, nodes, i) / (lambda * (1.0 - before)).powi(2))
+}
+
+/// E_i; negative if the polygon turns the other way.
+fn area(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+    let [before, after] = legs(sub, nodes, i);
+    let across = before.cross(after);
+    across.length().copysign(across.dot(known[i].normal))
+}
+
+/// A section seen from its point.
+struct Section {
+    /// Its control point, and its ends.
+    b: DVec3,
+    u: DVec3,
+    v: DVec3,
+    /// The legs that its ends are on.
+    legs: [DVec3; 2],
+    /// The parameters of its ends there.
+    betas: [f64; 2],
+}
+
+impl Section {
+    fn new(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> Self {
+        let b = nodes[i].control - sub.points[i];
+        let [before, after] = legs(sub, nodes, i);
+        let betas = [beta_before(sub, nodes, i), nodes[i].beta];
+        Section { b, u: b - before * (1.0 - betas[0]), v: b + after * betas[1], legs: [before, after], betas }
+    }
+
+    fn miss(&self, node: &Node) -> DVec3 {
+        let [first, middle, last] = equations::weights(node.t, node.handles);
+        self.u * first + self.b * middle + self.v * last
+    }
+}
+
+/// The derivatives of the equations of point `i` by the unknowns of the points from i - 1 on.
+pub(super) fn differentiate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> Rows {
+    let mut rows = Rows::default();
+    if sub.sections().contains(&i) {
+        differentiate_section(sub, &known[i], nodes, i, &mut rows);
+    }
+    if known[i].curved {
+        // The section before the joint, and that behind it, one point on.
+        differentiate_end(sub, known, nodes, i, 1.0, &mut rows[4]);
+        differentiate_end(sub, known, nodes, sub.next(i), -1.0, &mut rows[4]);
+    }
+    rows
+}
+
+fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: usize, rows: &mut Rows) {
+    let (section, node) = (Section::new(sub, nodes, i), &nodes[i]);
+    let (t, s, [lambda, mu]) = (node.t, 1.0 - node.t, node.handles);
+    let shares = equations::weights(t, node.handles);
+    let factors = equations::row_of(shares, section.betas[0], section.betas[1]);
+    let unit = 1.0 / known.spacing;
+    for (axis, row) in rows.iter_mut().take(3).enumerate() {
+        row.iter_mut().zip(factors).for_each(|(point, factor)| point[axis] = factor * unit);
+    }
+    let mut enter = |point: usize, unknown: usize, derivative: DVec3| {
+        (0..3).for_each(|axis| rows[axis][point][unknown] = derivative[axis] * unit);
+    };
+    let Section { b, u, v, legs, betas } = section;
+    // w_0' + w_1' + w_2' = 0.
+    let first = -3.0 * s * s + 3.0 * s * (s - 2.0 * t) * (1.0 - lambda);
+    let last = 3.0 * t * t + 3.0 * t * (2.0 * s - t) * (1.0 - mu);
+    enter(1, 3, (u - b) * first + (v - b) * last);
+    let slope = |x: f64| x * (1.0 - x);
+    enter(0, 4, legs[0] * (shares[0] * slope(betas[0])));
+    enter(1, 4, legs[1] * (shares[2] * slope(betas[1])));
+    enter(1, 5, (b - u) * (3.0 * s * s * t * slope(lambda)));
+    enter(1, 6, (b - v) * (3.0 * s * t * t * slope(mu)));
+    match known.tie {
+        Tie::Parameter => {}
+        Tie::Guide(across) => rows[3][1][..3].copy_from_slice(&(across * unit).to_array()),
+        Tie::Triangle => {
+            let (_, [by_u, by_v]) = self_consistent::parameter(sub.options, u, v);
+            let controls = [by_u * (1.0 - betas[0]), by_u * betas[0] + by_v * (1.0 - betas[1]), by_v * betas[1]];
+            for (row, by) in rows[3].iter_mut().zip(controls) {
+                row[..3].copy_from_slice(&(-by).to_array());
+            }
+            rows[3][1][3] = 1.0;
+            rows[3][0][4] = -by_u.dot(legs[0]) * slope(betas[0]);
+            rows[3][1][4] = -by_v.dot(legs[1]) * slope(betas[1]);
+        }
+    }
+}
+
+/// Adds the derivatives of the logarithm of the curvature of section `i`, times `sign`: where it
+/// ends if that is 1, else where it begins. The row begins at the point before the joint.
+fn differentiate_end(
+    sub: &Subcurve<'_>,
+    known: &[Known],
+    nodes: &[Node],
+    i: usize,
+    sign: f64,
+    row: &mut [[f64; UNKNOWNS]; SPAN],
+) {
+    let ends = sign > 0.0;
+    // Where in the row the section's point is.
+    let own = if ends { 1 } else { 2 };
+    let [before, after] = legs(sub, nodes, i);
+    let factor = sign / area(sub, known, nodes, i);
+    // dE = dv.(w x n) + dw.(n x v) for E = n.(v x w).
+    let normal = known[i].normal;
+    let (by_before, by_after) = (after.cross(normal) * factor, normal.cross(before) * factor);
+    for (point, by) in [(own - 1, -by_before), (own, by_before - by_after), (own + 1, by_after)] {
+        (0..3).for_each(|axis| row[point][axis] += by[axis]);
+    }
+    let [lambda, mu] = nodes[i].handles;
+    let (first, last) = (beta_before(sub, nodes, i), beta_behind(sub, nodes, i));
+    if ends {
+        row[own - 1][4] -= sign * first;
+        row[own][4] -= sign * 2.0 * (1.0 - last);
+        row[own][5] -= sign * lambda;
+        row[own][6] -= sign * 2.0 * (1.0 - mu);
+    } else {
+        row[own - 1][4] += sign * 2.0 * first;
+        row[own][4] += sign * (1.0 - last);
+        row[own][5] -= sign * 2.0 * (1.0 - lambda);
+        row[own][6] -= sign * mu;
+    }
+}

@@ -1,0 +1,125 @@
+//! Joint parameters by knots, and the fallback of joints whose equations have no usable solution.
+//!
+//! By knots: beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i
+//! and d = chord^alpha, which makes the curve a quadratic B-spline. It exists (Schoenberg and
+//! Whitney, 1953), but the rows are not dominant, and control points may lie far out: joints beside
+//! such points return to 1/2. O(n) for each of at most 4 rounds.
+
+use super::equations;
+use super::lock::{self, LockWorkspace};
+use crate::curve::segment;
+use crate::identify::method::power;
+use crate::identify::report::PointStatus;
+use crate::identify::solution::Solution;
+use crate::identify::subcurve::{Output, Subcurve};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// The distance of a control point from its point, in sizes of the outline, beyond which it has run
+/// away. With joints in the middle it cannot be farther, as the inverse of the equations has at
+/// most the norm 3.6 and no point is farther than 1/2 from the middle of the box in any coordinate.
+const MAX_CONTROL_DISTANCE: f64 = 4.0;
+
+/// The distance at which a curve passes its points, in sizes of the outline.
+const MAX_MISS: f64 = 1e-14;
+
+/// The rounds in which joints fall back, before all do.
+const MAX_FALLBACK_ROUNDS: u32 = 3;
+
+/// Finds the curve with joints by knots.
+pub(super) fn solve_by_knots(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, out: &mut Output<'_>) -> Result<()> {
+    let n = sub.len();
+    workspace.solution.reset_joints(n)?;
+    let alpha = sub.options.method.alpha().unwrap_or(0.5);
+    let span = |i: usize| {
+        let [a, p, c] = sub.triple(i);
+        power(a.distance(p), alpha) + power(p.distance(c), alpha)
+    };
+    for i in 0..n {
+        let next = sub.next(i);
+        let inner = sub.closed || (i > 0 && next > 1 && next < n - 1);
+        if inner {
+            let (here, there) = (span(i), span(next));
+            workspace.solution.beta[i] = here / (here + there);
+        }
+    }
+    solve_with_fallback(sub, workspace, out).map(|_| ())
+}
+
+/// Finds the curve for the joint parameters as they are; where it runs away, they fall back to 1/2.
+/// False if only the lock by parameters has a solution.
+pub(super) fn solve_with_fallback(
+    sub: &Subcurve<'_>,
+    workspace: &mut LockWorkspace,
+    out: &mut Output<'_>,
+) -> Result<bool> {
+    let none_runs_away = |solution: &Solution| !sub.sections().any(|i| runs_away(sub, solution, i));
+    for round in 0..=MAX_FALLBACK_ROUNDS {
+        let regular = equations::solve(sub, &mut workspace.solution)
+            && none_runs_away(&workspace.solution)
+            && lock::solve(sub, workspace, out)?;
+        if regular && none_runs_away(&workspace.solution) {
+            return Ok(true);
+        }
+        let solution = &mut workspace.solution;
+        let (n, all) = (sub.len(), !regular && round + 1 >= MAX_FALLBACK_ROUNDS);
+        let fallen = alloc::gather(sub.sections().filter(|&i| all || runs_away(sub, solution, i)))?;
+        for i in fallen {
+            out.results[i].flag(PointStatus::JointFellBack);
+            solution.beta[i] = 0.5;
+            solution.beta[sub.previous(i)] = 0.5;
+        }
+        solution.t[..n].copy_from_slice(&solution.data_t[..n]);
+    }
+    // Not even with joints in the middle does the lock have a solution near by: now all is by
+    // parameters.
+    equations::solve(sub, &mut workspace.solution);
+    Ok(false)
+}
+
+/// Whether the control point of a section is farther away than it could be with joints in the
+/// middle, or the section misses its point, as the elimination may lose digits where rows are not
+/// dominant.
+fn runs_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
+    let (p, b) = (sub.points[i], solution.controls[i]);
+    let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
+    let (away, miss) = (b.distance(p), segment::point(&section, solution.t[i]).distance(p));
+    away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_MISS * sub.size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::options::Options;
+    use crate::identify::subcurve::PointResult;
+    use glam::DVec3;
+
+    #[test]
+    fn joints_without_a_solution_fall_back_to_the_middle() {
+        let points: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i % 3), f64::from(i * i % 7), 0.0)).collect();
+        let options = Options::default();
+        let sub = Subcurve { points: &points, closed: true, tangents: [None, None], size: 6.0, options: &options };
+        let mut workspace = LockWorkspace::default();
+        let (mut report, mut builder, job) = Default::default();
+        let mut results = [PointResult::default(); 9];
+        workspace.solution.resize(9).unwrap();
+        workspace.solution.t.fill(0.4);
+        workspace.solution.data_t.fill(0.4);
+        equations::solve(&sub, &mut workspace.solution);
+        let halves = workspace.solution.controls.clone();
+        workspace.solution.reset_joints(9).unwrap();
+        workspace.solution.beta[4] = f64::NAN;
+        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
+        solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
+        assert_eq!(workspace.solution.controls, halves);
+        assert!(results.iter().all(|result| result.status == PointStatus::JointFellBack));
+        // A runaway only before the equations are solved does no harm.
+        let mut results = [PointResult::default(); 9];
+        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
+        workspace.solution.controls[4] = DVec3::splat(1e3);
+        // With it its neighbours miss their points.
+        assert!((0..9).all(|i| runs_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));
+        solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
+        assert!(results.iter().all(|result| result.status == PointStatus::Ok));
+    }
+}

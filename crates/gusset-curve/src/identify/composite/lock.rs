@@ -1,0 +1,41 @@
+//! The locks of composite curves: parameters and control points for given joint parameters.
+
+use super::equations;
+use super::self_consistent::Newton;
+use super::{self_consistent, sweeps};
+use crate::identify::options::{Lock, Solver};
+use crate::identify::solution::Solution;
+use crate::identify::subcurve::{Output, Subcurve};
+use gusset_base::error::Result;
+
+/// The unknowns, and the memory of the solvers; used again for each subcurve.
+#[derive(Default)]
+pub(in crate::identify) struct LockWorkspace {
+    pub(in crate::identify) solution: Solution,
+    planar: Newton<2>,
+    spatial: Newton<3>,
+}
+
+/// Finds parameters and control points, from control points that solve the linear equations. False
+/// if these are singular.
+pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, out: &mut Output<'_>) -> Result<bool> {
+    let LockWorkspace { solution, planar, spatial } = workspace;
+    if (sub.options.lock, sub.options.solver) == (Lock::Parameter, Solver::Fast) {
+        return Ok(equations::solve(sub, solution));
+    }
+    solution.begin(sub)?;
+    if sub.sections().is_empty() {
+        return Ok(true);
+    }
+    if (sub.options.lock, sub.options.solver) != (Lock::SelfConsistent, Solver::Fast) {
+        return sweeps::solve(sub, solution, out);
+    }
+    // Medians have t = 1/2 in any triangle.
+    if sub.options.method.alpha() == Some(0.0) {
+        return Ok(true);
+    }
+    match self_consistent::is_planar(sub, solution) {
+        true => planar.solve(sub, solution, out),
+        false => spatial.solve(sub, solution, out),
+    }
+}

@@ -1,0 +1,236 @@
+//! Composite curves: a quadratic section round each point, joined smoothly.
+//!
+//! * equations: the linear equations of the control points, which all others stand on.
+//! * self_consistent, sweeps: parameters that depend on the control points. lock: the choice
+//!   between them.
+//! * rounds: the iterations that each may take.
+//! * knot_joints, curvature: joints other than in the middle.
+//! * here: parameters by the data's triangles, and the segments of the solution.
+//!
+//! The first section of an open subcurve begins at the first point. Where a tangent is given there,
+//! a control point T on it comes before B_1, and a segment (P_0, T, J_0) before the first section;
+//! the equations stay the same. So at the end.
+//!
+//! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
+
+mod curvature;
+mod equations;
+mod knot_joints;
+mod lock;
+mod rounds;
+mod self_consistent;
+mod sweeps;
+
+use super::method::{Method, power};
+use super::options::{JointParameter, Lock, Solver};
+use super::report::{PointStatus, Report};
+use super::residuals::MaxJointSine;
+use super::solution::Solution;
+use super::subcurve::{Output, PointResult, Subcurve};
+use crate::curve::{Place, segment};
+use curvature::CurvatureJoints;
+use glam::DVec3;
+use gusset_base::error::Result;
+use lock::LockWorkspace;
+
+/// The unknowns, and the memory of the solvers; used again for each subcurve.
+#[derive(Default)]
+pub(super) struct CompositeWorkspace {
+    lock: LockWorkspace,
+    joints: CurvatureJoints,
+}
+
+impl CompositeWorkspace {
+    /// The unknowns; other curves use the lists for theirs.
+    pub(super) fn solution(&mut self) -> &mut Solution {
+        &mut self.lock.solution
+    }
+}
+
+/// Appends the composite curve of a subcurve's points.
+pub(super) fn append(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
+    solve(sub, workspace, out)?;
+    let solution = workspace.solution();
+    if !solution.handles.is_empty() {
+        return append_cubics(sub, solution, out);
+    }
+    if !sub.closed {
+        return append_open(sub, solution, out);
+    }
+    let places = (0..).zip(&solution.t).map(|(segment, &t)| Place { segment, t });
+    out.results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
+    write_closed(sub, solution, |p| p, out.builder.closed_quadratics(sub.len())?, out.report);
+    Ok(())
+}
+
+/// Finds parameters, joint parameters and control points.
+pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
+    let CompositeWorkspace { lock: workspace, joints } = workspace;
+    let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
+    solution.resize(n)?;
+    solution.beta.clear();
+    solution.handles.clear();
+    find_parameters(sub, solution, out.results);
+    equations::solve(sub, solution);
+    if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
+        return Ok(());
+    }
+    solution.data_t[..n].copy_from_slice(&solution.t[..n]);
+    match options.joint {
+        JointParameter::Half => lock::solve(sub, workspace, out).map(|_| ()),
+        JointParameter::Knot => knot_joints::solve_by_knots(sub, workspace, out),
+        JointParameter::G2 => curvature::solve_by_curvatures(sub, workspace, joints, out),
+    }
+}
+
+/// The parameters of the points by the method on the data's own triangles, within the limits.
+fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) {
+    let options = sub.options;
+    let [low, high] = sub.parameter_range();
+    let enter = |t: f64, parameter: &mut f64, result: &mut PointResult| {
+        *parameter = t.clamp(low, high);
+        if options.lock == Lock::Parameter && !(low..=high).contains(&t) {
+            result.flag(PointStatus::ClampedParameter);
+        }
+    };
+    let sections = sub.sections();
+    let Some(alpha) = options.method.alpha() else {
+        for i in sections {
+            let [a, p, c] = sub.triple(i);
+            let t = options.method.parameter(a, p, c).or_else(|status| {
+                if options.lock == Lock::Parameter {
+                    results[i].flag(status);
+                }
+                Method::Bisector.parameter(a, p, c)
+            });
+            enter(t.unwrap_or(0.5), &mut solution.t[i], &mut results[i]);
+        }
+        return;
+    };
+    if alpha == 0.0 {
+        solution.t[sections].fill(0.5);
+        return;
+    }
+    // Each chord is the first of one section and the last of the one before: chord i ends at point
+    // i.
+    let chords = &mut solution.upper[..sub.len()];
+    let points = sub.points;
+    chords[0] = points[points.len() - 1].distance(points[0]);
+    for (chord, pair) in chords[1..].iter_mut().zip(points.windows(2)) {
+        *chord = pair[1].distance(pair[0]);
+    }
+    match alpha {
+        0.5 => chords.iter_mut().for_each(|chord| *chord = chord.sqrt()),
+        1.0 => {}
+        _ => chords.iter_mut().for_each(|chord| *chord = power(*chord, alpha)),
+    }
+    let chords = &*chords;
+    let mut all_allowed = true;
+    let (first, last) = (sections.start, sections.end);
+    for i in first..last {
+        let (before, after) = (chords[i], chords[sub.next(i)]);
+        let t = before / (before + after);
+        all_allowed &= (low..=high).contains(&t);
+        solution.t[i] = t;
+    }
+    if !all_allowed {
+        for (t, result) in solution.t[first..last].iter_mut().zip(&mut results[first..last]) {
+            enter(*t, t, result);
+        }
+    }
+}
+
+/// Appends the segments of an open subcurve, and enters the places of the points.
+fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
+    let Output { results, builder, .. } = out;
+    let first = builder.len() as u32;
+    let last = sub.len() - 1;
+    let ends = sub.end_controls();
+    builder.begin(sub.points[0])?;
+    results[0].place = Place { segment: first, t: 0.0 };
+    match (last, ends) {
+        (1, [None, None]) => builder.push(&[sub.points[1]])?,
+        (1, [Some(control), None] | [None, Some(control)]) => builder.push(&[control, sub.points[1]])?,
+        _ => {
+            if let Some(control) = ends[0] {
+                builder.push(&[control, solution.joint(sub, 0)])?;
+            }
+            for i in sub.sections() {
+                results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
+                builder.push(&[solution.controls[i], solution.joint(sub, i)])?;
+            }
+            if let Some(control) = ends[1] {
+                builder.push(&[control, sub.points[last]])?;
+            }
+        }
+    }
+    results[last].place = Place { segment: builder.len() as u32 - 1, t: 1.0 };
+    Ok(())
+}
+
+/// Appends the segments of a subcurve of cubic sections, and enters the places of the points.
+fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
+    let Output { results, builder, .. } = out;
+    let (n, ends) = (sub.len(), sub.end_controls());
+    let last = n - 1;
+    let of_section = |i: usize, first: DVec3, joint: DVec3| {
+        let (control, [lambda, mu]) = (solution.controls[i], solution.handles[i]);
+        // Handles of 1 end at the control point, to the bit.
+        let on = |from: DVec3, part: f64| if part == 1.0 { control } else { from + (control - from) * part };
+        [on(first, lambda), on(joint, mu), joint]
+    };
+    let mut from = if sub.closed { solution.joint(sub, last) } else { sub.points[0] };
+    let start = from;
+    builder.begin(from)?;
+    if !sub.closed {
+        results[0].place = Place { segment: builder.len() as u32, t: 0.0 };
+        if ends[0].is_some() {
+            let joint = solution.joint(sub, 0);
+            builder.push(&of_section(0, from, joint))?;
+            from = joint;
+        }
+    }
+    for i in sub.sections() {
+        let joint = if sub.closed && i == last { start } else { solution.joint(sub, i) };
+        results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
+        builder.push(&of_section(i, from, joint))?;
+        from = joint;
+    }
+    if !sub.closed {
+        if ends[1].is_some() {
+            builder.push(&of_section(last, from, sub.points[last]))?;
+        }
+        results[last].place = Place { segment: builder.len() as u32 - 1, t: 1.0 };
+    }
+    Ok(())
+}
+
+/// Writes the control points of a closed subcurve, each p as `place(p)`, two for each point and one
+/// more; section i is segment i. Measures the curve on the way: see
+/// [`measure`](super::residuals::measure).
+pub(super) fn write_closed(
+    sub: &Subcurve<'_>,
+    solution: &Solution,
+    place: impl Fn(DVec3) -> DVec3,
+    out: &mut [DVec3],
+    report: &mut Report,
+) {
+    let n = sub.len();
+    let start = solution.joint(sub, n - 1);
+    let (first, rest) = out.split_at_mut(1);
+    first[0] = place(start);
+    let controls = &solution.controls[..n];
+    let following = controls[1..].iter().chain(&controls[..1]);
+    let known = sub.points.iter().zip(controls).zip(following).zip(&solution.t);
+    let (mut joint, mut angle, mut farthest) = (start, MaxJointSine::default(), 0.0f64);
+    for (i, (segment, (((&p, &control), &next), &t))) in rest.as_chunks_mut::<2>().0.iter_mut().zip(known).enumerate() {
+        let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
+        let end = if i + 1 == n { start } else { control + (next - control) * beta };
+        *segment = [place(control), place(end)];
+        farthest = farthest.max(segment::point(&[joint, control, end], t).distance_squared(p));
+        angle.add(end - control, next - end);
+        joint = end;
+    }
+    report.max_residual = farthest.sqrt() / sub.size;
+    report.max_joint_sine = angle.sine();
+}

@@ -1,0 +1,381 @@
+//! The self-consistent lock: the parameter of each point is that of the method on its section's own
+//! triangle.
+//!
+//! With the joints J_(i-1) and J_i on the control polygon, t_i = t(J_(i-1), P_i, J_i) is a function
+//! of B_(i-1), B_i and B_(i+1), and
+//!
+//! F_i = (1 - t_i)^2 J_(i-1) + 2 t_i (1 - t_i) B_i + t_i^2 J_i - P_i = 0
+//!
+//! are as many equations as unknowns, solved by Newton's method. The derivative of F_i is the row
+//! of the linear equations, times the unit matrix, plus the product of Q_i' = 2 ((1 - t) (B_i -
+//! J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small blocks, and
+//! Newton's step is one elimination. Parameters are kept within the limits, which makes the map of
+//! parameters to parameters (solve for the control points, read off the parameters) continuous on a
+//! cube, so that it has a fixed point (Brouwer).
+//!
+//! A step that makes the sum of squares larger is halved, and if that does not help, replaced by
+//! that map itself. Points that do not converge keep the parameters of the data's own triangles.
+//! O(n) for each iteration, in time and memory.
+//!
+//! Source: ours.
+
+use super::equations;
+use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
+use crate::identify::method::{Method, power};
+use crate::identify::options::Options;
+use crate::identify::report::{FitStatus, PointStatus};
+use crate::identify::solution::Solution;
+use crate::identify::subcurve::{Output, Subcurve};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// Rows of a closed subcurve that are repeated before its first and after its last: the influence
+/// of a row fades by 0.2 or so from one to the next, and what is left of it makes Newton's step
+/// inexact, but not the solution. With the symmedian it fades slowly: the overlap doubles every few
+/// iterations, up to [`MAX_OVERLAP`].
+const MIN_OVERLAP: usize = 8;
+
+const MAX_OVERLAP: usize = MIN_OVERLAP << 6;
+
+/// Below a step of this, times the size, Newton's next one would be within the rounding.
+const MAX_LAST_STEP: f64 = 1e-6;
+
+/// How often a step is halved.
+const MAX_HALVINGS: u32 = 4;
+
+/// Points between two questions whether to go on.
+const POINTS_PER_REPORT: usize = 1 << 14;
+
+const STAGE: &str = "making parameters self-consistent";
+
+/// One row of the linear equations of Newton's step.
+#[derive(Clone, Copy)]
+pub(super) struct Row<const D: usize> {
+    /// Of B_(i-1), B_i and B_(i+1) in F_i with t_i fixed.
+    factors: [f64; 3],
+    /// The gradients of t_i by them.
+    gradients: [[f64; D]; 3],
+    /// The derivative of F_i by t_i.
+    derivative: [f64; D],
+    /// F_i.
+    value: [f64; D],
+}
+
+/// The memory of Newton's method in D dimensions.
+#[derive(Default)]
+pub(super) struct Newton<const D: usize> {
+    rows: Vec<Row<D>>,
+    upper: Vec<[[f64; D]; D]>,
+    right: Vec<[f64; D]>,
+    step: Vec<[f64; D]>,
+}
+
+/// Whether points and control points lie in the plane z = 0.
+pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &Solution) -> bool {
+    sub.points.iter().chain(&solution.controls[..sub.len()]).all(|p| p.z == 0.0)
+}
+
+impl<const D: usize> Newton<D> {
+    /// Finds the self-consistent parameters and control points, from control points that solve the
+    /// linear equations. False if these have become singular, which takes joint parameters other
+    /// than 1/2.
+    pub(super) fn solve(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+        let n = sub.len();
+        let length = n + if sub.closed { 2 * MAX_OVERLAP } else { 0 };
+        let empty = Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
+        alloc::grow(&mut self.rows, n, empty)?;
+        alloc::grow(&mut self.upper, length, [[0.0; D]; D])?;
+        alloc::grow(&mut self.right, length, [0.0; D])?;
+        alloc::grow(&mut self.step, n, [0.0; D])?;
+        let mut regular = true;
+        for round in 0..=MAX_FALLBACK_ROUNDS {
+            if self.converge(sub, solution, out, max_iterations(sub, out.report, round))? {
+                break;
+            }
+            // Points that still move fall back; in the last round all do.
+            out.report.status = FitStatus::NotConverged;
+            for i in sub.sections() {
+                let t = section_parameter(sub, solution, i);
+                if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.t[i]).abs() > sub.options.tolerance {
+                    solution.fell_back[i] = true;
+                    solution.t[i] = solution.data_t[i];
+                    out.results[i].flag(PointStatus::FellBack);
+                }
+            }
+            regular = equations::solve(sub, solution);
+        }
+        let [low, high] = sub.parameter_range();
+        for i in sub.sections() {
+            let free = low < solution.t[i] && solution.t[i] < high;
+            if !free && !solution.fell_back[i] {
+                out.results[i].flag(PointStatus::ClampedParameter);
+            }
+        }
+        Ok(regular)
+    }
+
+    /// Iterates until the control points rest. At the end they solve the linear equations for the
+    /// parameters.
+    fn converge(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut Solution,
+        out: &mut Output<'_>,
+        count: u32,
+    ) -> Result<bool> {
+        let (report, job) = (&mut *out.report, out.job);
+        let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
+        let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
+        for sweep in 0..count {
+            let overlap = (MIN_OVERLAP << (sweep / 4).min(8)).min(MAX_OVERLAP);
+            let mut sum = self.evaluate(sub, solution, job)?;
+            while sum > smallest && halvings < MAX_HALVINGS {
+                halvings += 1;
+                scale *= 0.5;
+                self.add_step(sub, solution, -scale);
+                sum = self.evaluate(sub, solution, job)?;
+            }
+            report.iterations += 1;
+            if sum > smallest || !self.eliminate(sub, overlap, job)? {
+                // The map itself; it need not make F smaller.
+                equations::solve(sub, solution);
+                (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
+                continue;
+            }
+            (smallest, scale, halvings) = (sum, 1.0, 0);
+            let farthest = self.add_step(sub, solution, 1.0);
+            report.end_cycle(farthest / sub.size)?;
+            if farthest <= MAX_LAST_STEP * sub.size {
+                solution.remember();
+                apply_map(sub, solution);
+                let moves = sub.sections().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
+                report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
+                if report.last_move * sub.size <= tolerance {
+                    return Ok(true);
+                }
+                smallest = f64::INFINITY;
+            }
+        }
+        apply_map(sub, solution);
+        Ok(false)
+    }
+
+    /// Enters all rows; the sum of the squares of the F_i.
+    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, job: &Job<'_>) -> Result<f64> {
+        let mut sum = 0.0;
+        for i in sub.sections() {
+            job.step_every(POINTS_PER_REPORT, i, sub.len(), STAGE)?;
+            let [b, u, v] = solution.legs(sub, i);
+            let (t, gradients) = match solution.fell_back[i] {
+                true => (solution.data_t[i], [DVec3::ZERO; 2]),
+                false => parameter(sub.options, u, v),
+            };
+            solution.t[i] = t;
+            let s = 1.0 - t;
+            let value = u * (s * s) + b * (2.0 * t * s) + v * (t * t);
+            sum += value.length_squared();
+            let (before, after) = (solution.joints[sub.previous(i)], solution.joints[i]);
+            self.rows[i] = Row {
+                factors: equations::row(t, before, after),
+                gradients: [
+                    truncate(gradients[0] * (1.0 - before)),
+                    truncate(gradients[0] * before + gradients[1] * (1.0 - after)),
+                    truncate(gradients[1] * after),
+                ],
+                derivative: truncate(((b - u) * s + (v - b) * t) * 2.0),
+                value: truncate(value),
+            };
+        }
+        Ok(sum)
+    }
+
+    /// Finds Newton's step. False if the equations are singular.
+    fn eliminate(&mut self, sub: &Subcurve<'_>, overlap: usize, job: &Job<'_>) -> Result<bool> {
+        let n = sub.len();
+        // The rows in their order; those of a closed subcurve with its overlap.
+        let (count, from) = match sub.closed {
+            true => (n + 2 * overlap, n * overlap.div_ceil(n) - overlap),
+            false => (sub.sections().len(), 1),
+        };
+        let mut at = from;
+        let (mut above, mut right) = ([[0.0; D]; D], [0.0; D]);
+        for k in 0..count {
+            job.step_every(POINTS_PER_REPORT, k, count, STAGE)?;
+            let row = &self.rows[at];
+            at = sub.next(at);
+            // D_k - L_k U_(k-1), and the right side -F_k - L_k y_(k-1), with L = a + q g^T.
+            let [lower, middle, upper] = row.factors;
+            let [g, h, l] = &row.gradients;
+            let q = &row.derivative;
+            let mut block = [[0.0; D]; D];
+            let mut value = [0.0; D];
+            let along: [f64; D] = std::array::from_fn(|c| (0..D).map(|r| g[r] * above[r][c]).sum::<f64>());
+            let across: f64 = (0..D).map(|r| g[r] * right[r]).sum();
+            for r in 0..D {
+                for c in 0..D {
+                    block[r][c] = q[r] * (h[c] - along[c]) - lower * above[r][c];
+                }
+                block[r][r] += middle;
+                value[r] = -row.value[r] - lower * right[r] - q[r] * across;
+            }
+            let Some(inverse) = inverse(&block) else { return Ok(false) };
+            let coupling: [[f64; D]; D] =
+                std::array::from_fn(|r| std::array::from_fn(|c| q[r] * l[c] + if r == c { upper } else { 0.0 }));
+            for r in 0..D {
+                right[r] = (0..D).map(|c| inverse[r][c] * value[c]).sum();
+                for c in 0..D {
+                    above[r][c] = (0..D).map(|j| inverse[r][j] * coupling[j][c]).sum();
+                }
+            }
+            self.upper[k] = above;
+            self.right[k] = right;
+        }
+        let mut next = [0.0; D];
+        let mut finite = true;
+        for k in (0..count).rev() {
+            let upper = &self.upper[k];
+            let here: [f64; D] =
+                std::array::from_fn(|r| self.right[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
+            next = here;
+            match sub.closed {
+                true if (overlap..overlap + n).contains(&k) => self.step[k - overlap] = next,
+                true => {}
+                false => self.step[k + 1] = next,
+            }
+            finite &= next.iter().all(|x| x.is_finite());
+        }
+        Ok(finite)
+    }
+
+    /// Adds the step, times `scale`, to the control points; the farthest move.
+    fn add_step(&self, sub: &Subcurve<'_>, solution: &mut Solution, scale: f64) -> f64 {
+        let mut farthest = 0.0f64;
+        for i in sub.sections() {
+            let mut step = [0.0; 3];
+            step[..D].copy_from_slice(&self.step[i]);
+            let step = DVec3::from_array(step) * scale;
+            solution.controls[i] += step;
+            farthest = farthest.max(step.length_squared());
+        }
+        farthest.sqrt()
+    }
+}
+
+/// Reads off the parameters and solves for the control points: the map whose fixed point is sought.
+fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution) {
+    for i in sub.sections() {
+        solution.t[i] = section_parameter(sub, solution, i);
+    }
+    equations::solve(sub, solution);
+}
+
+/// The parameter of point `i` on its section as it is now.
+fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
+    if solution.fell_back[i] {
+        return solution.data_t[i];
+    }
+    let [_, u, v] = solution.legs(sub, i);
+    parameter(sub.options, u, v).0
+}
+
+/// The parameter on the section with the joints `u` and `v`, from the point on, and its gradients
+/// by them.
+///
+/// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the
+/// normal: t = sqrt(x) / (sqrt(x) + sqrt(y)), dt = t (1 - t) (dx / x - dy / y) / 2 for the parts
+/// x = -u.(v - u) and y = v.(v - u) of the chord; a foot outside the chord counts as its nearer
+/// end, so that the parameter remains continuous.
+#[inline(always)]
+pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
+    let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
+    let (t, parts, alpha) = match options.method.alpha() {
+        Some(alpha) => {
+            let parts = [u.length_squared(), v.length_squared()];
+            let [before, after] = parts.map(|part| power(part.sqrt(), alpha));
+            (before / (before + after), parts, alpha)
+        }
+        None => {
+            let parts = [-u.dot(v - u), v.dot(v - u)].map(|part| part.max(0.0));
+            let [before, after] = parts.map(f64::sqrt);
+            (before / (before + after), parts, 0.5)
+        }
+    };
+    if !(low < t && t < high) {
+        // NaN: no extent at all.
+        return (if t.is_nan() { 0.5 } else { t.clamp(low, high) }, [DVec3::ZERO; 2]);
+    }
+    let factor = alpha * t * (1.0 - t);
+    let [x, y] = parts.map(|part| factor / part);
+    match options.method {
+        Method::Normal => (t, [(u * 2.0 - v) * x + v * y, u * -x - (v * 2.0 - u) * y]),
+        _ => (t, [u * x, v * -y]),
+    }
+}
+
+#[inline]
+fn truncate<const D: usize>(v: DVec3) -> [f64; D] {
+    let all = v.to_array();
+    std::array::from_fn(|k| all[k])
+}
+
+/// The inverse of a matrix of 2 or 3 rows, by its adjoint.
+#[inline(always)]
+fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
+    let mut adjoint = [[0.0; D]; D];
+    let determinant = if D == 2 {
+        adjoint[0][0] = m[1][1];
+        adjoint[0][1] = -m[0][1];
+        adjoint[1][0] = -m[1][0];
+        adjoint[1][1] = m[0][0];
+        m[0][0] * m[1][1] - m[0][1] * m[1][0]
+    } else {
+        let minor = |r: usize, c: usize| {
+            let ([i, j], [k, l]) = ([(c + 1) % D, (c + 2) % D], [(r + 1) % D, (r + 2) % D]);
+            m[i][k] * m[j][l] - m[i][l] * m[j][k]
+        };
+        adjoint = std::array::from_fn(|r| std::array::from_fn(|c| minor(r, c)));
+        (0..D).map(|c| m[0][c] * adjoint[c][0]).sum()
+    };
+    let scale = 1.0 / determinant;
+    adjoint.iter_mut().flatten().for_each(|x| *x *= scale);
+    (determinant.abs() > 1e-14).then_some(adjoint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gradients_are_those_of_the_parameter() {
+        let (u, v) = (DVec3::new(-1.0, 0.3, 0.2), DVec3::new(0.7, 0.4, -0.5));
+        for method in [Method::Bisector, Method::Symmedian, Method::Alpha(0.3), Method::Normal] {
+            let options = Options { method, ..Options::default() };
+            let (_, gradients) = parameter(&options, u, v);
+            for axis in DVec3::AXES {
+                let h = axis * 1e-6;
+                let by_u = (parameter(&options, u + h, v).0 - parameter(&options, u - h, v).0) / 2e-6;
+                let by_v = (parameter(&options, u, v + h).0 - parameter(&options, u, v - h).0) / 2e-6;
+                assert!((gradients[0].dot(axis) - by_u).abs() < 1e-9, "{method:?} {by_u} {:?}", gradients[0]);
+                assert!((gradients[1].dot(axis) - by_v).abs() < 1e-9, "{method:?} {by_v} {:?}", gradients[1]);
+            }
+        }
+        // At the limits, and where all is one point.
+        let options = Options::default();
+        assert_eq!(parameter(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
+        assert_eq!(parameter(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
+    }
+
+    #[test]
+    fn inverses() {
+        let m = [[2.0, 1.0, 0.0], [0.5, 3.0, 1.0], [1.0, 0.0, 1.5]];
+        let inverse3 = inverse(&m).unwrap();
+        for (r, row) in m.iter().enumerate() {
+            let product: [f64; 3] = std::array::from_fn(|c| (0..3).map(|k| row[k] * inverse3[k][c]).sum());
+            assert!((0..3).all(|c| (product[c] - f64::from(u8::from(r == c))).abs() < 1e-15), "{product:?}");
+        }
+        assert_eq!(inverse(&[[2.0, 0.0], [1.0, 4.0]]).unwrap(), [[0.5, 0.0], [-0.125, 0.25]]);
+        assert!(inverse(&[[1.0, 2.0], [2.0, 4.0]]).is_none());
+    }
+}

@@ -1,0 +1,228 @@
+//! Sweeps over the points of a composite curve (Gauss and Seidel): each control point in turn is
+//! placed for the others as they are, until none moves.
+//!
+//! Source: Nadopta. The lock by the data's guides has no other solver. With the neighbours fixed,
+//!
+//! P_i - Q_i(t_i) = r - (2 t s + s^2 beta_(i-1) + t^2 (1 - beta_i)) (B_i - B_i'),    s = 1 - t,
+//!
+//! for the deviation r at B_i': either B_i moves there at once, or it steps ([`Solver::Step`])
+//! along the deviation, and for the lock by guides along the guide. Parameters: those of the data;
+//! or those of the method on the section's triangle as it is before B_i moves; or the crossing of
+//! section and guide. For the crossing let f be affine and 0 on the guide: it is 0 at B_i, and B_i
+//! has its shares of the joints, but
+//!
+//! (1 - t)^2 (1 - beta_(i-1)) f(B_(i-1)) + t^2 beta_i f(B_(i+1)) = 0
+//!
+//! does not contain it, so that t does not depend on where on the guide B_i is. If both neighbours
+//! are on one side there is no crossing. O(n) for each sweep.
+
+use super::equations;
+use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
+use super::self_consistent;
+use crate::identify::guide::{guide, plane_normal};
+use crate::identify::method::Method;
+use crate::identify::options::{Lock, Solver};
+use crate::identify::report::{Account, FitStatus, PointStatus};
+use crate::identify::solution::Solution;
+use crate::identify::stepping;
+use crate::identify::subcurve::{Output, PointResult, Subcurve};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// Crossings nearer than this to an end of the section are none: the equations would be too nearly
+/// singular.
+const MIN_CROSSING_PARAMETER: f64 = 0.01;
+
+/// Sweeps after which a point whose section does not cross its guide falls back for good.
+const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
+
+/// Points between two questions whether to go on.
+const POINTS_PER_REPORT: usize = 1 << 14;
+
+const STAGE: &str = "placing control points";
+
+/// Solves by sweeps, from control points that solve the linear equations. False if these have
+/// become singular, which takes joint parameters other than 1/2.
+pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+    start(sub, solution, out.results)?;
+    let lock = sub.options.lock;
+    for round in 0..=MAX_FALLBACK_ROUNDS {
+        let rests = converge(sub, solution, out, max_iterations(sub, out.report, round))?;
+        for i in sub.sections() {
+            let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
+            let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
+            if fails && !solution.fell_back[i] {
+                solution.fell_back[i] = true;
+                out.results[i].flag(PointStatus::FellBack);
+                out.report.status = FitStatus::NotConverged;
+            }
+            if solution.fell_back[i] {
+                solution.t[i] = solution.data_t[i];
+            }
+        }
+        if rests || lock == Lock::Parameter {
+            break;
+        }
+    }
+    // With the parameters as they are, the curve passes the points exactly.
+    let regular = equations::solve(sub, solution);
+    let [low, high] = sub.parameter_range();
+    for i in sub.sections() {
+        match lock {
+            _ if solution.fell_back[i] || solution.missed_guide[i] => out.results[i].flag(PointStatus::NoCrossing),
+            Lock::SelfConsistent if !(low < solution.t[i] && solution.t[i] < high) => {
+                out.results[i].flag(PointStatus::ClampedParameter);
+            }
+            _ => {}
+        }
+    }
+    Ok(regular)
+}
+
+/// Moves the control points to where the sweeps begin.
+fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+    if sub.options.lock == Lock::DataGuide {
+        find_guides(sub, solution, results)?;
+        for i in sub.sections() {
+            if !solution.fell_back[i] {
+                // The nearest place on the guide.
+                let (p, guide) = (sub.points[i], solution.guides[i]);
+                solution.controls[i] = p + guide * guide.dot(solution.controls[i] - p);
+            }
+        }
+    } else if sub.options.solver == Solver::Step {
+        // The paper begins at the points.
+        for i in sub.sections() {
+            solution.controls[i] = sub.points[i];
+        }
+    }
+    Ok(())
+}
+
+/// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r /
+/// (1 - r) of the last one. The control points before the last sweep remain known.
+fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, count: u32) -> Result<bool> {
+    let (report, n) = (&mut *out.report, sub.len());
+    let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
+    let rounding = 16.0 * f64::EPSILON * sub.size;
+    let (mut last, mut placed) = (f64::INFINITY, 0_usize);
+    for sweep in 0..count {
+        report.iterations += 1;
+        solution.remember();
+        let (mut farthest, mut all_placed) = (0.0f64, true);
+        for i in sub.sections() {
+            // Of all sweeps: those of a few points may be many.
+            if placed.is_multiple_of(POINTS_PER_REPORT) {
+                out.job.step(i as f64 / n as f64, STAGE)?;
+            }
+            placed += 1;
+            let before = solution.controls[i];
+            all_placed &= place(sub, solution, (sweep, i), report, out.job)?;
+            farthest = farthest.max(solution.controls[i].distance_squared(before));
+        }
+        let farthest = farthest.sqrt();
+        report.end_cycle(farthest / sub.size)?;
+        let ratio = farthest / last;
+        last = farthest;
+        let rests = farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio);
+        if all_placed && farthest <= tolerance && rests {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Places one control point. False if the steps are used up.
+fn place(
+    sub: &Subcurve<'_>,
+    solution: &mut Solution,
+    (sweep, i): (u32, usize),
+    report: &mut Account,
+    job: &Job<'_>,
+) -> Result<bool> {
+    let [b, u, v] = solution.legs(sub, i);
+    let mut guide = None;
+    let t = match sub.options.lock {
+        _ if solution.fell_back[i] => solution.data_t[i],
+        Lock::Parameter => solution.data_t[i],
+        Lock::SelfConsistent => self_consistent::parameter(sub.options, u, v).0,
+        Lock::DataGuide => match crossing(sub, solution, i) {
+            Some(t) => {
+                guide = Some(solution.guides[i]);
+                solution.missed_guide[i] = false;
+                t
+            }
+            None => {
+                solution.missed_guide[i] = true;
+                solution.fell_back[i] = sweep >= MAX_SWEEPS_WITHOUT_CROSSING;
+                solution.data_t[i]
+            }
+        },
+    };
+    solution.t[i] = t;
+    let s = 1.0 - t;
+    let [_, slope, _] = equations::row(t, solution.joints[sub.previous(i)], solution.joints[i]);
+    // A point that has come back to its guide is put on it first.
+    let start = guide.map_or(b, |guide| guide * guide.dot(b));
+    let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
+    let target = start + left / slope;
+    let placed = match sub.options.solver {
+        Solver::Fast => guide.map_or(target, |guide| guide * guide.dot(target)),
+        Solver::Step => {
+            let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
+            let deviation = |x: f64| direction.dot(left) - slope * x;
+            match stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)? {
+                Some(along) => start + direction * along,
+                None => return Ok(false),
+            }
+        }
+    };
+    if placed.is_finite() {
+        solution.controls[i] = sub.points[i] + placed;
+    }
+    Ok(placed.is_finite())
+}
+
+/// The parameter at which the section crosses the guide of its point; `None` if it does not.
+fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
+    let guide = solution.guides[i];
+    let (before, after) = (sub.previous(i), sub.next(i));
+    let p = sub.points[i];
+    let (a, c) = (solution.controls[before] - p, solution.controls[after] - p);
+    // The components across the guide; in a plane both are along one line.
+    let (a, c) = (a - guide * a.dot(guide), c - guide * c.dot(guide));
+    if a.dot(c) >= 0.0 {
+        return None;
+    }
+    let first = ((1.0 - solution.joints[before]) * a.length()).sqrt();
+    let last = (solution.joints[i] * c.length()).sqrt();
+    let t = first / (first + last);
+    (MIN_CROSSING_PARAMETER..=1.0 - MIN_CROSSING_PARAMETER).contains(&t).then_some(t)
+}
+
+/// Finds the guides of the data's own triangles. Points without one, and all points of a subcurve
+/// that is not plane, fall back.
+fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+    alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
+    let normal = plane_normal(sub);
+    for i in sub.sections() {
+        let [a, p, c] = sub.triple(i);
+        let found = normal.ok_or(PointStatus::OutOfPlane).and_then(|normal| {
+            guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
+                // No normal meets the chord: the bisector stands in.
+                results[i].flag(status);
+                guide(Method::Bisector, a - p, c - p, normal)
+            })
+        });
+        match found {
+            Ok(guide) => solution.guides[i] = guide,
+            Err(status) => {
+                solution.fell_back[i] = true;
+                results[i].flag(status);
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,70 @@
+//! Cubic splines: segments from point to point, with continuous first and second derivatives in the
+//! knots.
+//!
+//! Knot intervals are h_i = |P_(i+1) - P_i|^alpha: uniform, centripetal (the bisector's) or by
+//! chord length. With the slopes d_i = (P_(i+1) - P_i) / h_i the derivatives D_i at the points obey
+//!
+//! l_i D_(i-1) + 2 D_i + m_i D_(i+1) = 3 (l_i d_(i-1) + m_i d_i), l_i = h_i / (h_(i-1) + h_i),
+//! m_i = 1 - l_i,
+//!
+//! and segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1).
+//! Free ends have the derivative of the parabola through their three points; a given tangent is
+//! taken at the speed of the chord. O(n).
+//!
+//! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
+//! IV; Bessel's end condition).
+
+use super::method::power;
+use super::solution::Solution;
+use super::subcurve::{Output, Subcurve};
+use gusset_base::error::Result;
+use gusset_base::geom::linear::tridiagonal;
+
+/// Appends the spline of a subcurve's points.
+pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
+    let (points, n) = (sub.points, sub.len());
+    solution.resize(n)?;
+    let Solution { t: intervals, controls: derivatives, upper, across, .. } = solution;
+    let alpha = sub.options.method.alpha().unwrap_or(0.5);
+    let (intervals, derivatives) = (&mut intervals[..n], &mut derivatives[..n]);
+    for i in 0..n {
+        intervals[i] = power(points[i].distance(points[sub.next(i)]), alpha);
+    }
+    let intervals = &*intervals;
+    let slope = |i: usize| (points[sub.next(i)] - points[i]) / intervals[i];
+    // l_i, for the interval before.
+    let ratio = |i: usize, before: usize| intervals[i] / (intervals[before] + intervals[i]);
+    let row = |i: usize, before: usize| {
+        let ratio = ratio(i, before);
+        [ratio, 2.0, 1.0 - ratio]
+    };
+    let known = |i: usize| {
+        let before = sub.previous(i);
+        let ratio = ratio(i, before);
+        (slope(before) * ratio + slope(i) * (1.0 - ratio)) * 3.0
+    };
+    if sub.closed {
+        tridiagonal::solve_cyclic(derivatives, upper, across, row, known);
+    } else {
+        let last = n - 1;
+        let speed = |i: usize| slope(i).length();
+        let [start, end] = sub.tangents;
+        derivatives[0] = match start {
+            Some(tangent) => tangent * speed(0),
+            None if last == 1 => slope(0),
+            None => slope(0) + (slope(0) - slope(1)) * ratio(0, 1),
+        };
+        derivatives[last] = match end {
+            Some(tangent) => tangent * speed(last - 1),
+            None if last == 1 => slope(0),
+            None => slope(last - 1) + (slope(last - 1) - slope(last - 2)) * ratio(last - 1, last - 2),
+        };
+        tridiagonal::solve(derivatives, upper, |i| row(i, i - 1), known);
+    }
+    out.builder.begin(points[0])?;
+    for i in sub.spans() {
+        let (p, q, third) = (points[i], points[sub.next(i)], intervals[i] / 3.0);
+        out.push_span(sub, i, &[p + derivatives[i] * third, q - derivatives[sub.next(i)] * third, q])?;
+    }
+    Ok(())
+}

@@ -1,0 +1,69 @@
+//! The curve of an outline while it grows, near the origin.
+
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// Control points and ends, segment by segment, and the joints that are corners.
+#[derive(Default)]
+pub(super) struct CurveBuilder {
+    pub(super) points: Vec<DVec3>,
+    /// 0, then the place of the last control point of each segment.
+    pub(super) ends: Vec<u32>,
+    /// Joints that need not be smooth, by the number of segments before them, in ascending order.
+    corners: Vec<u32>,
+}
+
+impl CurveBuilder {
+    pub(super) fn clear(&mut self) {
+        self.points.clear();
+        self.ends.clear();
+        self.corners.clear();
+        self.ends.push(0);
+    }
+
+    /// Sets the start of the curve, unless it has begun.
+    pub(super) fn begin(&mut self, point: DVec3) -> Result<()> {
+        match self.points.is_empty() {
+            true => alloc::push(&mut self.points, point),
+            false => Ok(()),
+        }
+    }
+
+    /// Appends a segment by its control points but the first.
+    #[inline]
+    pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
+        alloc::append(&mut self.points, rest)?;
+        alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
+    }
+
+    /// Makes the whole curve of `n` quadratic segments; their control points, to be filled in.
+    pub(super) fn closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
+        self.clear();
+        alloc::grow(&mut self.points, 2 * n + 1, DVec3::ZERO)?;
+        alloc::extend(&mut self.ends, (1..=n as u32).map(|k| 2 * k))?;
+        Ok(&mut self.points)
+    }
+
+    /// Allows a corner where the curve ends so far.
+    pub(super) fn mark_corner(&mut self) -> Result<()> {
+        let at = self.len() as u32;
+        alloc::push(&mut self.corners, at)
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.ends.len() - 1
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    pub(super) fn segment(&self, k: usize) -> &[DVec3] {
+        &self.points[self.ends[k] as usize..=self.ends[k + 1] as usize]
+    }
+
+    pub(super) fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+}

@@ -1,0 +1,367 @@
+//! The identification of outlines: each is brought near the origin, cut into subcurves, solved,
+//! measured and brought back.
+//!
+//! Outlines are independent: batches of them go to threads, and the results are joined in the order
+//! of the outlines, so that they are the same for any number of threads.
+
+use super::composite::{self, CompositeWorkspace};
+use super::curve_builder::CurveBuilder;
+use super::fit::Fit;
+use super::nodes::Nodes;
+use super::options::{JointParameter, Mode, Options};
+use super::outlines::{Constraint, Outlines};
+use super::report::{Account, FitStatus, PointStatus, Report};
+use super::single::{self, Collocation};
+use super::subcurve::{Output, PointResult, Subcurve};
+use super::{blend, cubic_spline, residuals};
+use crate::curve::Place;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_base::threads::lock;
+use std::ops::Range;
+use std::sync::Mutex;
+
+/// Points that a thread takes at a time.
+const POINTS_PER_BATCH: usize = 1 << 12;
+
+const BATCHES_PER_REPORT: usize = 32;
+
+/// Finds the curves through the points of outlines.
+///
+/// Each outline is brought near the origin and to a size near 1; neighbours that repeat each other
+/// become one point; it is cut into subcurves at corners and tangents, and each subcurve is solved.
+/// Every point lies on the curve, or its status says why not.
+///
+/// Composite, blended and cubic curves take linear time and memory. Memory beyond the result is
+/// allocated once for each thread.
+///
+/// # Errors
+/// Of [`Error`](gusset_base::Error): `BadOffsets`, `OptionOutOfRange`, `NotFinite`, `TooLarge`,
+/// `BadConstraint` (a constraint names no point, or is out of order), `OutOfMemory`, `Cancelled`.
+///
+/// Source: Nadopta; the composite and blended readings of the set of sections are ours.
+pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
+    options.check()?;
+    let options = &options.resolved();
+    let batches = batches(outlines, outlines.check()?)?;
+    let threads = par::at_most(batches.len(), job.threads());
+    let mut whole = Worker::new(outlines, options);
+    if let (Some(first), Some(last)) = (batches.first(), batches.last()) {
+        whole.reserve(first.start..last.end)?;
+    }
+    if threads == 1 {
+        for (k, batch) in batches.iter().enumerate() {
+            let part = job.share(k, batches.len());
+            part.step(0.0, STAGE)?;
+            whole.identify_all(batch.clone(), &part)?;
+        }
+    } else {
+        // The workers' memory is used again from round to round; between rounds the host can
+        // cancel.
+        let idle = Mutex::new(Vec::new());
+        let work = |batch: Range<usize>, job: &Job<'_>| -> Result<Worker<'_>> {
+            let free = lock(&idle).pop();
+            let mut worker = free.unwrap_or_else(|| Worker::new(outlines, options));
+            worker.identify_all(batch, job)?;
+            Ok(worker)
+        };
+        for (k, round) in batches.chunks(BATCHES_PER_REPORT).enumerate() {
+            let part = |batch: usize| batch.min(batches.len()) as f64 / batches.len() as f64;
+            let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
+            for mut worker in par::map_jobs(&part, STAGE, round.iter().cloned(), work)? {
+                whole.done.append(&mut worker.done)?;
+                lock(&idle).push(worker);
+            }
+        }
+    }
+    job.step(1.0, STAGE)?;
+    Ok(whole.done)
+}
+
+const STAGE: &str = "identifying outlines";
+/// Outlines of so many points report between the passes over them.
+const POINTS_PER_REPORT: usize = 1 << 17;
+
+/// Outlines of together about [`POINTS_PER_BATCH`] points.
+fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
+    let mut batches: Vec<Range<usize>> = Vec::new();
+    let mut points = 0;
+    for k in 0..count {
+        let more = outlines.span(k).len();
+        match batches.last_mut() {
+            Some(batch) if points + more <= POINTS_PER_BATCH && batch.len() < POINTS_PER_BATCH => batch.end = k + 1,
+            _ => {
+                alloc::push(&mut batches, k..k + 1)?;
+                points = 0;
+            }
+        }
+        points += more;
+    }
+    Ok(batches)
+}
+
+/// One thread's part of the work, and the memory that it uses again for each outline.
+struct Worker<'a> {
+    outlines: &'a Outlines<'a>,
+    options: &'a Options,
+    /// The constraints of the outlines to come.
+    constraints: &'a [Constraint],
+    nodes: Nodes,
+    composite: CompositeWorkspace,
+    single: Collocation,
+    builder: CurveBuilder,
+    done: Fit,
+}
+
+impl<'a> Worker<'a> {
+    fn new(outlines: &'a Outlines<'a>, options: &'a Options) -> Self {
+        Worker {
+            outlines,
+            options,
+            constraints: &[],
+            nodes: Nodes::default(),
+            composite: CompositeWorkspace::default(),
+            single: Collocation::default(),
+            builder: CurveBuilder::default(),
+            done: Fit::new(outlines.closed),
+        }
+    }
+
+    /// Makes room for the results of some outlines.
+    fn reserve(&mut self, batch: Range<usize>) -> Result<()> {
+        let points = self.outlines.span(batch.start).start..self.outlines.span(batch.end - 1).end;
+        let expected = points.len() + 2 * batch.len();
+        let per_segment = match self.options.mode {
+            Mode::Composite | Mode::Chain if self.options.joint == JointParameter::G2 => 3,
+            Mode::Composite | Mode::Chain => 2,
+            Mode::BlendC1 | Mode::CubicC2 => 3,
+            Mode::BlendC2 => 5,
+            Mode::Single => 1,
+        };
+        let done = &mut self.done;
+        alloc::reserve(&mut done.points, per_segment * expected)?;
+        alloc::reserve(&mut done.ends, expected)?;
+        alloc::reserve(&mut done.starts, batch.len())?;
+        done.reserve_points(points.len())?;
+        alloc::reserve(&mut done.cycle_ends, batch.len())?;
+        alloc::reserve(&mut done.reports, batch.len())
+    }
+
+    fn identify_all(&mut self, batch: Range<usize>, job: &Job<'_>) -> Result<()> {
+        let first = self.outlines.span(batch.start).start;
+        let from = self.outlines.constraints.partition_point(|constraint| (constraint.point as usize) < first);
+        self.constraints = &self.outlines.constraints[from..];
+        batch.into_iter().try_for_each(|k| self.identify(k, job))
+    }
+
+    fn identify(&mut self, k: usize, job: &Job<'_>) -> Result<()> {
+        let span = self.outlines.span(k);
+        let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);
+        let (own, rest) = self.constraints.split_at(own);
+        self.constraints = rest;
+        // Long ones report between the passes over their points.
+        let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, STAGE) };
+        self.nodes.read(self.outlines, &span, own, self.options)?;
+        long(0.0)?;
+        let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
+        let placement = self.nodes.placement;
+        let size = placement.size * placement.unit;
+        let report = Report { size, ..Report::default() };
+        let mut report = Account { report, history: self.options.history.then(Vec::new) };
+        let quadratic = self.options.mode == Mode::Composite && self.options.joint != JointParameter::G2;
+        if self.nodes.cuts.is_empty() && quadratic {
+            self.identify_smooth(&span, base, &mut report, job)?;
+        } else {
+            self.solve(&mut report, job)?;
+            long(1.0)?;
+            residuals::measure(&self.nodes, &self.builder, &mut report);
+            if self.options.mode == Mode::Composite && !quadratic && !self.builder.is_empty() {
+                residuals::measure_curvatures(&mut self.nodes, &self.builder, &mut report);
+            }
+            long(1.0)?;
+            self.deliver(&span, base)?;
+        }
+        long(1.0)?;
+        self.check_range(&span, base, first_status, &mut report)?;
+        self.account(first_status, report)
+    }
+
+    /// Finds the curve, near the origin, subcurve by subcurve.
+    fn solve(&mut self, report: &mut Account, job: &Job<'_>) -> Result<()> {
+        self.builder.clear();
+        let n = self.nodes.points.len();
+        if n < 2 || (self.outlines.closed && n < 3) {
+            return self.solve_too_few(report);
+        }
+        if self.nodes.cuts.is_empty() {
+            let (sub, results) = self.nodes.whole(self.options);
+            let mut out = Output { results, report, builder: &mut self.builder, job };
+            return append(&sub, &mut self.composite, &mut self.single, &mut out);
+        }
+        for k in 0..self.nodes.cuts.len() - 1 {
+            if k > 0 && self.nodes.cuts[k].tangent.is_none() {
+                self.builder.mark_corner()?;
+            }
+            let (sub, results) = self.nodes.between_cuts(k, self.options);
+            let mut out = Output { results, report, builder: &mut self.builder, job };
+            append(&sub, &mut self.composite, &mut self.single, &mut out)?;
+        }
+        if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
+            self.builder.mark_corner()?;
+        }
+        // The first node is there twice: the status of either holds.
+        let results = &mut self.nodes.results;
+        let (first, last) = (results[0].status, results[results.len() - 1].status);
+        if self.nodes.closed && first == PointStatus::Ok {
+            results[0].status = last;
+        }
+        Ok(())
+    }
+
+    /// Takes an outline of one or two nodes for a point, or for the line there and back.
+    fn solve_too_few(&mut self, report: &mut Report) -> Result<()> {
+        report.status = FitStatus::TooFewPoints;
+        let Nodes { points, results, .. } = &mut self.nodes;
+        results.iter_mut().for_each(|result| result.status = PointStatus::Missed);
+        if let Some(&point) = points.first() {
+            self.builder.begin(point)?;
+        }
+        if let &[p, q] = points.as_slice() {
+            self.builder.push(&[q])?;
+            self.builder.push(&[p])?;
+            results[0] = PointResult::default();
+            results[1] = PointResult { place: Place { segment: 0, t: 1.0 }, ..PointResult::default() };
+        }
+        Ok(())
+    }
+
+    /// Finds the composite curve of a closed outline without cuts, and writes it where the outline
+    /// is.
+    fn identify_smooth(&mut self, span: &Range<usize>, base: usize, report: &mut Account, job: &Job<'_>) -> Result<()> {
+        let placement = self.nodes.placement;
+        let (sub, results) = self.nodes.whole(self.options);
+        let mut out = Output { results, report, builder: &mut self.builder, job };
+        composite::solve(&sub, &mut self.composite, &mut out)?;
+        if span.len() >= POINTS_PER_REPORT {
+            job.step(1.0, STAGE)?;
+        }
+        let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
+        alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
+        let place = |p: DVec3| p * placement.unit + placement.origin;
+        composite::write_closed(&sub, solution, place, &mut done.points[base..], report);
+        alloc::reserve(&mut done.ends, n + 1)?;
+        done.ends.extend((0..=n as u32).map(|k| 2 * k));
+        alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
+        done.reserve_points(span.len())?;
+        if n == span.len() {
+            done.segments.extend(0..n as u32);
+            done.parameters.extend_from_slice(&solution.t[..n]);
+            done.statuses.extend(self.nodes.results.iter().map(|result| result.status));
+        } else {
+            let mut taken = 0;
+            for (i, &node) in self.nodes.node_of.iter().enumerate() {
+                // Nodes ascend; one that comes again repeats its neighbour, or at the end the first
+                // point.
+                let repeats = i > 0 && node < taken;
+                taken = taken.max(node + 1);
+                let status = self.nodes.results[node as usize].status;
+                done.segments.push(node);
+                done.parameters.push(solution.t[node as usize]);
+                done.statuses.push(if repeats { PointStatus::Merged } else { status });
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends the curve where the outline is, and the places of its points.
+    fn deliver(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
+        let (done, builder, nodes, placement) = (&mut self.done, &self.builder, &self.nodes, self.nodes.placement);
+        alloc::reserve(&mut done.points, builder.points.len())?;
+        done.points.extend(builder.points.iter().map(|&p| p * placement.unit + placement.origin));
+        alloc::append(&mut done.ends, &builder.ends)?;
+        alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
+        done.reserve_points(span.len())?;
+        let (mut before, closing) = (u32::MAX, nodes.node_of.first().copied().unwrap_or(0));
+        for (i, &node) in span.clone().zip(&nodes.node_of) {
+            let PointResult { place, mut status } = nodes.results[node as usize];
+            let repeats = node == before || (node == closing && i > span.start && self.outlines.closed);
+            if repeats && status != PointStatus::Missed {
+                status = PointStatus::Merged;
+            }
+            if !repeats && (place.t == 0.0 || place.t == 1.0) && !builder.is_empty() {
+                // Joints at points keep their bits.
+                let end = builder.ends[place.segment as usize + usize::from(place.t == 1.0)] as usize;
+                let p = self.outlines.points.get(i);
+                done.points[base + end] = p;
+                if self.outlines.closed && end == 0 {
+                    let last = done.points.len() - 1;
+                    done.points[last] = p;
+                }
+            }
+            before = node;
+            done.segments.push(place.segment);
+            done.parameters.push(place.t);
+            done.statuses.push(status);
+        }
+        Ok(())
+    }
+
+    /// Withdraws a curve whose control points overflow, though its points do not: at any size, as
+    /// they may be as much larger than the outline as its points are near each other.
+    fn check_range(&mut self, span: &Range<usize>, base: usize, first: usize, report: &mut Report) -> Result<()> {
+        let done = &mut self.done;
+        if done.points[base..].iter().all(|p| p.is_finite()) {
+            return Ok(());
+        }
+        done.points.truncate(base);
+        alloc::push(&mut done.points, self.outlines.points.get(span.start))?;
+        let ends = done.starts[done.starts.len() - 2][1];
+        done.ends.truncate(ends);
+        alloc::push(&mut done.ends, 0)?;
+        let last = done.starts.len() - 1;
+        done.starts[last] = [done.points.len(), done.ends.len()];
+        done.segments[first..].fill(0);
+        done.parameters[first..].fill(0.0);
+        done.statuses[first..].fill(PointStatus::Missed);
+        (report.status, report.max_residual, report.max_joint_sine) = (FitStatus::Diverged, 0.0, 0.0);
+        Ok(())
+    }
+
+    /// Adds up the statuses from the `first` on.
+    fn account(&mut self, first: usize, mut report: Account) -> Result<()> {
+        let done = &mut self.done;
+        let mut partial = false;
+        for status in &done.statuses[first..] {
+            report.not_ok += u32::from(*status != PointStatus::Ok);
+            partial |= !matches!(status, PointStatus::Ok | PointStatus::Merged | PointStatus::ClampedParameter);
+        }
+        if partial && report.status == FitStatus::Ok {
+            report.status = FitStatus::Partial;
+        }
+        alloc::append(&mut done.cycles, report.history.as_deref().unwrap_or_default())?;
+        alloc::push(&mut done.cycle_ends, done.cycles.len())?;
+        alloc::push(&mut done.reports, report.report)
+    }
+}
+
+/// Appends the curve of a subcurve's points.
+fn append(
+    sub: &Subcurve<'_>,
+    composite: &mut CompositeWorkspace,
+    single: &mut Collocation,
+    out: &mut Output<'_>,
+) -> Result<()> {
+    // Iterations are counted for each part: what counts is the most.
+    let before = std::mem::take(&mut out.report.iterations);
+    match sub.options.mode {
+        Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, composite.solution(), out),
+        Mode::CubicC2 => cubic_spline::append(sub, composite.solution(), out),
+        Mode::Single => single::append(sub, single, composite, out),
+        Mode::Composite | Mode::Chain => composite::append(sub, composite, out),
+    }?;
+    out.report.iterations = out.report.iterations.max(before);
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! The input of an identification: points as they lie in the host's memory, outlines of them, and
+//! constraints.
+
+use glam::{DVec2, DVec3};
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::geom::strided::Strided;
+use std::ops::Range;
+
+/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any
+/// alignment. Plane points have z = 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Points<'a> {
+    elements: Strided<'a>,
+    dimension: usize,
+}
+
+impl<'a> Points<'a> {
+    /// `dimension`: 2 or 3; `stride`: in bytes, 0 for points without gaps.
+    ///
+    /// # Errors
+    /// Those of [`Points::bytes_needed`], [`Error::ArrayTooShort`].
+    pub fn strided(bytes: &'a [u8], stride: usize, count: usize, dimension: usize) -> Result<Self> {
+        Self::bytes_needed(stride, count, dimension)?;
+        Ok(Points { elements: Strided::new(bytes, count, stride, 8 * dimension, "points")?, dimension })
+    }
+
+    /// The number of bytes that `count` points span.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
+    /// [`Error::SizeOverflow`].
+    pub fn bytes_needed(stride: usize, count: usize, dimension: usize) -> Result<usize> {
+        Error::require((2..=3).contains(&dimension), "dimension", dimension as f64)?;
+        Error::check_count("points", count as u64, MAX_POINTS as u64)?;
+        Strided::span(count, stride, 8 * dimension, "points")
+    }
+
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// True if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Appends the points of a range to a list of sufficient capacity.
+    pub(super) fn read(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
+        match self.dimension {
+            2 => list.extend(range.map(|i| DVec2::from_array(self.elements.get(i)).extend(0.0))),
+            _ => list.extend(range.map(|i| DVec3::from_array(self.elements.get(i)))),
+        }
+    }
+
+    /// Point `i`.
+    ///
+    /// # Panics
+    /// If there is none.
+    #[inline]
+    pub fn get(&self, i: usize) -> DVec3 {
+        match self.dimension {
+            2 => DVec2::from_array(self.elements.get(i)).extend(0.0),
+            _ => DVec3::from_array(self.elements.get(i)),
+        }
+    }
+}
+
+impl<'a> From<&'a [[f64; 2]]> for Points<'a> {
+    fn from(points: &'a [[f64; 2]]) -> Self {
+        Points { elements: Strided::packed(points), dimension: 2 }
+    }
+}
+
+impl<'a> From<&'a [[f64; 3]]> for Points<'a> {
+    fn from(points: &'a [[f64; 3]]) -> Self {
+        Points { elements: Strided::packed(points), dimension: 3 }
+    }
+}
+
+/// The largest number of points in one call: 2^30, so that control points can be counted in 32
+/// bits.
+pub const MAX_POINTS: usize = 1 << 30;
+
+/// Outlines: all their points one after another.
+#[derive(Debug, Clone, Copy)]
+pub struct Outlines<'a> {
+    /// The points of all outlines.
+    pub points: Points<'a>,
+    /// Outline k has the points `offsets[k]..offsets[k + 1]`; `None` for a single outline of all
+    /// points.
+    pub offsets: Option<&'a [u32]>,
+    /// Whether they are closed: from the last point back to the first.
+    pub closed: bool,
+    /// In ascending order of the points, at most one for each. Of points that are merged the first
+    /// constraint holds.
+    pub constraints: &'a [Constraint],
+}
+
+/// A constraint on the curve at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constraint {
+    /// The point, counted over all outlines.
+    pub point: u32,
+    /// The constraint.
+    pub kind: PointConstraint,
+}
+
+/// The requirement on the curve where it passes a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PointConstraint {
+    /// The curve may turn sharply: it is made of two that meet there.
+    Corner,
+    /// The curve passes in this direction; of any length but 0.
+    Tangent(DVec3),
+    /// The curve passes at this angle, in radians counter-clockwise from the x-axis, in the plane of
+    /// x and y.
+    TangentAngle(f64),
+}
+
+impl PointConstraint {
+    /// The direction in which the curve passes.
+    pub(super) fn tangent(self) -> Option<DVec3> {
+        match self {
+            PointConstraint::Corner => None,
+            PointConstraint::Tangent(tangent) => Some(tangent),
+            PointConstraint::TangentAngle(angle) => {
+                let (sine, cosine) = libm::sincos(angle);
+                Some(DVec3::new(cosine, sine, 0.0))
+            }
+        }
+    }
+}
+
+impl Outlines<'_> {
+    /// Checks offsets and constraints; the number of outlines.
+    pub(crate) fn check(&self) -> Result<usize> {
+        let count = self.points.len();
+        if let Some(offsets) = self.offsets {
+            Error::check_offsets(offsets, count)?;
+        }
+        for (k, constraint) in self.constraints.iter().enumerate() {
+            let follows = k == 0 || constraint.point > self.constraints[k - 1].point;
+            if constraint.point as usize >= count || !follows {
+                return Err(Error::BadConstraint { constraint: k as u32, point: constraint.point });
+            }
+            let given = match constraint.kind {
+                PointConstraint::Corner => continue,
+                PointConstraint::Tangent(tangent) => tangent,
+                PointConstraint::TangentAngle(angle) => DVec3::new(angle, 0.0, 0.0),
+            };
+            Error::check_finite(Element::Constraint, k as u64, given)?;
+        }
+        Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
+    }
+
+    /// How many points each of the outlines has, if that is the same.
+    pub(crate) fn columns(&self, rows: usize) -> Result<usize> {
+        let columns = if rows == 0 { 0 } else { self.span(0).len() };
+        match (0..rows).map(|k| (k, self.span(k).len())).find(|&(_, count)| count != columns) {
+            Some((k, count)) => {
+                Err(Error::SectionsDiffer { section: k as u32, count: count as u32, expected: columns as u32 })
+            }
+            None => Ok(columns),
+        }
+    }
+
+    /// The points of outline `k`.
+    pub(crate) fn span(&self, k: usize) -> Range<usize> {
+        match self.offsets {
+            Some(offsets) => offsets[k] as usize..offsets[k + 1] as usize,
+            None => 0..self.points.len(),
+        }
+    }
+}

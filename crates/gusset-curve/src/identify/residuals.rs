@@ -1,0 +1,103 @@
+//! Residuals of an identified curve: its distances from the points, and the angles at its joints.
+
+use super::curve_builder::CurveBuilder;
+use super::nodes::Nodes;
+use super::report::{PointStatus, Report};
+use crate::curve::segment;
+use glam::DVec3;
+
+/// Measures the curve of an outline near the origin; the joint of a closed curve's end and start
+/// counts too. O(segments).
+pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) {
+    let size = nodes.placement.size;
+    if curve.is_empty() || size == 0.0 {
+        return;
+    }
+    let mut farthest = 0.0f64;
+    for (node, result) in nodes.points.iter().zip(&nodes.results) {
+        if result.status != PointStatus::Missed {
+            let at = segment::point(curve.segment(result.place.segment as usize), result.place.t);
+            farthest = farthest.max(at.distance_squared(*node));
+        }
+    }
+    report.max_residual = farthest.sqrt() / size;
+
+    let mut angle = MaxJointSine::default();
+    let mut corners = curve.corners().iter().peekable();
+    let joints = if nodes.closed { 1..curve.len() + 1 } else { 1..curve.len() };
+    for joint in joints {
+        if corners.next_if(|&&corner| corner as usize == joint).is_none() {
+            let next = if joint == curve.len() { 0 } else { joint };
+            angle.add(segment::last_leg(curve.segment(joint - 1)), segment::first_leg(curve.segment(next)));
+        }
+    }
+    report.max_joint_sine = report.max_joint_sine.max(angle.sine());
+}
+
+/// Measures the curvatures on both sides of the joints that are to be smooth; points beside a joint
+/// where they differ, be it by rounding, get a status. O(segments).
+pub(super) fn measure_curvatures(nodes: &mut Nodes, curve: &CurveBuilder, report: &mut Report) {
+    let (size, closed) = (nodes.placement.size, nodes.closed);
+    let gap = |joint: usize| curvature_gap(curve, closed, size, joint);
+    report.max_curvature_gap = (0..curve.len()).map(gap).fold(0.0, f64::max);
+    for result in &mut nodes.results {
+        let segment = result.place.segment as usize;
+        if gap(segment).max(gap((segment + 1) % curve.len())) > MAX_CURVATURE_GAP {
+            result.flag(PointStatus::NotConverged);
+        }
+    }
+}
+
+/// A difference of curvatures that is none.
+const MAX_CURVATURE_GAP: f64 = 5e-7;
+
+/// The difference of the curvatures before and after a joint, relative to the larger one, or to 1 /
+/// size; 0 at corners and at the ends of open curves. Joint k is where segment k begins.
+fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) -> f64 {
+    let corner = if joint == 0 { curve.len() } else { joint } as u32;
+    if (joint == 0 && !closed) || curve.corners().binary_search(&corner).is_ok() {
+        return 0.0;
+    }
+    let (before, after) = (curve.segment(corner as usize - 1), curve.segment(joint));
+    let ([.., p, q, r], [s, t, u, ..]) = (before, after) else { return 0.0 };
+    // Backwards, a curve turns the other way.
+    let here = -end_curvature(before.len(), [*r, *q, *p]);
+    let there = end_curvature(after.len(), [*s, *t, *u]);
+    here.distance(there) / here.length().max(there.length()).max(1.0 / size)
+}
+
+/// The curvature where a segment begins, across its plane: of degree d with the first control points
+/// p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
+fn end_curvature(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
+    let (leg, degree) = (q - p, (count - 1) as f64);
+    let length = leg.length();
+    if length > 0.0 { leg.cross(r - q) * ((degree - 1.0) / (degree * length.powi(3))) } else { DVec3::ZERO }
+}
+
+/// The largest sine of the angle between the legs on both sides of a joint.
+#[derive(Default)]
+pub(super) struct MaxJointSine {
+    /// sin^2 = |u x v|^2 / (|u|^2 |v|^2).
+    squared: f64,
+}
+
+impl MaxJointSine {
+    /// Adds the joint between the legs `u`, which ends there, and `v`, which begins there. Legs
+    /// without length are passed over.
+    #[inline]
+    pub(super) fn add(&mut self, u: DVec3, v: DVec3) {
+        let (across, lengths) = (u.cross(v).length_squared(), u.length_squared() * v.length_squared());
+        // The division only where it is the largest so far.
+        if across > self.squared * lengths && lengths > 0.0 {
+            self.squared = across / lengths;
+        }
+        if u.dot(v) < 0.0 {
+            // A cusp.
+            self.squared = 1.0;
+        }
+    }
+
+    pub(super) fn sine(&self) -> f64 {
+        self.squared.sqrt().min(1.0)
+    }
+}

@@ -1,0 +1,216 @@
+//! The sections of all points by themselves: the paper's methods before anything is joined. O(n).
+
+use super::method::{
+    Method, Section, power, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through,
+};
+use super::options::{Options, Solver};
+use super::outlines::{Constraint, Outlines, Points};
+use super::report::PointStatus;
+use super::stepping::step_section;
+use crate::curve::check_finite;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::floor_to_power_of_two;
+use gusset_base::job::Job;
+use std::ops::Range;
+
+const POINTS_PER_REPORT: usize = 1 << 16;
+
+/// The sections of outlines, one for each point.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sections {
+    /// The control point of each section; the section of point i is the quadratic from point i - 1
+    /// over it to point i + 1. At the ends of open outlines, which have no section, the point
+    /// itself.
+    pub controls: Vec<DVec3>,
+    /// The parameter of the point on its section; 0 and 1 at the ends of open outlines.
+    pub parameters: Vec<f64>,
+    /// The outcome at each point.
+    pub statuses: Vec<PointStatus>,
+    /// The steps of the stepping solver, of all sections.
+    pub steps: u64,
+}
+
+/// Finds the section of each point with its two neighbours.
+///
+/// A tangent constraint at a point makes its section pass in that direction; one at the first or
+/// last point of an open outline is that of its neighbour's section there. Where the tangent or the
+/// normal cannot be had, the method (the bisector instead of the normal) takes its place, and the
+/// status says so. Corners mean nothing here. Of the options the method and the solver are read:
+/// with [`Solver::Step`] sections without a tangent are found by the paper's steps, and one whose
+/// steps are used up is by the closed form, and [`PointStatus::NotConverged`]. O(n), and so many
+/// steps; memory for the result.
+///
+/// # Errors
+/// Those of [`fit`](super::fit()), but for the constraints' corners.
+///
+/// Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms.
+pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Sections> {
+    options.check()?;
+    let (count, method) = (outlines.check()?, options.method);
+    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)?, job };
+    let total = outlines.points.len();
+    let mut found = Sections {
+        controls: alloc::with_capacity(total)?,
+        parameters: alloc::with_capacity(total)?,
+        statuses: alloc::with_capacity(total)?,
+        steps: 0,
+    };
+    let mut constraints = outlines.constraints;
+    let mut reported = 0;
+    job.step(0.0, STAGE)?;
+    for k in 0..count {
+        let span = outlines.span(k);
+        let (own, rest) = constraints.split_at(constraints.partition_point(|c| (c.point as usize) < span.end));
+        constraints = rest;
+        let closed = outlines.closed && span.len() > 2;
+        for from in span.clone().step_by(POINTS_PER_REPORT) {
+            if from - reported >= POINTS_PER_REPORT {
+                reported = from;
+                job.step(from as f64 / total as f64, STAGE)?;
+            }
+            let some = from..span.end.min(from + POINTS_PER_REPORT);
+            if let (true, [], Some(_), Solver::Fast) = (closed, own, method.alpha(), options.solver) {
+                finder.unconstrained(&span, some, &mut found);
+            } else {
+                for i in some {
+                    let section = finder.constrained(&span, own, closed, i, &mut found.steps)?;
+                    found.push(section);
+                }
+            }
+        }
+    }
+    job.step(1.0, STAGE)?;
+    Ok(found)
+}
+
+const STAGE: &str = "finding sections";
+
+impl Sections {
+    #[inline]
+    fn push(&mut self, (section, status): (Section, PointStatus)) {
+        self.controls.push(section.control);
+        self.parameters.push(section.t);
+        self.statuses.push(status);
+    }
+}
+
+/// What sections are found by.
+struct Finder<'a> {
+    points: &'a Points<'a>,
+    options: &'a Options,
+    method: Method,
+    scale: f64,
+    job: &'a Job<'a>,
+}
+
+impl Finder<'_> {
+    /// The section of point `i` of an outline with the constraints `own`.
+    fn constrained(
+        &self,
+        outline: &Range<usize>,
+        own: &[Constraint],
+        closed: bool,
+        i: usize,
+        steps: &mut u64,
+    ) -> Result<(Section, PointStatus)> {
+        let (first, last) = (outline.start, outline.end - 1);
+        let p = self.points.get(i);
+        if !closed && (i == first || i == last) {
+            return Ok((Section { control: p, t: if i == first { 0.0 } else { 1.0 } }, PointStatus::Ok));
+        }
+        let before = self.points.get(if i == first { last } else { i - 1 });
+        let after = self.points.get(if i == last { first } else { i + 1 });
+        let triple = [before, p, after].map(|p| p * self.scale);
+        let tangents = match own {
+            [] => [None; 3],
+            _ => [
+                (!closed && i == first + 1).then(|| tangent(own, first)).flatten(),
+                tangent(own, i),
+                (!closed && i + 1 == last).then(|| tangent(own, last)).flatten(),
+            ],
+        };
+        let (mut section, mut status) = section_or_fallback(triple, tangents, self.method);
+        if self.options.solver == Solver::Step && tangents == [None; 3] {
+            // Where the bisector stands in for the normal it does so here.
+            let method = if status == PointStatus::Ok { self.method } else { Method::Bisector };
+            match step_section(triple[0], triple[1], triple[2], method, self.options, self.job)? {
+                Ok((stepped, count)) => {
+                    section = stepped;
+                    *steps += count;
+                }
+                Err(failed) if status == PointStatus::Ok => status = failed,
+                Err(_) => {}
+            }
+        }
+        Ok((Section { control: section.control / self.scale, ..section }, status))
+    }
+
+    /// The sections of some points of a closed outline without constraints, by a method with an
+    /// exponent: each chord is measured once.
+    fn unconstrained(&self, outline: &Range<usize>, some: Range<usize>, found: &mut Sections) {
+        let alpha = self.method.alpha().unwrap_or(0.5);
+        // Exact, as the scale is a power of two.
+        let back = 1.0 / self.scale;
+        let at = |i: usize| self.points.get(i) * self.scale;
+        let mut before = at(if some.start == outline.start { outline.end } else { some.start } - 1);
+        let mut p = at(some.start);
+        let mut arriving = power(before.distance(p), alpha);
+        for i in some {
+            let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
+            let leaving = power(p.distance(after), alpha);
+            let (section, status) = match through(before, p, after, arriving / (arriving + leaving)) {
+                Ok(section) => (section, PointStatus::Ok),
+                Err(_) => section_or_fallback([before, p, after], [None; 3], self.method),
+            };
+            found.push((Section { control: section.control * back, ..section }, status));
+            (before, p, arriving) = (p, after, leaving);
+        }
+    }
+}
+
+/// A power of two that brings coordinates near 1 if squares of them could overflow or vanish; else
+/// 1.
+fn scale(outlines: &Outlines<'_>) -> Result<f64> {
+    let mut largest = 0.0f64;
+    for i in 0..outlines.points.len() {
+        let p = outlines.points.get(i);
+        check_finite(i, p)?;
+        largest = largest.max(p.abs().max_element());
+    }
+    if (1e-60..1e100).contains(&largest) || largest == 0.0 {
+        return Ok(1.0);
+    }
+    Ok(1.0 / floor_to_power_of_two(largest))
+}
+
+/// The tangent required at a point.
+fn tangent(constraints: &[Constraint], point: usize) -> Option<DVec3> {
+    let at = constraints.binary_search_by_key(&point, |constraint| constraint.point as usize).ok()?;
+    constraints[at].kind.tangent()
+}
+
+/// The section through three points; tangents at the first, the middle and the last one, the middle
+/// one first of all.
+#[inline]
+fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], method: Method) -> (Section, PointStatus) {
+    let wanted = match tangents {
+        [_, Some(tau), _] => section_by_tangent(a, p, c, tau),
+        [Some(tau), None, _] => section_by_start_tangent(a, p, c, tau),
+        [None, None, Some(tau)] => section_by_end_tangent(a, p, c, tau),
+        [None, None, None] => method.section(a, p, c),
+    };
+    match wanted {
+        Ok(section) => (section, PointStatus::Ok),
+        Err(status) => {
+            let stand_in = match method {
+                Method::Normal => Method::Bisector.section(a, p, c),
+                _ => method.section(a, p, c),
+            };
+            // Where P repeats A or C the median still goes through all three.
+            let section = stand_in.or_else(|_| through(a, p, c, 0.5));
+            (section.unwrap_or(Section { control: p, t: 0.5 }), status)
+        }
+    }
+}

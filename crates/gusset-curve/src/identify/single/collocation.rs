@@ -1,0 +1,173 @@
+//! The unknowns of a single curve, and its linear equations: control points for given parameters.
+//!
+//! Each end tangent raises the degree N by one: the control point next to the end is on the
+//! tangent, at the distance |P_0 P_1| / (N t_1) that the speed of the parameter asks for. A closed
+//! outline begins and ends at its first point, with the tangent there of the section of the data's
+//! own triangle, so that the curve is smooth there as well.
+
+use crate::curve::segment;
+use crate::identify::guide::guide;
+use crate::identify::method::Method;
+use crate::identify::subcurve::{PointResult, Subcurve};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::bernstein;
+use gusset_base::geom::linear::dense::Dense;
+use std::ops::Range;
+
+/// The distance from its points, in sizes of the outline, beyond which a curve does not pass them.
+pub(super) const MAX_MISS: f64 = 1e-12;
+
+/// The unknowns and the memory to find them in: all for the points of the subcurve, the first once
+/// more at the end of a closed one.
+#[derive(Default)]
+pub(in crate::identify) struct Collocation {
+    pub(super) points: Vec<DVec3>,
+    pub(super) t: Vec<f64>,
+    /// The guides, of length 1, of the points between the ends.
+    pub(super) guides: Vec<DVec3>,
+    pub(super) controls: Vec<DVec3>,
+    /// The differences of the control points, times the degree: the control points of the
+    /// derivative.
+    pub(super) slopes: Vec<DVec3>,
+    pub(super) right: Vec<DVec3>,
+    pub(super) previous: Vec<DVec3>,
+    pub(super) previous_t: Vec<f64>,
+    pub(super) basis: Vec<f64>,
+    pub(super) matrix: Dense,
+    /// Whether there are end tangents.
+    tangents: [bool; 2],
+}
+
+impl Collocation {
+    pub(super) fn begin(&mut self, sub: &Subcurve<'_>, degree: usize) -> Result<()> {
+        let count = sub.len() + usize::from(sub.closed);
+        self.points.clear();
+        alloc::extend(&mut self.points, sub.points.iter().copied().chain(sub.closed.then_some(sub.points[0])))?;
+        alloc::reset(&mut self.t, count, 0.0)?;
+        for list in [&mut self.controls, &mut self.slopes, &mut self.right, &mut self.guides, &mut self.previous] {
+            alloc::reset(list, degree + 1, DVec3::ZERO)?;
+        }
+        alloc::reset(&mut self.basis, degree + 1, 0.0)?;
+        alloc::reset(&mut self.previous_t, degree + 1, 0.0)
+    }
+
+    /// The number of points between the ends.
+    pub(super) fn inner(&self) -> usize {
+        self.points.len() - 2
+    }
+
+    pub(super) fn degree(&self) -> usize {
+        self.controls.len() - 1
+    }
+
+    /// The numbers of the control points that belong to the points between the ends.
+    pub(super) fn own(&self) -> Range<usize> {
+        let first = 1 + usize::from(self.tangents[0]);
+        first..first + self.inner()
+    }
+
+    /// The parameters by the data's own triangles: neighbouring spans are to each other as t_i to
+    /// 1 - t_i.
+    pub(super) fn find_parameters(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult]) {
+        let last = self.points.len() - 1;
+        let (mut sum, mut span) = (1.0, 1.0);
+        self.t[0] = 0.0;
+        for (i, result) in results.iter_mut().enumerate().take(last).skip(1) {
+            self.t[i] = sum;
+            let [a, p, c] = sub.triple(i);
+            let t = sub.options.method.parameter(a, p, c).unwrap_or_else(|status| {
+                result.flag(status);
+                Method::Bisector.parameter(a, p, c).unwrap_or(0.5)
+            });
+            span *= (1.0 - t).max(1e-9) / t.max(1e-9);
+            sum += span;
+        }
+        self.t[last] = sum;
+        self.t.iter_mut().for_each(|t| *t /= sum);
+    }
+
+    /// Places the ends, and the control points next to them on the tangents.
+    pub(super) fn place_ends(&mut self, tangents: [Option<DVec3>; 2]) {
+        let (last, degree) = (self.points.len() - 1, self.degree());
+        self.tangents = tangents.map(|tangent| tangent.is_some());
+        self.controls[0] = self.points[0];
+        self.controls[degree] = self.points[last];
+        let length = |from: DVec3, to: DVec3, t: f64| from.distance(to) / (degree as f64 * t).max(1.0 / 64.0);
+        if let Some(tangent) = tangents[0] {
+            self.controls[1] = self.points[0] + tangent * length(self.points[0], self.points[1], self.t[1]);
+        }
+        if let Some(tangent) = tangents[1] {
+            let length = length(self.points[last], self.points[last - 1], 1.0 - self.t[last - 1]);
+            self.controls[degree - 1] = self.points[last] - tangent * length;
+        }
+    }
+
+    /// The guides of the points between the ends; where the method has none, that of the bisector.
+    pub(super) fn find_guides(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult], normal: DVec3) {
+        for (i, result) in results.iter_mut().enumerate().take(self.inner() + 1).skip(1) {
+            let [a, p, c] = sub.triple(i);
+            let found = guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
+                result.flag(status);
+                guide(Method::Bisector, a - p, c - p, normal)
+            });
+            self.guides[i] = found.unwrap_or_else(|_| normal.any_orthonormal_vector());
+        }
+    }
+
+    /// Puts the control points on their points, where the paper begins.
+    pub(super) fn start_at_points(&mut self) {
+        let (own, inner) = (self.own(), self.inner());
+        self.controls[own].copy_from_slice(&self.points[1..=inner]);
+    }
+
+    /// Solves the linear equations for the parameters as they are.
+    pub(super) fn eliminate(&mut self) -> Result<()> {
+        let (inner, own) = (self.inner(), self.own());
+        self.controls[own.clone()].fill(DVec3::ZERO);
+        self.matrix.resize(inner)?;
+        for i in 1..=inner {
+            bernstein::basis(&mut self.basis, self.t[i]);
+            self.matrix.row(i - 1).copy_from_slice(&self.basis[own.clone()]);
+        }
+        if !self.matrix.factor() {
+            self.start_at_points();
+            return Ok(());
+        }
+        // Iterative refinement: the first round leaves rounding, and the next takes most of it
+        // away.
+        for _ in 0..3 {
+            for i in 1..=inner {
+                self.right[i - 1] = self.points[i] - segment::point(&self.controls, self.t[i]);
+            }
+            self.matrix.solve(&mut self.right[..inner]);
+            self.controls[own.clone()].iter_mut().zip(&self.right).for_each(|(control, &step)| *control += step);
+        }
+        Ok(())
+    }
+
+    /// The largest distance of a control point from its point.
+    pub(super) fn farthest_control(&self) -> f64 {
+        let pairs = self.controls[self.own()].iter().zip(&self.points[1..]);
+        pairs.map(|(control, &p)| control.distance(p)).fold(0.0, f64::max).min(1e300)
+    }
+
+    /// The distance of a point from its place on the curve.
+    pub(super) fn distance(&self, i: usize) -> f64 {
+        segment::point(&self.controls, self.t[i]).distance(self.points[i])
+    }
+
+    /// The farthest point from its place on the curve, and the sum of the squares of the distances.
+    pub(super) fn residual(&self) -> (f64, f64) {
+        let (mut farthest, mut sum) = (0.0f64, 0.0);
+        for i in 1..=self.inner() {
+            let square = self.distance(i).powi(2);
+            if square > farthest || square.is_nan() {
+                farthest = square;
+            }
+            sum += square;
+        }
+        (farthest.sqrt(), sum)
+    }
+}

@@ -1,0 +1,111 @@
+//! Single curves: one Bézier curve of degree n through n + 1 points.
+//!
+//! P(t_i) = sum_j B_j J_(N,j)(t_i) = P_i. With the lock by parameter the t_i are given and the
+//! equations are linear (collocation). Else each control point is on the guide of its point, B_i =
+//! P_i + lambda_i u_i with the guide u_i of the data's own triangle, and the t_i are unknown too;
+//! the lock by the section's own triangle has no meaning for a curve without sections, and is taken
+//! for the lock by guides.
+//!
+//! * collocation: the unknowns, and the linear equations. guided: control points on guides.
+//! * here: the choice between them, and composite curves in their place where they fail.
+//!
+//! Source: Nadopta. O(n^3) time and O(n^2) memory for n points, at most 65.
+
+mod collocation;
+mod guided;
+
+use super::composite::{self, CompositeWorkspace};
+use super::guide::plane_normal;
+use super::method::Method;
+use super::options::{Lock, Options, Solver};
+use super::report::{FitStatus, PointStatus};
+use super::subcurve::{Output, Subcurve};
+use crate::curve::{MAX_DEGREE, Place};
+pub(super) use collocation::Collocation;
+use collocation::MAX_MISS;
+use glam::DVec3;
+use gusset_base::error::Result;
+
+/// The distance of a control point from its point, in sizes of the outline, that shows nearly
+/// singular equations.
+const MAX_CONTROL_DISTANCE: f64 = 2.0;
+
+/// The distance from the curve, in sizes, at which rounding has made it miss a point.
+const MAX_ROUNDING: f64 = 1e-14;
+
+/// Appends the single curve of a subcurve's points.
+pub(super) fn append(
+    sub: &Subcurve<'_>,
+    collocation: &mut Collocation,
+    composite: &mut CompositeWorkspace,
+    out: &mut Output<'_>,
+) -> Result<()> {
+    if let Some(status) = solve(sub, collocation, out)? {
+        out.report.status = status;
+        out.flag_all(PointStatus::CompositeInstead);
+        let options = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*sub.options };
+        return composite::append(&Subcurve { options: &options, ..*sub }, composite, out);
+    }
+    let segment = out.builder.len() as u32;
+    for (i, (result, &t)) in out.results.iter_mut().zip(&collocation.t).enumerate() {
+        if collocation.distance(i) > MAX_ROUNDING * sub.size {
+            result.flag(PointStatus::NotConverged);
+        }
+        result.place = Place { segment, t };
+    }
+    out.builder.begin(collocation.controls[0])?;
+    out.builder.push(&collocation.controls[1..])
+}
+
+/// Finds parameters and control points; `Some` if there is no such curve, and why.
+fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>) -> Result<Option<FitStatus>> {
+    let tangents = if sub.closed { [Some(seam_tangent(sub)); 2] } else { sub.tangents };
+    let inner = sub.len() - if sub.closed { 0 } else { 1 };
+    let degree = inner + tangents.iter().flatten().count();
+    if degree > MAX_DEGREE {
+        return Ok(Some(FitStatus::DegreeTooHigh));
+    }
+    collocation.begin(sub, degree)?;
+    let normal = if sub.options.lock == Lock::Parameter { None } else { plane_normal(sub) };
+    if sub.options.lock != Lock::Parameter && normal.is_none() {
+        out.flag_all(PointStatus::OutOfPlane);
+    }
+    collocation.find_parameters(sub, out.results);
+    collocation.place_ends(tangents);
+    let mut solved = false;
+    if let Some(normal) = normal {
+        collocation.find_guides(sub, out.results, normal);
+        solved = collocation.solve_on_guides(sub, normal, out)?;
+        if !solved {
+            out.report.status = FitStatus::NotConverged;
+            out.flag_all(PointStatus::FellBack);
+            collocation.find_parameters(sub, out.results);
+            collocation.place_ends(tangents);
+        }
+    }
+    if !solved {
+        collocation.solve_for_parameters(sub, out)?;
+    }
+    if collocation.farthest_control() > MAX_CONTROL_DISTANCE * sub.size {
+        out.report.status = FitStatus::IllConditioned;
+    }
+    let miss = collocation.residual().0;
+    Ok((miss.is_nan() || miss > MAX_MISS * sub.size).then_some(FitStatus::IllConditioned))
+}
+
+/// The direction of the curve at the seam of a closed one: that of the section of the first point's
+/// triangle there.
+fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
+    let [a, p, c] = sub.triple(0);
+    let section = sub.options.method.section(a, p, c).or_else(|_| Method::Bisector.section(a, p, c));
+    let direction =
+        section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);
+    // There and back: across.
+    direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| perpendicular(c - p))
+}
+
+/// A direction across a vector, in the plane z = 0 if that is there.
+fn perpendicular(v: DVec3) -> DVec3 {
+    let across = if v.z == 0.0 { DVec3::new(-v.y, v.x, 0.0) } else { v.any_orthogonal_vector() };
+    across.normalize_or_zero()
+}

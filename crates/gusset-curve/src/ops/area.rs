@@ -1,0 +1,106 @@
+//! Area and moments of the region that a curve encloses; an open curve is closed by its chord.
+//!
+//! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2
+//! (Green's theorem); the mean of a triangle's points is 2 r / 3 and of their products r r^T / 2.
+//! So
+//!
+//! area = 1/2 of the integral of W,   first = 1/3 of that of r W,   second = 1/4 of that of r r^T
+//! W,   W dt = r x dr,
+//!
+//! polynomials in t whose integrals are exact. The chord back to the start sweeps nothing.
+
+use crate::curve::segment::SegmentBuffer;
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{CurveView, MAX_DEGREE};
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::geom::bernstein::{add_product, integral, integral_of_product};
+
+/// The moments of the region that a plane curve encloses. Regions that the curve runs round
+/// clockwise count negative, those it runs round twice count twice.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moments {
+    /// The area, positive if the curve runs counter-clockwise.
+    pub area: f64,
+    /// The centre of gravity; the curve's start if the area is 0.
+    pub centroid: DVec3,
+    /// The integrals of x x, x y and y y about the centroid, with the sign of the area.
+    pub second: [f64; 3],
+}
+
+/// The components of the control points seen from `start`, in the frame, and those of the
+/// derivative.
+fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
+    let r = SegmentBuffer::mapped(controls, |p| frame.point(p) - start);
+    let mut d = r;
+    d.derive();
+    [r, d].map(|points| {
+        let mut components = [[0.0; MAX_DEGREE + 1]; 3];
+        for (i, p) in points.iter().enumerate() {
+            (0..3).for_each(|axis| components[axis][i] = p[axis]);
+        }
+        components
+    })
+}
+
+impl CurveView<'_> {
+    /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in
+    /// space its component along any direction is the area of the shadow thrown that way. An open
+    /// curve is closed by the chord from its end to its start. Exact but for rounding. O(sum of
+    /// degree^2).
+    pub fn area_vector(&self) -> DVec3 {
+        let frame = UnitFrame::of(self.points());
+        let Some(&start) = self.points().first() else {
+            return DVec3::ZERO;
+        };
+        let mut doubled = DVec3::ZERO;
+        for controls in self.segments() {
+            let n = controls.len() - 1;
+            let [r, d] = components(&frame, frame.point(start), controls);
+            let swept = |a: usize, b: usize| {
+                integral_of_product(&r[a][..=n], &d[b][..n]) - integral_of_product(&r[b][..=n], &d[a][..n])
+            };
+            doubled += DVec3::new(swept(1, 2), swept(2, 0), swept(0, 1));
+        }
+        (doubled * 0.5).map(|x| frame.length_back(frame.length_back(x)))
+    }
+
+    /// Area, centroid and second moments of what a plane curve encloses. Exact but for rounding.
+    /// O(sum of degree^2).
+    ///
+    /// # Errors
+    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane), [`EmptyCurve`](gusset_base::Error::EmptyCurve).
+    pub fn moments(&self) -> Result<Moments> {
+        self.check_not_empty()?;
+        self.check_plane()?;
+        let frame = UnitFrame::of(self.points());
+        let start = frame.point(self.points()[0]);
+        let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
+        for controls in self.segments() {
+            let n = controls.len() - 1;
+            let [r, d] = components(&frame, start, controls);
+            let (x, y) = (&r[0][..=n], &r[1][..=n]);
+            let mut swept = [0.0; 2 * MAX_DEGREE];
+            let swept = &mut swept[..2 * n];
+            add_product(x, &d[1][..n], 1.0, swept);
+            add_product(y, &d[0][..n], -1.0, swept);
+            area += integral(swept) / 2.0;
+            first[0] += integral_of_product(x, swept) / 3.0;
+            first[1] += integral_of_product(y, swept) / 3.0;
+            for (sum, (a, b)) in second.iter_mut().zip([(x, x), (x, y), (y, y)]) {
+                let mut square = [0.0; 2 * MAX_DEGREE + 1];
+                add_product(a, b, 1.0, &mut square[..=2 * n]);
+                *sum += integral_of_product(&square[..=2 * n], swept) / 4.0;
+            }
+        }
+        let [x, y] = if area == 0.0 { [0.0; 2] } else { first.map(|f| f / area) };
+        // The parallel axes: second about the centroid = second about the start - area c c^T.
+        let central = [second[0] - x * first[0], second[1] - x * first[1], second[2] - y * first[1]];
+        let back = |x: f64, power: u32| (0..power).fold(x, |x, _| frame.length_back(x));
+        Ok(Moments {
+            area: back(area, 2),
+            centroid: if area == 0.0 { self.points()[0] } else { frame.point_back(start + DVec3::new(x, y, 0.0)) },
+            second: central.map(|x| back(x, 4)),
+        })
+    }
+}

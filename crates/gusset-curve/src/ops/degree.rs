@@ -1,0 +1,144 @@
+//! Segments of other degrees: higher ones without change of the curve, lower ones by least squares.
+//!
+//! Source: degree elevation, and Bernstein polynomials' products (Farouki and Rajan, 1988).
+
+use crate::curve::segment::SegmentBuffer;
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{Curve, CurveView, MAX_DEGREE};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::bernstein::binomial_row;
+use gusset_base::geom::linear::cholesky;
+
+/// A curve of lower degree.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reduced {
+    /// The curve. Its segments are those of the original, in order.
+    pub curve: Curve,
+    /// Of each segment: how far its points are from those of the original at the same parameter, at
+    /// most. It is a bound, the largest distance of the control points of both at the same degree.
+    /// For a segment that was kept, what the reduced one would have had; 0 for a segment whose
+    /// degree was low enough.
+    pub deviations: Vec<f64>,
+    /// The segments that were kept as they are, because the deviation would have been above the
+    /// tolerance.
+    pub kept: Vec<u32>,
+}
+
+fn check_degree(degree: usize) -> Result<()> {
+    Error::require((1..=MAX_DEGREE).contains(&degree), "degree", degree as f64)
+}
+
+impl CurveView<'_> {
+    /// The same curve with the degree of every segment raised by `by`.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`]. O(degree) for each new control point.
+    pub fn elevated_by(&self, by: usize) -> Result<Curve> {
+        self.elevated(|degree| degree.saturating_add(by))
+    }
+
+    /// The same curve with all segments of degree `degree` at least, 1 to [`MAX_DEGREE`]; higher
+    /// ones stay.
+    ///
+    /// # Errors
+    /// As for [`elevated_by`](Self::elevated_by).
+    pub fn elevated_to(&self, degree: usize) -> Result<Curve> {
+        check_degree(degree)?;
+        self.elevated(|old| old.max(degree))
+    }
+
+    fn elevated(&self, degree: impl Fn(usize) -> usize) -> Result<Curve> {
+        let mut curve = self.begin()?;
+        for controls in self.segments() {
+            let to = degree(controls.len() - 1);
+            check_degree(to)?;
+            let mut elevated = SegmentBuffer::new(controls);
+            elevated.elevate(to);
+            curve.push(&elevated[1..])?;
+        }
+        Ok(curve)
+    }
+
+    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one
+    /// with the same ends whose mean square distance at equal parameters is least. Segments that
+    /// would deviate by more than `tolerance` (at least 0, in the unit of the points; infinity is
+    /// allowed) are kept. Joints may become corners by as much as the deviation lets them.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for
+    /// each segment.
+    pub fn reduced(&self, degree: usize, tolerance: f64) -> Result<Reduced> {
+        check_degree(degree)?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+        let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
+        for (k, controls) in self.segments().enumerate() {
+            if controls.len() - 1 <= degree {
+                reduced.deviations.push(0.0);
+                reduced.curve.push(&controls[1..])?;
+                continue;
+            }
+            let frame = UnitFrame::of(controls);
+            let local = frame.segment(controls);
+            let fitted = least_squares(&local, degree);
+            let deviation = frame.length_back(deviation(&local, fitted));
+            reduced.deviations.push(deviation);
+            if deviation > tolerance || deviation == f64::INFINITY {
+                alloc::push(&mut reduced.kept, k as u32)?;
+                reduced.curve.push(&controls[1..])?;
+                continue;
+            }
+            let mut back = SegmentBuffer::mapped(&fitted, |p| frame.point_back(p));
+            back[degree] = controls[controls.len() - 1];
+            reduced.curve.push(&back[1..])?;
+        }
+        Ok(reduced)
+    }
+
+    /// A curve that begins where this one does, without segments yet.
+    fn begin(&self) -> Result<Curve> {
+        let Some(&start) = self.points().first() else {
+            return self.to_owned();
+        };
+        Ok(Curve { closed: self.is_closed(), ..Curve::from_point(start)? })
+    }
+}
+
+/// The largest distance of the control points of two segments, the second one raised to the degree
+/// of the first: by the convex hull of the difference no points at equal parameters are farther
+/// apart.
+fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
+    fitted.elevate(controls.len() - 1);
+    let distance = |(&p, &q): (&DVec3, &DVec3)| p.distance(q);
+    // A fit that is not a number is none.
+    let farther = |most: f64, far: f64| if far.is_nan() { f64::INFINITY } else { most.max(far) };
+    controls.iter().zip(&*fitted).map(distance).fold(0.0, farther)
+}
+
+/// The segment of degree m with the ends of `controls` whose integral of the squared distance is
+/// least: the normal equations of its inner control points, whose coefficients are
+///
+/// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
+///
+/// between Bernstein polynomials of degrees m and n; solved by Cholesky's method.
+fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
+    let n = controls.len() - 1;
+    let mut fitted = SegmentBuffer::new(&controls[..=m]);
+    fitted[m] = controls[n];
+    let row = binomial_row::<{ 2 * MAX_DEGREE + 1 }>;
+    let (own, given, own_own, own_given) = (row(m), row(n), row(2 * m), row(m + n));
+    let product = |i: usize, j: usize| own[i] * own[j] / own_own[i + j] / (2 * m + 1) as f64;
+    let mut lower = [[0.0; MAX_DEGREE]; MAX_DEGREE];
+    for i in 1..m {
+        let weight = |k: usize| own[i] * given[k] / own_given[i + k] / (m + n + 1) as f64;
+        let right: DVec3 = controls.iter().enumerate().map(|(k, &p)| p * weight(k)).sum();
+        fitted[i] = right - (fitted[0] * product(i, 0) + fitted[m] * product(i, m));
+        (1..=i).for_each(|j| lower[i - 1][j - 1] = product(i, j));
+    }
+    // Where rounding says that the matrix is not positive definite (from degree 25 on) the
+    // deviation will tell.
+    cholesky::solve(&mut lower, &mut fitted[1..m]);
+    fitted
+}

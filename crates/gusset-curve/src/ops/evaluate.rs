@@ -1,0 +1,121 @@
+//! Points, derivatives, tangents and curvatures at places.
+
+use crate::curve::segment::{self, SegmentBuffer};
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{CurveView, MAX_DEGREE, Place};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+
+impl CurveView<'_> {
+    /// The point at a place.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`]: no such segment, or t outside 0 to 1. O(degree), as for every place
+    /// below.
+    pub fn point(&self, place: Place) -> Result<DVec3> {
+        self.check_place(0, place)?;
+        Ok(segment::point(self.segment(place.segment as usize), place.t))
+    }
+
+    /// The points at many places.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
+    pub fn points_at(&self, places: &[Place]) -> Result<Vec<DVec3>> {
+        self.at_each(places, segment::point)
+    }
+
+    /// The derivatives by the segment's parameter t at many places: for each place the point, the
+    /// first derivative, and so on up to `order`, at most [`MAX_DEGREE`]. Beyond the degree of a
+    /// segment they are 0. O(degree^2) a place.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`].
+    pub fn derivatives_at(&self, places: &[Place], order: usize) -> Result<Vec<DVec3>> {
+        Error::require(order <= MAX_DEGREE, "order", order as f64)?;
+        let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
+        for (index, &place) in places.iter().enumerate() {
+            self.check_place(index, place)?;
+            let mut derived = SegmentBuffer::new(self.segment(place.segment as usize));
+            for _ in 0..=order {
+                out.push(segment::point(&derived, place.t));
+                derived.derive();
+            }
+        }
+        Ok(out)
+    }
+
+    /// The directions in which the curve runs at many places, of length 1: at t = 1 the one it
+    /// arrives in, elsewhere the one it goes on in, also where the first derivative is 0. 0 for a
+    /// segment without extent.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
+    pub fn tangents_at(&self, places: &[Place]) -> Result<Vec<DVec3>> {
+        self.at_each(places, tangent)
+    }
+
+    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) positive where
+    /// it turns left, from x to y; in space never negative. Infinite where the first derivative is
+    /// 0 on a segment that is not straight; 0 on a straight one.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
+    pub fn curvatures_at(&self, places: &[Place]) -> Result<Vec<f64>> {
+        self.at_each(places, curvature)
+    }
+
+    fn at_each<T>(&self, places: &[Place], value: impl Fn(&[DVec3], f64) -> T) -> Result<Vec<T>> {
+        alloc::try_collect(places.iter().enumerate().map(|(index, &place)| {
+            self.check_place(index, place)?;
+            Ok(value(self.segment(place.segment as usize), place.t))
+        }))
+    }
+}
+
+/// The first three derivatives at `t` in the segment's own frame.
+fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
+    let frame = UnitFrame::of(controls);
+    let mut derived = frame.segment(controls);
+    let values = [(); 3].map(|()| {
+        derived.derive();
+        segment::point(&derived, t)
+    });
+    (frame, values)
+}
+
+/// A derivative of a curve of size 1 and degree n below this times n is rounding.
+const MIN_DERIVATIVE: f64 = 1e-13;
+
+/// The direction at `t`, of length 1, or 0.
+pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
+    let along = match t {
+        0.0 => segment::first_leg(controls),
+        1.0 => segment::last_leg(controls),
+        _ => {
+            let min = MIN_DERIVATIVE * controls.len() as f64;
+            derivatives(controls, t).1.into_iter().find(|d| d.length() > min).unwrap_or(DVec3::ZERO)
+        }
+    };
+    let size = along.abs().max_element();
+    if size.is_finite() { (along / size).normalize_or_zero() } else { (along * 0.25).normalize_or_zero() }
+}
+
+/// |C' x C''| / |C'|^3, with the sign of z in the plane.
+fn curvature(controls: &[DVec3], t: f64) -> f64 {
+    let (frame, [first, second, _]) = derivatives(controls, t);
+    let across = first.cross(second);
+    let speed = first.length();
+    if speed <= MIN_DERIVATIVE * controls.len() as f64 {
+        let along = segment::first_leg(controls);
+        let along = along / along.abs().max_element().max(f64::MIN_POSITIVE);
+        let straight = controls.iter().all(|&p| {
+            let leg = frame.point(p) - frame.point(controls[0]);
+            leg.cross(along).length() <= MIN_DERIVATIVE * leg.length()
+        });
+        return if straight { 0.0 } else { f64::INFINITY };
+    }
+    let signed = if controls.iter().all(|p| p.z == 0.0) { across.z } else { across.length() };
+    frame.length(signed / (speed * speed * speed))
+}

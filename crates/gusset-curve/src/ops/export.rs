@@ -1,0 +1,197 @@
+//! Curves as others write them: SVG paths, contours of TrueType fonts, B-splines. In memory; no
+//! file is touched.
+
+use crate::curve::CurveView;
+use crate::curve::unit_frame::UnitFrame;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use std::fmt::{self, Write};
+use std::ops::RangeInclusive;
+
+/// A closed contour of a TrueType font (`glyf` table): between two points off the curve there is
+/// one on it in the middle.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Contour {
+    /// The points; the last is followed by the first.
+    pub points: Vec<DVec3>,
+    /// Of each point: 1 if it is on the curve, 0 if it is the control point of a quadratic.
+    pub on_curve: Vec<u8>,
+}
+
+/// A clamped B-spline of one degree n.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Spline {
+    /// Of all its pieces.
+    pub degree: usize,
+    /// In ascending order, as many as there are control points, and n + 1 more; the first and the
+    /// last n + 1 are equal.
+    pub knots: Vec<f64>,
+    /// The control points (de Boor points).
+    pub controls: Vec<DVec3>,
+}
+
+/// The shortest digits that read back as the same number; with an exponent where that is shorter.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        if size == 0.0 {
+            f.write_char('0')
+        } else if (1e-5..1e16).contains(&size) {
+            write!(f, "{}", self.0)
+        } else {
+            write!(f, "{:e}", self.0)
+        }
+    }
+}
+
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
+
+/// A number is at most 24 characters, and a blank.
+const WIDTH: usize = 25;
+
+impl CurveView<'_> {
+    /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is
+    /// closed. Numbers read back as the same bits. y grows upwards here and downwards in SVG; the
+    /// caller may turn it over. A curve without points is an empty text.
+    ///
+    /// # Errors
+    /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not
+    /// have: see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// O(points).
+    pub fn svg_path(&self, job: &Job<'_>) -> Result<String> {
+        self.check_plane()?;
+        self.check_degrees(1..=3)?;
+        let mut text = String::new();
+        let Some(&start) = self.points().first() else {
+            return Ok(text);
+        };
+        let add = |text: &mut String, letter: char, points: &[DVec3]| {
+            let bytes = 4 + 2 * WIDTH * points.len();
+            text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
+            text.push(letter);
+            for p in points {
+                // Writing to a string does not fail.
+                let _ = write!(text, " {} {}", Number(p.x), Number(p.y));
+            }
+            Ok::<(), Error>(())
+        };
+        add(&mut text, 'M', &[start])?;
+        for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a path")?;
+            text.push(' ');
+            add(&mut text, [' ', 'L', 'Q', 'C'][controls.len() - 1], &controls[1..])?;
+        }
+        if self.is_closed() {
+            text.push_str(" Z");
+        }
+        Ok(text)
+    }
+
+    /// The contour of a TrueType font: the control points of the quadratics, off the curve, and
+    /// those joints, on the curve, that are not in the middle between two of them. A joint is in
+    /// the middle if it is so within `tolerance` (at least 0, in the unit of the points) or within
+    /// rounding; so the composite curve of n points with halved joints becomes n points off the
+    /// curve.
+    ///
+    /// # Errors
+    /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed),
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance),
+    /// [`Error::OutOfMemory`]. O(points).
+    pub fn contour(&self, tolerance: f64) -> Result<Contour> {
+        self.check_plane()?;
+        self.check_degrees(1..=2)?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+        if self.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        if !self.is_closed() {
+            return Err(Error::CurveNotClosed);
+        }
+        let largest = self.points().iter().fold(0.0f64, |m, p| m.max(p.abs().max_element()));
+        let tolerance = tolerance.max(4.0 * f64::EPSILON * largest);
+        let mut contour = Contour::default();
+        let mut before = self.segment(self.len() - 1);
+        for controls in self.segments() {
+            // The start of this segment, then its control point.
+            let implied = before.len() == 3
+                && controls.len() == 3
+                && ((before[1] * 0.5 + controls[1] * 0.5) - controls[0]).abs().max_element() <= tolerance;
+            if !implied {
+                contour.add(controls[0], 1)?;
+            }
+            if controls.len() == 3 {
+                contour.add(controls[1], 0)?;
+            }
+            before = controls;
+        }
+        Ok(contour)
+    }
+
+    /// The curve as a B-spline, if all segments have the same degree n. A joint where the direction
+    /// does not change, within an angle of 1e-9, becomes a knot of multiplicity n - 1, and is no
+    /// control point: the lengths of the knot intervals are chosen so that the first derivative is
+    /// continuous there, l' / l = |B'_1 - J| / |J - B_(n-1)|. Others have multiplicity n. The first
+    /// interval has length 1.
+    ///
+    /// # Errors
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the
+    /// first), [`Error::OutOfMemory`]. O(points).
+    pub fn spline(&self) -> Result<Spline> {
+        if self.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let n = self.segment(0).len() - 1;
+        self.check_degrees(n..=n)?;
+        let mut spline = Spline { degree: n, ..Spline::default() };
+        let frame = UnitFrame::of(self.points());
+        let (mut knot, mut interval) = (0.0, 1.0);
+        spline.knot(knot, n + 1)?;
+        alloc::append(&mut spline.controls, self.segment(0))?;
+        for k in 1..self.len() {
+            let (before, after) = (self.segment(k - 1), self.segment(k));
+            knot += interval;
+            let joint = frame.point(after[0]);
+            let (arriving, leaving) = (joint - frame.point(before[n - 1]), frame.point(after[1]) - joint);
+            match ratio(arriving, leaving).map(|ratio| interval * ratio) {
+                // Beyond these the knots would run together.
+                Some(next) if n > 1 && (1e-6..1e6).contains(&next) => {
+                    interval = next;
+                    spline.controls.pop();
+                    spline.knot(knot, n - 1)?;
+                }
+                _ => spline.knot(knot, n)?,
+            }
+            alloc::append(&mut spline.controls, &after[1..])?;
+        }
+        spline.knot(knot + interval, n + 1)?;
+        Ok(spline)
+    }
+
+    fn check_degrees(&self, allowed: RangeInclusive<usize>) -> Result<()> {
+        let mut degrees = self.segments().map(|controls| controls.len() - 1);
+        degrees.try_for_each(|degree| Error::require(allowed.contains(&degree), "degree", degree as f64))
+    }
+}
+
+/// |v| / |u| if both have the same direction.
+fn ratio(u: DVec3, v: DVec3) -> Option<f64> {
+    let (a, b) = (u.length(), v.length());
+    (u.dot(v) > 0.0 && u.cross(v).length() <= 1e-9 * a * b).then_some(b / a)
+}
+
+impl Contour {
+    fn add(&mut self, point: DVec3, on_curve: u8) -> Result<()> {
+        alloc::push(&mut self.points, point)?;
+        alloc::push(&mut self.on_curve, on_curve)
+    }
+}
+
+impl Spline {
+    fn knot(&mut self, at: f64, times: usize) -> Result<()> {
+        (0..times).try_for_each(|_| alloc::push(&mut self.knots, at))
+    }
+}

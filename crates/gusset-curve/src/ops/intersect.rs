@@ -1,0 +1,209 @@
+//! Intersections of two plane curves, and of one with itself: pairs of segments whose boxes meet,
+//! found in a tree.
+
+use super::part::{Part, by_places, coincide, sort_distinct};
+use super::segment_intersection::{
+    BOX_SLACK, Joined, MAX_COMMON_DISTANCE, SAME_PARAMETER, SegmentIntersections, advances, intersect,
+};
+use crate::curve::segment;
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{CurveView, Place};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::{Aabb, box_tree::BoxTree};
+use gusset_base::job::Job;
+use gusset_base::sort;
+
+/// A common point of two curves, or of two places of one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Intersection {
+    /// On the first curve; of one curve, the earlier place.
+    pub a: Place,
+    /// On the second curve; of one curve, the later place.
+    pub b: Place,
+}
+
+/// A part that two segments have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overlap {
+    /// From where to where on the first segment, in its direction.
+    pub a: [Place; 2],
+    /// The same ends on the second segment.
+    pub b: [Place; 2],
+}
+
+/// The intersections of two curves.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Intersections {
+    /// Crossings and touches, by their places on the first curve; none within an overlap.
+    pub points: Vec<Intersection>,
+    /// Parts in common, one for each pair of segments.
+    pub overlaps: Vec<Overlap>,
+    /// True if some pair of segments was given up: they run beside each other within rounding for a
+    /// long way without being the same curve. Some of their common points may be missing.
+    pub undecided: bool,
+}
+
+/// A part of a curve without points in common with itself.
+struct Piece {
+    controls: Vec<DVec3>,
+    segment: u32,
+    from: f64,
+    to: f64,
+}
+
+impl Piece {
+    fn bounds(&self) -> Aabb {
+        Aabb::of(&self.controls)
+    }
+
+    fn place(&self, t: f64) -> Place {
+        let t = if t == 1.0 { self.to } else { self.from + (self.to - self.from) * t };
+        Place { segment: self.segment, t }
+    }
+}
+
+/// How often a segment is halved to have no points in common with itself.
+const MAX_DEPTH: u32 = 20;
+/// Pairs of segments between two progress reports: each takes up to 20 ms.
+const PAIRS_PER_REPORT: usize = 4;
+
+const STAGE: &str = "intersections";
+
+impl CurveView<'_> {
+    /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the
+    /// parameters. Curves touch where they come within 1e-12 of the size of both; intersections that
+    /// differ by less than 1e-6 in both parameters count as one. Parts in common are reported as
+    /// such. Bounded work for each pair of segments whose boxes meet; about O(log(1 / distance))
+    /// halvings for each intersection.
+    ///
+    /// # Errors
+    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane), [`OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
+    pub fn intersections(&self, other: &CurveView<'_>, job: &Job<'_>) -> Result<Intersections> {
+        self.check_plane()?;
+        other.check_plane()?;
+        let frame = UnitFrame::of(self.points().iter().chain(other.points()));
+        let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
+        let mut all = Intersections::of(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
+        all.merge([self.period(), other.period()])?;
+        Ok(all)
+    }
+
+    /// The points that a plane curve passes more than once: crossings, touches, parts run through
+    /// twice, loops within a segment. The joint of neighbours is none, nor is the closing of a
+    /// closed curve, nor a cusp. Loops that take less than 1e-5 of a segment's parameter are not
+    /// seen. Otherwise as [`intersections`](Self::intersections).
+    ///
+    /// # Errors
+    /// As for [`intersections`](Self::intersections).
+    pub fn self_intersections(&self, job: &Job<'_>) -> Result<Intersections> {
+        self.check_plane()?;
+        let frame = UnitFrame::of(self.points());
+        let pieces = self.pieces(&frame, MAX_DEPTH)?;
+        let last = pieces.len().saturating_sub(1);
+        let joined = |k: usize, i: usize| {
+            (i > k).then_some(Joined { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
+        };
+        let mut all = Intersections::of(&pieces, &pieces, joined, job)?;
+        let period = self.period();
+        for found in &mut all.points {
+            // The end of a closed curve is its start.
+            if found.b.along() >= period - SAME_PARAMETER {
+                *found = Intersection { a: Place::START, b: found.a };
+            }
+        }
+        all.points.retain(|found| {
+            let gap = (found.b.along() - found.a.along()).abs();
+            gap.min((period - gap).abs()) > 10.0 * SAME_PARAMETER
+        });
+        all.merge([period; 2])?;
+        Ok(all)
+    }
+
+    /// The segments in a frame, those that may meet themselves halved until they do not, at most
+    /// `depth` times. Segments that are points are left out, as the ends of their neighbours are
+    /// there; of a curve that is nothing else the first is kept, unless `depth` asks for
+    /// self-intersections.
+    fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
+        let mut pieces = alloc::with_capacity(self.len())?;
+        for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {
+            push_simple(Part::whole(frame.segment(controls)), k as u32, depth, &mut pieces)?;
+        }
+        if pieces.is_empty() && depth == 0 && !self.is_empty() {
+            push_simple(Part::whole(frame.segment(self.segment(0))), 0, depth, &mut pieces)?;
+        }
+        Ok(pieces)
+    }
+}
+
+/// Appends a part of a segment, or its halves where it may meet itself; one smaller than rounding
+/// can tell is one piece.
+fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
+    let small = |controls: &[DVec3]| Aabb::of(controls).size().max_element() <= MAX_COMMON_DISTANCE;
+    if depth == 0 || advances(&part.controls) || small(&part.controls) {
+        let Part { ref controls, from, to } = part;
+        return alloc::push(pieces, Piece { controls: alloc::copied(controls)?, segment, from, to });
+    }
+    part.halves().into_iter().try_for_each(|half| push_simple(half, segment, depth - 1, pieces))
+}
+
+impl Intersections {
+    /// Those of pieces; `joined`: `None` for two that are not to be compared.
+    fn of(
+        ours: &[Piece],
+        theirs: &[Piece],
+        joined: impl Fn(usize, usize) -> Option<Joined>,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let tree = BoxTree::new(theirs.iter().map(Piece::bounds))?;
+        let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
+        let mut pairs = 0usize;
+        for (k, piece) in ours.iter().enumerate() {
+            job.step_every(64, k, ours.len(), STAGE)?;
+            tree.overlapping(&piece.bounds(), BOX_SLACK, |i| match joined(k, i) {
+                Some(joined) => {
+                    if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
+                        job.step(k as f64 / ours.len() as f64, STAGE)?;
+                    }
+                    pairs += 1;
+                    all.add(piece, &theirs[i], joined, &mut found)
+                }
+                None => Ok(()),
+            })?;
+        }
+        Ok(all)
+    }
+
+    fn add(&mut self, p: &Piece, q: &Piece, joined: Joined, found: &mut SegmentIntersections) -> Result<()> {
+        intersect(&p.controls, &q.controls, joined, found)?;
+        let points = found.at.iter().map(|&[s, t]| Intersection { a: p.place(s), b: q.place(t) });
+        alloc::extend(&mut self.points, points)?;
+        let places = |[s, t]: [[f64; 2]; 2]| Overlap { a: s.map(|s| p.place(s)), b: t.map(|t| q.place(t)) };
+        alloc::extend(&mut self.overlaps, found.overlaps.iter().copied().map(places))?;
+        self.undecided |= found.undecided;
+        Ok(())
+    }
+
+    /// Sorts, and removes the ends of overlaps, and points that joints have reported twice.
+    fn merge(&mut self, periods: [f64; 2]) -> Result<()> {
+        let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
+        sort::stable(&mut self.overlaps, &|x, y| by_places(start(x), start(y)));
+        let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
+        ends.extend(self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].along(), o.b[i].along()])));
+        sort::stable(&mut ends, &|&x, &y| by_places(x, y));
+        self.points.retain(|m| {
+            let [a, b] = [m.a.along(), m.b.along()];
+            // The end of a closed curve is its start.
+            let at_end = |shift: f64| {
+                let from = ends.partition_point(|end| end[0] < a + shift - SAME_PARAMETER);
+                let mut near = ends[from..].iter().take_while(|end| end[0] <= a + shift + SAME_PARAMETER);
+                near.any(|end| coincide(end[1], b, periods[1], SAME_PARAMETER))
+            };
+            ![0.0, periods[0], -periods[0]].into_iter().any(at_end)
+        });
+        sort_distinct(&mut self.points, |m| [m.a.along(), m.b.along()], periods, SAME_PARAMETER);
+        Ok(())
+    }
+}

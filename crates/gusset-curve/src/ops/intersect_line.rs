@@ -1,0 +1,135 @@
+//! Intersections of a curve with a plane, and of a plane curve with a line: the roots of its
+//! distance, a polynomial in Bernstein form on each segment.
+
+use crate::curve::unit_frame::{UnitFrame, power_to_one};
+use crate::curve::{CurveView, MAX_DEGREE, Place, check_finite};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::bernstein::roots;
+
+/// The intersections of a curve with a line or a plane.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PlaneIntersections {
+    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the
+    /// segment that ends there, and the joint of a closed curve's end and start to its start.
+    pub places: Vec<Place>,
+    /// The segments that lie in the line or plane altogether; their points are not among the
+    /// places.
+    pub inside: Vec<u32>,
+}
+
+/// Distances up to this are taken for 0, relative to the size of the curve.
+const MAX_TOUCH_DISTANCE: f64 = 1.0 / (1u64 << 46) as f64;
+
+impl CurveView<'_> {
+    /// PlaneIntersections with the plane through `point` across `normal`, which need not have
+    /// length 1. Where the curve comes within 1.4e-14 of its size it counts as touching. Roots of
+    /// the distance in closed form up to degree 2, isolated otherwise. O(points) and O(degree^2)
+    /// for each intersection.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is
+    /// `point`, 1 is `normal`), [`Error::OutOfMemory`].
+    pub fn intersect_plane(&self, point: DVec3, normal: DVec3) -> Result<PlaneIntersections> {
+        check_finite(0, point)?;
+        check_finite(1, normal)?;
+        let largest = normal.abs().max_element();
+        Error::require(largest > 0.0, "normal", largest)?;
+        let frame = UnitFrame::of(self.points());
+        let level = level(&frame, point, normal);
+        let normal = (normal / largest).normalize();
+        let mut found = PlaneIntersections::default();
+        // Farther than any point of the curve; not a number where the plane is too far for the
+        // frame.
+        if level.abs() > 2.0 || level.is_nan() {
+            return Ok(found);
+        }
+        for (k, controls) in self.segments().enumerate() {
+            let mut heights = [0.0; MAX_DEGREE + 1];
+            for (height, &p) in heights.iter_mut().zip(controls) {
+                *height = normal.dot(frame.point(p)) - level;
+            }
+            let at = roots(&heights[..controls.len()], MAX_TOUCH_DISTANCE);
+            if at.everywhere {
+                alloc::push(&mut found.inside, k as u32)?;
+            }
+            for &t in at.as_slice() {
+                found.add(k as u32, t)?;
+            }
+        }
+        found.close(self);
+        Ok(found)
+    }
+
+    /// PlaneIntersections of a plane curve with the line through `point` along `direction`, endless
+    /// to both sides. As [`intersect_plane`](Self::intersect_plane).
+    ///
+    /// # Errors
+    /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line,
+    /// have z other than 0), and those of the plane.
+    pub fn intersect_line(&self, point: DVec3, direction: DVec3) -> Result<PlaneIntersections> {
+        self.check_plane()?;
+        check_finite(0, point)?;
+        check_finite(1, direction)?;
+        if point.z != 0.0 || direction.z != 0.0 {
+            return Err(Error::CurveNotPlane { point: u32::from(point.z == 0.0) });
+        }
+        self.intersect_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
+    }
+}
+
+/// The distance of a plane from the origin of a frame, along its normal, to rounding however far
+/// its point is: the terms of normal . (point - origin) may cancel by any number of digits, so they
+/// are summed without error (Dekker's products, Shewchuk's expansions, 1997).
+fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
+    let normal = normal * power_to_one(normal.abs().max_element());
+    let (mut sum, mut len) = ([0.0; 12], 0);
+    for part in frame.point_with_remainder(point) {
+        for axis in 0..3 {
+            let product = normal[axis] * part[axis];
+            for mut term in [normal[axis].mul_add(part[axis], -product), product] {
+                for digits in &mut sum[..len] {
+                    let rounded = term + *digits;
+                    let back = rounded - term;
+                    *digits = (term - (rounded - back)) + (*digits - back);
+                    term = rounded;
+                }
+                sum[len] = term;
+                len += 1;
+            }
+        }
+    }
+    sum.iter().sum::<f64>() / normal.length()
+}
+
+impl PlaneIntersections {
+    /// Adds a root; not the start of a segment whose end before is there already, or lies inside.
+    fn add(&mut self, segment: u32, t: f64) -> Result<()> {
+        if t == 0.0 && segment > 0 {
+            let before = Place { segment: segment - 1, t: 1.0 };
+            if self.places.last() == Some(&before) || self.inside.last() == Some(&before.segment) {
+                return Ok(());
+            }
+        }
+        alloc::push(&mut self.places, Place { segment, t })
+    }
+
+    /// Removes places that belong to the start of a closed curve, or to a segment inside that
+    /// follows.
+    fn close(&mut self, curve: &CurveView<'_>) {
+        let last = curve.len() as u32;
+        let start = Place::START;
+        let has_start = self.places.first() == Some(&start);
+        let first_inside = self.inside.first() == Some(&0);
+        if curve.is_closed() && has_start && self.inside.last().is_some_and(|&k| k + 1 == last) {
+            self.places.remove(0);
+        }
+        let inside = &self.inside;
+        self.places.retain(|place| {
+            let at_end = curve.is_closed() && place.segment + 1 == last && place.t == 1.0;
+            let next_inside = place.t == 1.0 && inside.binary_search(&(place.segment + 1)).is_ok();
+            !(at_end && (has_start || first_inside) || next_inside)
+        });
+    }
+}

@@ -1,0 +1,342 @@
+//! The point of a curve that is nearest to a given one.
+//!
+//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for
+//! the quadratic a cubic with a closed form. Near a singular point C' vanishes too, and rounding
+//! hides the root in an interval: there the distance itself is minimised. Segments whose boxes are
+//! farther than the best so far are passed over, so the result is the nearest point of all.
+
+use super::cubic;
+use crate::curve::segment::{self, DistanceSlope};
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{CurveView, Place, check_finite};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::{Aabb, box_tree::BoxTree};
+use gusset_base::job::Job;
+use gusset_base::par;
+
+/// The nearest point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// Where on the curve; of several at the same distance, one.
+    pub place: Place,
+    /// The point there.
+    pub point: DVec3,
+    /// Its distance.
+    pub distance: f64,
+}
+
+/// The distance, in sizes of the curve, to which farther queries are drawn along their direction:
+/// the nearest point is the same but for rounding.
+const MAX_QUERY_DISTANCE: f64 = (1u64 << 26) as f64;
+
+/// Queries that one thread takes at once.
+const QUERIES_PER_BATCH: usize = 256;
+/// Segments that they look at together, if each is equally far from all.
+const SEGMENTS_PER_BATCH: usize = 1 << 17;
+/// Segments that one query looks at between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
+
+/// A bound of the rounding of boxes in a frame of size 1.
+const BOX_ROUNDING: f64 = 1e-14;
+/// A bound of the relative rounding of distances.
+const DISTANCE_ROUNDING: f64 = 1e-9;
+/// The largest coordinate of a query, in sizes of all curves, whose square does not overflow.
+const MAX_COORDINATE: f64 = 1e150;
+
+const STAGE: &str = "nearest points";
+
+impl CurveView<'_> {
+    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for
+    /// each query, on the job's threads; memory O(points).
+    ///
+    /// # Errors
+    /// [`Error::EmptyCurve`] (no segments), [`Error::NotFinite`] (a query), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
+        job.step(0.0, STAGE)?;
+        if self.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let search = CurveSearch::new(self)?;
+        answers(queries, self.len(), job, |q, job| search.nearest(q, job))
+    }
+}
+
+/// The nearest point of any of some curves to each of `queries`, and the curve that it is on, of
+/// equally near ones the first; a curve without segments is its point. As [`CurveView::nearest`]
+/// for one curve after the other, but for curves whose boxes are too far.
+///
+/// # Errors
+/// [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::NotFinite`] (a
+/// query), [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>) -> Result<Vec<(usize, Nearest)>> {
+    job.step(0.0, STAGE)?;
+    if queries.is_empty() {
+        return Ok(Vec::new());
+    }
+    if curves.iter().all(|curve| curve.points().is_empty()) {
+        return Err(Error::EmptyCurve);
+    }
+    let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
+    let segments = curves.iter().map(CurveView::len).sum();
+    answers(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
+}
+
+fn answers<A: Send>(
+    queries: &[DVec3],
+    segments: usize,
+    job: &Job<'_>,
+    answer: impl Fn(DVec3, &Job<'_>) -> Result<A> + Sync,
+) -> Result<Vec<A>> {
+    let at_once = (SEGMENTS_PER_BATCH / segments.max(1)).clamp(1, QUERIES_PER_BATCH);
+    queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
+    let mut found = alloc::with_capacity(queries.len())?;
+    for some in queries.chunks(QUERIES_PER_BATCH * 64) {
+        let (done, count) = (found.len() as f64, queries.len() as f64);
+        let part = job.part(done / count, (done + some.len() as f64) / count);
+        let batches = par::map_jobs(&part, STAGE, some.chunks(at_once), |batch, job| {
+            alloc::try_collect::<_, Error>(batch.iter().map(|&q| answer(q, job)))
+        })?;
+        batches.into_iter().for_each(|batch| found.extend(batch));
+    }
+    Ok(found)
+}
+
+/// The distance of two points; it overflows only if it is too large itself.
+fn distance(p: DVec3, q: DVec3) -> f64 {
+    let halved = p * 0.5 - q * 0.5;
+    let largest = halved.abs().max_element();
+    if largest == 0.0 { 0.0 } else { (halved / largest).length() * largest * 2.0 }
+}
+
+/// A curve in its frame, with the tree of its segments.
+pub struct CurveSearch<'a> {
+    curve: CurveView<'a>,
+    frame: UnitFrame,
+    points: Vec<DVec3>,
+    tree: BoxTree,
+}
+
+impl<'a> CurveSearch<'a> {
+    /// Builds the tree of a curve.
+    pub fn new(curve: &CurveView<'a>) -> Result<Self> {
+        let frame = UnitFrame::of(curve.points());
+        let points = frame.points(curve.points())?;
+        let boxes = CurveView::trusted(&points, curve.ends(), false);
+        let tree = BoxTree::new(boxes.segments().map(Aabb::of))?;
+        Ok(CurveSearch { curve: *curve, frame, points, tree })
+    }
+
+    /// The nearest point. The curve has one.
+    pub fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<Nearest> {
+        if self.curve.is_empty() {
+            let point = self.curve.points()[0];
+            return Ok(Nearest { place: Place::START, point, distance: distance(point, q) });
+        }
+        let place = self.place(self.in_frame(q), job)?;
+        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        Ok(Nearest { place, point, distance: distance(point, q) })
+    }
+
+    fn in_frame(&self, q: DVec3) -> DVec3 {
+        let local = self.frame.point(q);
+        if local.abs().max_element() <= MAX_QUERY_DISTANCE {
+            return local;
+        }
+        let away = q * 0.5 - self.curve.points()[0] * 0.5;
+        away / away.abs().max_element() * MAX_QUERY_DISTANCE
+    }
+
+    /// The place nearest to a point of the frame.
+    fn place(&self, q: DVec3, job: &Job<'_>) -> Result<Place> {
+        let local = CurveView::trusted(&self.points, self.curve.ends(), false);
+        let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
+        let (mut looked, mut heard) = (0_usize, Ok(()));
+        self.tree.nearest(q, best.1, &mut |k| {
+            looked += 1;
+            if looked.is_multiple_of(SEGMENTS_PER_REPORT) {
+                heard = job.step(0.0, STAGE);
+                if heard.is_err() {
+                    // None is nearer than that: the search ends.
+                    return 0.0;
+                }
+            }
+            let (t, distance) = nearest_on(local.segment(k), q);
+            if distance < best.1 {
+                best = (Place { segment: k as u32, t }, distance);
+            }
+            best.1
+        });
+        heard.map(|()| best.0)
+    }
+}
+
+/// Curves that have points, with the tree of their boxes in a frame of all of them. Each answers in
+/// its own frame: in that of all, what is small and far from the others would be coarse.
+struct CurveSetSearch<'a> {
+    /// The curves and their numbers.
+    searches: Vec<(usize, CurveSearch<'a>)>,
+    frame: UnitFrame,
+    tree: BoxTree,
+}
+
+impl<'a> CurveSetSearch<'a> {
+    fn new(curves: &[CurveView<'a>], job: &Job<'_>) -> Result<Self> {
+        let total: usize = curves.iter().map(|curve| curve.points().len()).sum();
+        let (mut searches, mut done) = (alloc::with_capacity(curves.len())?, 0);
+        for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
+            job.step(done as f64 / total as f64, STAGE)?;
+            done += curve.points().len();
+            searches.push((c, CurveSearch::new(curve)?));
+        }
+        let frame = UnitFrame::of(curves.iter().flat_map(CurveView::points));
+        let around = |curve: &CurveView<'_>| {
+            let Aabb { low, high } = Aabb::of(curve.points());
+            Aabb { low: frame.point(low) - BOX_ROUNDING, high: frame.point(high) + BOX_ROUNDING }
+        };
+        let tree = BoxTree::new(searches.iter().map(|(_, search)| around(&search.curve)))?;
+        Ok(CurveSetSearch { searches, frame, tree })
+    }
+
+    fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
+        // Of queries so far away that squares overflow the boxes say nothing, and every curve is
+        // asked.
+        let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
+        let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
+        self.tree.nearest(local, f64::INFINITY, &mut |k| {
+            let (curve, search) = &self.searches[k];
+            let found = match search.nearest(q, job) {
+                Ok(found) => found,
+                Err(error) => {
+                    heard = Err(error);
+                    return 0.0;
+                }
+            };
+            let nearer = |&(c, nearest): &(usize, Nearest)| (found.distance, *curve) < (nearest.distance, c);
+            if best.as_ref().is_none_or(nearer) {
+                best = Some((*curve, found));
+            }
+            let bound = best
+                .map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + DISTANCE_ROUNDING));
+            bound * bound + f64::MIN_POSITIVE
+        });
+        heard?;
+        // The tree has a leaf, and no bound excludes it.
+        best.map_or_else(|| Ok((self.searches[0].0, self.searches[0].1.nearest(q, job)?)), Ok)
+    }
+}
+
+/// The parameter of the nearest point of one segment, and the square of its distance.
+pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
+    let mut best = Best { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
+    best.offer(1.0);
+    best.offer_inner();
+    (best.t, best.squared)
+}
+
+/// Samples of an interval where the slope of the distance is rounding; the least one and its
+/// neighbours bracket a least distance.
+const FLAT_SAMPLES: usize = 32;
+/// By how much a place of such an interval must be nearer than others, relative to the square.
+const MIN_GAIN: f64 = 1e-12;
+
+/// The nearest point of a segment so far.
+struct Best<'a> {
+    controls: &'a [DVec3],
+    q: DVec3,
+    t: f64,
+    squared: f64,
+}
+
+impl Best<'_> {
+    fn squared_distance(&self, t: f64) -> f64 {
+        segment::point(self.controls, t).distance_squared(self.q)
+    }
+
+    fn offer(&mut self, t: f64) {
+        let squared = self.squared_distance(t);
+        if squared < self.squared {
+            (self.t, self.squared) = (t, squared);
+        }
+    }
+
+    /// Offers the places between the ends where the distance is stationary.
+    fn offer_inner(&mut self) {
+        match *self.controls {
+            [a, b] => {
+                let along = b - a;
+                let t = (self.q - a).dot(along) / along.length_squared();
+                if t > 0.0 && t < 1.0 {
+                    self.offer(t);
+                }
+                return;
+            }
+            [a, b, c] => {
+                // C - q = w t^2 + 2 u t + r: half of its product with its derivative is this cubic.
+                let (r, u, w) = (a - self.q, b - a, (c - b) - (b - a));
+                let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
+                if let Some((found, count)) = cubic {
+                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer(t));
+                    return;
+                }
+            }
+            _ => {}
+        }
+        let slope = DistanceSlope::new(self.controls, self.q);
+        let roots = slope.roots();
+        roots.as_slice().iter().for_each(|&t| self.offer(t));
+        let size = self.controls.iter().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
+        let mut searched = 0.0;
+        for &t in roots.as_slice() {
+            // What is on the curve within rounding, no place is nearer to.
+            if t >= searched
+                && self.squared > (4.0 * f64::EPSILON * size).powi(2)
+                && let Some(flat) = slope.flat_interval(t)
+            {
+                self.search(flat);
+                searched = flat[1];
+            }
+        }
+    }
+
+    /// Minimises the distance itself over an interval, by samples and the golden section round
+    /// those that are least among their neighbours.
+    fn search(&mut self, [low, high]: [f64; 2]) {
+        let at = |k: usize| low + (high - low) * (k.min(FLAT_SAMPLES) as f64 / FLAT_SAMPLES as f64);
+        let squares: [f64; FLAT_SAMPLES + 1] = std::array::from_fn(|k| self.squared_distance(at(k)));
+        for k in 0..=FLAT_SAMPLES {
+            let (before, after) = (k.saturating_sub(1), (k + 1).min(FLAT_SAMPLES));
+            if squares[k] <= squares[before] && squares[k] <= squares[after] {
+                let t = golden_section([at(before), at(after)], |t| self.squared_distance(t));
+                for t in [t, at(k)] {
+                    let squared = self.squared_distance(t);
+                    if squared < self.squared * (1.0 - MIN_GAIN) {
+                        (self.t, self.squared) = (t, squared);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where a function with one minimum between two ends is least.
+fn golden_section([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    const RATIO: f64 = 0.618_033_988_749_894_9;
+    let (mut x, mut y) = (high - RATIO * (high - low), low + RATIO * (high - low));
+    let (mut fx, mut fy) = (f(x), f(y));
+    // 0.618^80 < 2^-53.
+    for _ in 0..80 {
+        if fx <= fy {
+            (high, y, fy) = (y, x, fx);
+            x = high - RATIO * (high - low);
+            fx = f(x);
+        } else {
+            (low, x, fx) = (x, y, fy);
+            y = low + RATIO * (high - low);
+            fy = f(y);
+        }
+    }
+    0.5 * (low + high)
+}

@@ -1,0 +1,253 @@
+//! The curve at a distance from a plane curve, re-fitted by Bézier segments.
+//!
+//! With the left normal N the offset is O = C + d N, and O' = C' + d N', N' being T' turned, T' =
+//! (C'' - T (T . C'')) / |C'|. O runs along T, too: by 1 - k d times the speed, k the curvature, so
+//! it turns back where the radius 1 / k is smaller than d. A cubic piece takes both ends and both
+//! derivatives of O (error of order h^4), a quadratic one both ends and the directions there.
+//! Either way pieces join with one tangent. Pieces are halved until the deviation measured is small
+//! enough.
+
+use super::evaluate::tangent;
+use crate::curve::segment::{self, jet};
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{Curve, CurveView};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+/// How an offset is fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OffsetOptions {
+    /// The degree of the result's segments, 2 or 3.
+    pub degree: usize,
+    /// The deviation aimed at, above 0, in the unit of the points; what is below 1e-13 of size and
+    /// distance is out of reach.
+    pub tolerance: f64,
+    /// No segment is halved once there are so many, at least 1; the segments that are needed anyway
+    /// may be more.
+    pub max_segments: usize,
+}
+
+/// An offset curve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Offset {
+    /// The curve; it may cross itself, and what lies nearer than the distance to other parts is not
+    /// taken away.
+    pub curve: Curve,
+    /// How far it is from the true offset, at most, as measured at 16 places inside each segment,
+    /// in the unit of the points.
+    pub deviation: f64,
+    /// False if the tolerance was not reached: see [`OffsetOptions::max_segments`].
+    pub reached: bool,
+    /// True if somewhere the radius of curvature, on the side of the offset, is at most the
+    /// distance: the offset has cusps there, or runs backwards.
+    pub tight: bool,
+    /// The number of corners of the original, where the ends of the offset pieces are joined by a
+    /// straight segment.
+    pub corners: usize,
+}
+
+/// A piece is halved this often at most.
+const MAX_DEPTH: u32 = 16;
+const PIECES_PER_REPORT: usize = 1 << 6;
+const STAGE: &str = "offset";
+/// Places inside a piece where it is measured.
+const SAMPLES_PER_PIECE: u32 = 16;
+
+impl CurveView<'_> {
+    /// The curve at the distance `distance` to the left of a plane curve, seen along it from x to
+    /// y; to the right if negative. Segments without extent are passed over. O(degree) for each of
+    /// the places measured.
+    ///
+    /// # Errors
+    /// [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent),
+    /// [`Error::OptionOutOfRange`] (distance not finite or beyond 1e100 sizes of the curve; an
+    /// option), [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn offset(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
+        self.check_plane()?;
+        let frame = UnitFrame::of(self.points());
+        let d = frame.length(distance);
+        Error::require(d.abs() <= 1e100, "distance", distance)?;
+        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
+        Error::require((2..=3).contains(&options.degree), "degree", options.degree as f64)?;
+        Error::require(options.max_segments > 0, "max_segments", options.max_segments as f64)?;
+        let mut fit = OffsetFit {
+            job: *job,
+            frame,
+            d,
+            tolerance: frame.length(options.tolerance).max(1e-13 * (1.0 + d.abs())),
+            options: *options,
+            pieces: 0,
+            end: DVec3::ZERO,
+            offset: Offset::default(),
+        };
+        for (k, controls) in self.segments().enumerate() {
+            if controls.iter().all(|&p| p == controls[0]) {
+                continue;
+            }
+            fit.job = job.share(k, self.len());
+            fit.segment(&frame.segment(controls))?;
+        }
+        job.step(1.0, STAGE)?;
+        fit.finish(self.is_closed())
+    }
+}
+
+/// A place of the true offset.
+#[derive(Clone, Copy)]
+struct OffsetPoint {
+    t: f64,
+    point: DVec3,
+    /// T, of length 1.
+    along: DVec3,
+    /// O'.
+    speed: DVec3,
+}
+
+struct OffsetFit<'a> {
+    /// The part of the job that is the segment at work.
+    job: Job<'a>,
+    frame: UnitFrame,
+    d: f64,
+    tolerance: f64,
+    options: OffsetOptions,
+    /// So many segments there are, without the corners.
+    pieces: usize,
+    /// The end of the last one, in the frame.
+    end: DVec3,
+    /// What there is so far; its deviation in the frame.
+    offset: Offset,
+}
+
+/// A quarter turn to the left.
+fn left(v: DVec3) -> DVec3 {
+    DVec3::new(-v.y, v.x, 0.0)
+}
+
+impl OffsetFit<'_> {
+    fn segment(&mut self, controls: &[DVec3]) -> Result<()> {
+        let (start, end) = (self.spot(controls, 0.0), self.spot(controls, 1.0));
+        self.begin(start.point)?;
+        self.piece(controls, start, end, MAX_DEPTH)
+    }
+
+    /// Begins the curve, or goes on with a straight segment if there is a corner.
+    fn begin(&mut self, at: DVec3) -> Result<()> {
+        let curve = &mut self.offset.curve;
+        if curve.points.is_empty() {
+            *curve = Curve::from_point(self.frame.point_back(at))?;
+        } else if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) {
+            self.offset.corners += 1;
+            curve.push(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
+        }
+        self.end = at;
+        Ok(())
+    }
+
+    fn spot(&mut self, controls: &[DVec3], t: f64) -> OffsetPoint {
+        let [point, first, second] = jet(controls, t);
+        let along = tangent(controls, t);
+        let pace = first.length();
+        let speed = if pace > 1e-13 {
+            first + left((second - along * along.dot(second)) / pace) * self.d
+        } else {
+            // A cusp of the curve itself.
+            self.offset.tight = true;
+            DVec3::ZERO
+        };
+        self.offset.tight |= speed.dot(along) <= 0.0;
+        OffsetPoint { t, point: point + left(along) * self.d, along, speed }
+    }
+
+    /// Fits a piece, or its halves.
+    fn piece(&mut self, controls: &[DVec3], from: OffsetPoint, to: OffsetPoint, depth: u32) -> Result<()> {
+        let degree = self.options.degree;
+        let fitted = if degree == 2 { quadratic(&from, &to) } else { Some(cubic(&from, &to)) };
+        let mut measure = |fitted: [DVec3; 4]| self.measure(controls, &from, &to, &fitted[..=degree]);
+        let deviation = fitted.map_or(f64::INFINITY, &mut measure);
+        if deviation > self.tolerance && depth > 0 && self.pieces + 1 < self.options.max_segments {
+            let middle = self.spot(controls, 0.5 * (from.t + to.t));
+            self.piece(controls, from, middle, depth - 1)?;
+            return self.piece(controls, middle, to, depth - 1);
+        }
+        let fitted = fitted.unwrap_or_else(|| [from.point, from.point.midpoint(to.point), to.point, to.point]);
+        if self.pieces.is_multiple_of(PIECES_PER_REPORT) {
+            self.job.step(from.t, STAGE)?;
+        }
+        let deviation =
+            if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &fitted[..=degree]) };
+        self.offset.deviation = self.offset.deviation.max(deviation);
+        self.pieces += 1;
+        self.end = to.point;
+        self.offset.curve.push(&fitted.map(|p| self.frame.point_back(p))[1..=degree])
+    }
+
+    /// The largest distance of the piece's points from the true offset: at the same parameter, or
+    /// at the foot on the curve found from there by a step of Newton's method for (C - Q) . C' = 0,
+    /// if that is nearer.
+    fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, fitted: &[DVec3]) -> f64 {
+        let mut max = 0.0f64;
+        for k in 1..=SAMPLES_PER_PIECE {
+            let u = f64::from(k) / f64::from(SAMPLES_PER_PIECE + 1);
+            let q = segment::point(fitted, u);
+            let mut spot = self.spot(controls, from.t + (to.t - from.t) * u);
+            let mut min = spot.point.distance(q);
+            for _ in 0..2 {
+                let step = (q - spot.point).dot(spot.along) / spot.speed.dot(spot.along);
+                let t = (spot.t + step).clamp(from.t, to.t);
+                if !t.is_finite() {
+                    break;
+                }
+                spot = self.spot(controls, t);
+                min = min.min(spot.point.distance(q));
+            }
+            max = max.max(min);
+        }
+        max
+    }
+
+    fn finish(mut self, closed: bool) -> Result<Offset> {
+        let Some(&start) = self.offset.curve.points.first() else {
+            return Err(Error::EmptyCurve);
+        };
+        if closed {
+            self.begin(self.frame.point(start))?;
+            let curve = &mut self.offset.curve;
+            curve.closed = true;
+            curve.points.pop();
+            curve.points.push(start);
+        }
+        let deviation = self.offset.deviation;
+        Ok(Offset { deviation: self.frame.length_back(deviation), reached: deviation <= self.tolerance, ..self.offset })
+    }
+}
+
+/// The control points of a straight segment but the first.
+fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
+    [1, 2, 3]
+        .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
+}
+
+/// The cubic with the ends and derivatives given.
+fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
+    let third = (to.t - from.t) / 3.0;
+    [from.point, from.point + from.speed * third, to.point - to.speed * third, to.point]
+}
+
+/// The quadratic with the ends and directions given, and its last control point once more. The
+/// tangents cross at the inner one, if that is ahead of the one end and behind the other; it is in
+/// the middle of a straight piece.
+fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
+    let chord = to.point - from.point;
+    let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
+    let turn = cross(from.along, to.along);
+    let length = chord.length();
+    if turn.abs() < 1e-12 {
+        let aligned = cross(from.along, chord).abs() <= 1e-12 * length;
+        return aligned.then_some([from.point, from.point + chord * 0.5, to.point, to.point]);
+    }
+    let (ahead, behind) = (cross(chord, to.along) / turn, cross(from.along, chord) / turn);
+    // Both have the sign of the direction in which the offset runs; far ones are no good fit.
+    let good = ahead * behind > 0.0 && ahead.abs().max(behind.abs()) <= length;
+    good.then_some([from.point, from.point + from.along * ahead, to.point, to.point])
+}

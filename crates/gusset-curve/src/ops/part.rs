@@ -1,0 +1,94 @@
+//! The means of subdivision: parts of segments, tests of their hulls, and the merging of solutions
+//! that neighbours report twice.
+
+use crate::curve::segment::SegmentBuffer;
+use glam::DVec3;
+use gusset_base::geom::Aabb;
+use gusset_base::sort;
+use std::cmp::Ordering;
+
+/// The part of a segment between two parameters.
+#[derive(Clone, Copy)]
+pub(super) struct Part {
+    pub(super) controls: SegmentBuffer,
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+impl Part {
+    pub(super) fn whole(controls: SegmentBuffer) -> Self {
+        Part { controls, from: 0.0, to: 1.0 }
+    }
+
+    pub(super) fn middle(&self) -> f64 {
+        0.5 * (self.from + self.to)
+    }
+
+    /// The longest side of the box of the control points.
+    pub(super) fn size(&self) -> f64 {
+        Aabb::of(self.controls.iter()).size().max_element()
+    }
+
+    pub(super) fn halves(mut self) -> [Part; 2] {
+        let middle = self.middle();
+        let before = Part { controls: self.controls.split_off_front(0.5), to: middle, ..self };
+        [before, Part { from: middle, ..self }]
+    }
+}
+
+/// Two parts, the one of that number in halves.
+pub(super) fn halve([p, q]: [Part; 2], number: usize) -> [[Part; 2]; 2] {
+    if number == 0 { p.halves().map(|half| [half, q]) } else { q.halves().map(|half| [p, half]) }
+}
+
+/// Whether two hulls are farther apart than `slack` along an axis of length 1.
+pub(super) fn separates(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bool {
+    let range = |points: &[DVec3]| {
+        let along = points.iter().map(|&p| axis.dot(p - a[0]));
+        along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+    };
+    let (x, y) = (range(a), range(b));
+    x.0 - y.1 > slack || y.0 - x.1 > slack
+}
+
+/// The direction of the chord of a part, of length 1; 0 for one without.
+pub(super) fn chord(controls: &[DVec3]) -> DVec3 {
+    (controls[controls.len() - 1] - controls[0]).normalize_or_zero()
+}
+
+/// The order of places on two curves, by the first one first.
+pub(super) fn by_places(x: [f64; 2], y: [f64; 2]) -> Ordering {
+    x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1]))
+}
+
+/// Whether two places on a curve of a period are one within `tolerance`.
+pub(super) fn coincide(x: f64, y: f64, period: f64, tolerance: f64) -> bool {
+    let gap = (x - y).abs();
+    gap <= tolerance || (period - gap).abs() <= tolerance
+}
+
+/// Sorts solutions by their places on two curves, and removes those that repeat another within
+/// `tolerance`, round the ends of closed curves too; see
+/// [`CurveView::period`](crate::CurveView). O(n log n), and O(1) for each place with few
+/// repeats.
+pub(super) fn sort_distinct<T: Copy>(
+    found: &mut Vec<T>,
+    places: impl Fn(&T) -> [f64; 2],
+    periods: [f64; 2],
+    tolerance: f64,
+) {
+    sort::stable(found, &|x, y| by_places(places(x), places(y)));
+    let mut kept = 0;
+    for i in 0..found.len() {
+        let at = places(&found[i]);
+        let same = |other: &T| (0..2).all(|k| coincide(at[k], places(other)[k], periods[k], tolerance));
+        // Repeats are near in this order, or at the start of a closed curve.
+        let near = found[..kept].iter().rev().take_while(|other| at[0] - places(other)[0] <= tolerance);
+        let first = found[..kept].iter().take_while(|other| places(other)[0] <= tolerance);
+        if !near.chain(first).any(same) {
+            found[kept] = found[i];
+            kept += 1;
+        }
+    }
+    found.truncate(kept);
+}

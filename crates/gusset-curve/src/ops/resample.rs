@@ -1,0 +1,172 @@
+//! Points along a curve: by their number, by their distance, or by the deviation of the polygon
+//! through them.
+
+use super::length::Lengths;
+use crate::curve::segment::{self, SegmentBuffer};
+use crate::curve::unit_frame::UnitFrame;
+use crate::curve::{CurveView, Place};
+use crate::identify::MAX_POINTS;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+const POINTS_PER_REPORT: usize = 1 << 8;
+const STAGE: &str = "points along a curve";
+
+/// Where points along a curve are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spacing {
+    /// So many points at equal arc lengths: an open curve from its start to its end (at least 2), a
+    /// closed one from its start once round (at least 1). Lengths as exact as
+    /// [`lengths`](CurveView::lengths). O(points + count log points).
+    Count(usize),
+    /// Points every so far along the curve, in the unit of the points, above 0: at 0, step, 2 step
+    /// and so on; the end of an open curve is always the last point, however near the one before,
+    /// and of a closed one never.
+    Step(f64),
+    /// Points such that no point of the curve is farther than this (above 0, in the unit of the
+    /// points) from the chord between its neighbours: segments are halved until their control
+    /// points prove it, at most 20 times, which leaves 1e-12 of a segment's size. O(points found).
+    Chord(f64),
+}
+
+/// Points along a curve, in its order. Of a closed curve the start is not repeated at the end.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Samples {
+    /// Where they are.
+    pub places: Vec<Place>,
+    /// The points there.
+    pub points: Vec<DVec3>,
+}
+
+impl CurveView<'_> {
+    /// Points along the curve.
+    ///
+    /// # Errors
+    /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count, step or
+    /// tolerance), [`Error::TooLarge`] (above [`MAX_POINTS`]), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn sampled(&self, spacing: Spacing, job: &Job<'_>) -> Result<Samples> {
+        let least_count = if self.is_closed() { 1.0 } else { 2.0 };
+        let (option, value, least) = match spacing {
+            Spacing::Count(count) => ("count", count as f64, least_count),
+            Spacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
+            Spacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
+        };
+        let is_bounded = value.is_finite() || !matches!(spacing, Spacing::Step(_));
+        Error::require(value >= least && is_bounded, option, value)?;
+        if self.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 1.0));
+        match spacing {
+            Spacing::Count(count) => {
+                within_limit(count as u64)?;
+                Walk::new(self, count, &second)?.by_count(count, &self.lengths(&first)?)
+            }
+            Spacing::Step(step) => {
+                let lengths = self.lengths(&first)?;
+                let whole = (lengths.total() / step).floor();
+                within_limit(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
+                Walk::new(self, whole as usize + 2, &second)?.by_step(step, whole as usize, &lengths)
+            }
+            Spacing::Chord(tolerance) => Walk::new(self, 0, job)?.by_chord(tolerance),
+        }
+    }
+}
+
+fn within_limit(count: u64) -> Result<()> {
+    Error::check_count("points", count, MAX_POINTS as u64)
+}
+
+/// A walk along a curve: the points so far.
+struct Walk<'a> {
+    curve: &'a CurveView<'a>,
+    samples: Samples,
+    job: &'a Job<'a>,
+}
+
+impl<'a> Walk<'a> {
+    fn new(curve: &'a CurveView<'a>, count: usize, job: &'a Job<'a>) -> Result<Self> {
+        let samples = Samples { places: alloc::with_capacity(count)?, points: alloc::with_capacity(count)? };
+        Ok(Walk { curve, samples, job })
+    }
+
+    fn add(&mut self, place: Place) -> Result<()> {
+        let count = self.samples.places.len();
+        if count.is_multiple_of(POINTS_PER_REPORT) {
+            self.job.step(place.along() / self.curve.len() as f64, STAGE)?;
+        }
+        within_limit(count as u64 + 1)?;
+        alloc::push(&mut self.samples.places, place)?;
+        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        alloc::push(&mut self.samples.points, point)
+    }
+
+    fn by_count(mut self, count: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+        let gaps = if self.curve.is_closed() { count } else { count - 1 };
+        (0..count).try_for_each(|k| self.add(lengths.place_of_part(k, gaps)))?;
+        Ok(self.samples)
+    }
+
+    fn by_step(mut self, step: f64, whole: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+        let total = lengths.total();
+        for k in 0..=whole {
+            let at = k as f64 * step;
+            // The last step may end at the end but for rounding.
+            if k == 0 || total - at > 1e-12 * total {
+                self.add(lengths.place(at)?)?;
+            }
+        }
+        if !self.curve.is_closed() {
+            self.add(self.curve.last_place())?;
+        }
+        Ok(self.samples)
+    }
+
+    fn by_chord(mut self, tolerance: f64) -> Result<Samples> {
+        let frame = UnitFrame::of(self.curve.points());
+        self.add(Place::START)?;
+        for (k, controls) in self.curve.segments().enumerate() {
+            self.flatten(k as u32, frame.segment(controls), [0.0, 1.0], frame.length(tolerance), 20)?;
+        }
+        if self.curve.is_closed() && self.samples.places.len() > 1 {
+            self.samples.places.pop();
+            self.samples.points.pop();
+        }
+        Ok(self.samples)
+    }
+
+    /// Adds the ends of the chords of one part of a segment, but not its start.
+    ///
+    /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t)
+    /// d(B_i) over the inner control points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 -
+    /// 2^(1 - n).
+    fn flatten(
+        &mut self,
+        segment: u32,
+        mut controls: SegmentBuffer,
+        [from, to]: [f64; 2],
+        tolerance: f64,
+        halvings: u32,
+    ) -> Result<()> {
+        let n = controls.len() - 1;
+        let most = controls[1..n].iter().map(|&p| off_chord(p, controls[0], controls[n])).fold(0.0, f64::max);
+        if halvings == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= tolerance {
+            return self.add(Place { segment, t: to });
+        }
+        let before = controls.split_off_front(0.5);
+        let middle = 0.5 * (from + to);
+        self.flatten(segment, before, [from, middle], tolerance, halvings - 1)?;
+        self.flatten(segment, controls, [middle, to], tolerance, halvings - 1)
+    }
+}
+
+/// The distance of p from the chord from a to b.
+fn off_chord(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let chord = b - a;
+    let squared = chord.length_squared();
+    let t = if squared > 0.0 { ((p - a).dot(chord) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (p - (a + chord * t)).length()
+}

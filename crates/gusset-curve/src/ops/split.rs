@@ -1,0 +1,71 @@
+//! Parts of a curve, and the curve backwards. Exact but for rounding.
+
+use crate::curve::segment::{self, SegmentBuffer};
+use crate::curve::{Curve, CurveView, Place};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+
+impl CurveView<'_> {
+    /// The parts before and after a place. Both are open; a part without extent has one control
+    /// point and no segments.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`]. O(points).
+    pub fn split(&self, at: Place) -> Result<[Curve; 2]> {
+        self.check_place(0, at)?;
+        Ok([self.between(Place::START, at)?, self.between(at, self.last_place())?])
+    }
+
+    /// The part from one place to another, open. On a closed curve it may run over the start, and
+    /// from a place to itself it goes round once; on an open one that is a single point.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`),
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`]. O(points).
+    pub fn sub_curve(&self, from: Place, to: Place) -> Result<Curve> {
+        self.check_place(0, from)?;
+        self.check_place(1, to)?;
+        let order = from.segment.cmp(&to.segment).then(from.t.total_cmp(&to.t));
+        if order.is_lt() || (order.is_eq() && !self.is_closed()) {
+            return self.between(from, to);
+        }
+        Error::require(self.is_closed(), "to", to.t)?;
+        let mut curve = self.between(from, self.last_place())?;
+        let rest = self.between(Place::START, to)?;
+        rest.view().segments().try_for_each(|segment| curve.push(&segment[1..]))?;
+        Ok(curve)
+    }
+
+    /// The part from one place to a later one.
+    fn between(&self, from: Place, to: Place) -> Result<Curve> {
+        let mut curve: Option<Curve> = None;
+        for k in from.segment..=to.segment {
+            let a = if k == from.segment { from.t } else { 0.0 };
+            let b = if k == to.segment { to.t } else { 1.0 };
+            if a >= b {
+                continue;
+            }
+            let piece = SegmentBuffer::new(self.segment(k as usize)).part(a, b);
+            match &mut curve {
+                Some(curve) => curve.push(&piece[1..])?,
+                None => curve.insert(Curve::from_point(piece[0])?).push(&piece[1..])?,
+            }
+        }
+        match curve {
+            Some(curve) => Ok(curve),
+            None => Curve::from_point(segment::point(self.segment(from.segment as usize), from.t)),
+        }
+    }
+
+    /// The same curve run through from its end to its start. O(points).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn reversed(&self) -> Result<Curve> {
+        let mut points = alloc::copied(self.points())?;
+        points.reverse();
+        let last = self.ends().last().copied().unwrap_or(0);
+        let ends = alloc::collect(self.ends().iter().rev().map(|&end| last - end))?;
+        Ok(Curve { points, ends, closed: self.is_closed() })
+    }
+}

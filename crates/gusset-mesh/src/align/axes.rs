@@ -1,0 +1,57 @@
+//! A start by principal axes: those of each piece on those of the first.
+
+use super::pose::Pose;
+use super::scan::Scan;
+use super::scene::Scene;
+use glam::{DMat3, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::linear::eigen::eigen;
+use gusset_base::job::Job;
+
+/// Rounds of each of the four ways before they are compared.
+const ROUNDS: u32 = 10;
+
+/// The four turns by half a circle, or not, about axes.
+const TURNS: [DVec3; 4] =
+    [DVec3::ONE, DVec3::new(1.0, -1.0, -1.0), DVec3::new(-1.0, 1.0, -1.0), DVec3::new(-1.0, -1.0, 1.0)];
+
+/// The poses that bring each piece's principal axes to those of the first, in the one of four ways
+/// after which most of it lies on the first. O(pieces) alignments of two.
+pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
+    let count = scene.members.len();
+    let mut poses = alloc::filled(Pose::IDENTITY, count)?;
+    let Some(first) = scene.members.first() else {
+        return Ok(poses);
+    };
+    let target = axes(first.scan);
+    for (k, pose) in poses.iter_mut().enumerate().skip(1) {
+        let scan = scene.members[k].scan;
+        let own = axes(scan);
+        let two = scene.pair(0, k)?;
+        let mut best = (-1.0, Pose::IDENTITY);
+        for (way, turn) in TURNS.into_iter().enumerate() {
+            let part = job.share(4 * (k - 1) + way, 4 * (count - 1));
+            let rotation = target * DMat3::from_diagonal(turn) * own.transpose();
+            let start = Pose { rotation, translation: first.scan.mean - rotation * scan.mean };
+            let mut both = [Pose::IDENTITY, start];
+            two.relax(&mut both, ROUNDS, &part)?;
+            let found = two.find_within(&both, super::judge::NEAR, super::judge::ON, &part.part(1.0, 1.0))?;
+            let score = found.iter().map(|(_, found)| found.on).sum::<usize>() as f64;
+            if score > best.0 {
+                best = (score, both[1]);
+            }
+        }
+        *pose = best.1;
+    }
+    Ok(poses)
+}
+
+/// The principal axes of a piece as columns, the longest first, right-handed.
+fn axes(scan: &Scan) -> DMat3 {
+    let (values, vectors) = eigen(scan.covariance);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| values[j].total_cmp(&values[i]));
+    let axis = |k: usize| DVec3::new(vectors[0][order[k]], vectors[1][order[k]], vectors[2][order[k]]);
+    DMat3::from_cols(axis(0), axis(1), axis(0).cross(axis(1)))
+}

@@ -1,0 +1,133 @@
+//! The equations of all motions at once, solved by conjugate gradients.
+//!
+//! Their matrix has a block of six by six for each piece and for each pair with something in
+//! common. Preconditioned by the pieces' own blocks; M. Hestenes and E. Stiefel, *Methods of
+//! conjugate gradients for solving linear systems* (1952).
+
+use super::pairs::Equations;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::linear::cholesky;
+
+/// What is added to the diagonal, as part of its mean: directions in which nothing holds a piece do
+/// not move it.
+const DAMPING: f64 = 1e-3;
+/// The residual, as part of the first, at which the solution is good enough: the equations are
+/// those of one round.
+const TOLERANCE: f64 = 1e-8;
+/// Iterations at the most, for each unknown.
+const MAX_ITERATIONS: usize = 2;
+
+pub(super) type Six = [f64; 6];
+
+/// Symmetric equations of the pieces' motions.
+pub(super) struct System {
+    own: Vec<[Six; 6]>,
+    right: Vec<Six>,
+    /// Of pieces i and j: the block of i's rows and j's columns.
+    between: Vec<([usize; 2], [Six; 6])>,
+    is_fixed: Vec<bool>,
+}
+
+impl System {
+    pub(super) fn new(is_fixed: &[bool]) -> Result<System> {
+        let count = is_fixed.len();
+        Ok(System {
+            own: alloc::filled([[0.0; 6]; 6], count)?,
+            right: alloc::filled([0.0; 6], count)?,
+            between: Vec::new(),
+            is_fixed: alloc::copied(is_fixed)?,
+        })
+    }
+
+    /// Enters the equations of two pieces.
+    pub(super) fn enter(&mut self, pieces: [usize; 2], equations: &Equations) -> Result<()> {
+        let at = |i: usize, j: usize| equations.matrix[i.max(j)][i.min(j)];
+        for (k, piece) in pieces.into_iter().enumerate() {
+            for i in 0..6 {
+                self.right[piece][i] += equations.right[6 * k + i];
+                (0..6).for_each(|j| self.own[piece][i][j] += at(6 * k + i, 6 * k + j));
+            }
+        }
+        let block = std::array::from_fn(|i| std::array::from_fn(|j| at(i, 6 + j)));
+        alloc::push(&mut self.between, (pieces, block))
+    }
+
+    /// The motions: for each piece a turn in its radius and a shift; 0 of those that are fixed.
+    /// O(pieces * pairs) at the most, and as a rule far less.
+    pub(super) fn solve(&mut self) -> Result<Vec<Six>> {
+        for own in &mut self.own {
+            let mean = (0..6).map(|i| own[i][i]).sum::<f64>() / 6.0;
+            (0..6).for_each(|i| own[i][i] += DAMPING * mean);
+        }
+        let count = self.own.len();
+        let mut x = alloc::filled([0.0; 6], count)?;
+        let mut residual = alloc::copied(&self.right)?;
+        self.clear_fixed(&mut residual);
+        let mut conditioned = self.conditioned(&residual)?;
+        let mut direction = alloc::copied(&conditioned)?;
+        let mut product = alloc::filled([0.0; 6], count)?;
+        let mut size = dot(&residual, &conditioned);
+        let enough = TOLERANCE * TOLERANCE * size;
+        for _ in 0..MAX_ITERATIONS * 6 * count {
+            if size <= enough {
+                break;
+            }
+            self.multiply(&direction, &mut product);
+            let curvature = dot(&direction, &product);
+            if curvature.is_nan() || curvature <= 0.0 {
+                break;
+            }
+            let step = size / curvature;
+            add(&mut x, step, &direction);
+            add(&mut residual, -step, &product);
+            conditioned = self.conditioned(&residual)?;
+            let before = size;
+            size = dot(&residual, &conditioned);
+            let turn = size / before;
+            direction.iter_mut().zip(&conditioned).for_each(|(d, c)| (0..6).for_each(|i| d[i] = c[i] + turn * d[i]));
+        }
+        Ok(x)
+    }
+
+    fn clear_fixed(&self, x: &mut [Six]) {
+        x.iter_mut().zip(&self.is_fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = [0.0; 6]);
+    }
+
+    fn multiply(&self, x: &[Six], out: &mut [Six]) {
+        for ((out, own), x) in out.iter_mut().zip(&self.own).zip(x) {
+            *out = std::array::from_fn(|i| (0..6).map(|j| own[i][j] * x[j]).sum());
+        }
+        for ([a, b], block) in &self.between {
+            for i in 0..6 {
+                for j in 0..6 {
+                    out[*a][i] += block[i][j] * x[*b][j];
+                    out[*b][j] += block[i][j] * x[*a][i];
+                }
+            }
+        }
+        self.clear_fixed(out);
+    }
+
+    /// Each piece's part solved by its own block.
+    fn conditioned(&self, x: &[Six]) -> Result<Vec<Six>> {
+        alloc::collect(x.iter().zip(&self.own).map(|(x, own)| {
+            let mut lower = *own;
+            let mut right = x.map(|x| DVec3::new(x, 0.0, 0.0));
+            let empty = (0..6).all(|i| own[i][i] <= 0.0);
+            if !empty {
+                cholesky::solve(&mut lower, &mut right);
+            }
+            right.map(|x| if empty { 0.0 } else { x.x })
+        }))
+    }
+}
+
+fn dot(a: &[Six], b: &[Six]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (0..6).map(|i| a[i] * b[i]).sum::<f64>()).sum()
+}
+
+fn add(x: &mut [Six], by: f64, other: &[Six]) {
+    x.iter_mut().zip(other).for_each(|(x, other)| (0..6).for_each(|i| x[i] += by * other[i]));
+}

@@ -1,0 +1,87 @@
+//! Why a loop was left that could carry a strip.
+//!
+//! The loop that is nearest to most of its vertices is what it might have been joined with, one of
+//! another component before its own; of that it is said why it was not.
+
+use super::candidates::{FacingSearch, Looks, STAGE, Slit};
+use super::request::Reason;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
+use gusset_base::sort;
+
+/// Loops between two progress reports.
+const LOOPS_PER_REPORT: usize = 1 << 8;
+
+/// What a left loop has nearest to it.
+pub(super) struct Explanation {
+    pub(super) reason: Reason,
+    /// The mean distance from its vertices to the nearest of that loop, and how far it may be, in
+    /// the rims' unit; infinite and 0 without another loop.
+    pub(super) gap: f64,
+    pub(super) allowed: f64,
+}
+
+impl FacingSearch<'_> {
+    /// Of each loop that `left` marks, why: `used` are the loops that strips hang on.
+    ///
+    /// O(V log V) for V vertices on loops.
+    pub(super) fn explain(&self, left: &[bool], job: &Job<'_>) -> Result<Vec<Option<Explanation>>> {
+        if !left.contains(&true) {
+            return alloc::collect(left.iter().map(|_| None));
+        }
+        let loops = self.all_vertices()?;
+        let tree = KdTree::grouped(&loops.points, &loops.owners, &job.part(0.0, 0.2), STAGE)?;
+        let looks = Looks::default();
+        let nearest = |r: usize, own: bool, job: &Job<'_>| -> Result<Option<(usize, f64)>> {
+            let mut seen = alloc::with_capacity(self.rims[r].points.len())?;
+            for &p in &self.rims[r].points {
+                if looks.were_many() {
+                    job.step(0.0, STAGE)?;
+                }
+                let accept = |v: u32| {
+                    looks.add();
+                    let k = loops.owners[v as usize] as usize;
+                    k != r && (self.candidates[k].component == self.candidates[r].component) == own
+                };
+                if let Some((squared, v)) = tree.nearest_elsewhere(p, f64::INFINITY, r as u32, accept) {
+                    seen.push((loops.owners[v as usize] as usize, squared.sqrt()));
+                }
+            }
+            sort::stable(&mut seen, &|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)));
+            let groups = seen.chunk_by(|x, y| x.0 == y.0);
+            let most = groups.rev().max_by_key(|group| group.len());
+            Ok(most.map(|group| (group[0].0, group.iter().map(|seen| seen.1).sum::<f64>() / group.len() as f64)))
+        };
+        let job = job.part(0.2, 1.0);
+        alloc::try_collect((0..left.len()).map(|r| {
+            job.step_every(LOOPS_PER_REPORT, r, left.len(), STAGE)?;
+            if !left[r] {
+                return Ok(None);
+            }
+            let allowed = self.slit_limit(r);
+            let is_wide = |slit: &Slit| slit.closes && slit.gap > allowed && !self.is_excluded(r, r);
+            if let Some(slit) = self.slits[r].filter(is_wide) {
+                return Ok(Some(Explanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
+            }
+            let share = job.share(r, left.len());
+            let (found, own) = match nearest(r, self.within_components, &share)? {
+                Some(found) => (Some(found), self.within_components),
+                None => (nearest(r, !self.within_components, &share)?, !self.within_components),
+            };
+            let Some((k, gap)) = found else {
+                return Ok(Some(Explanation { reason: Reason::Alone, gap: f64::INFINITY, allowed: 0.0 }));
+            };
+            let allowed = self.limit(r, k);
+            let reason = match () {
+                _ if own && !self.within_components => Reason::SameComponent,
+                _ if self.is_excluded(r, k) => Reason::Excluded,
+                _ if gap > allowed => Reason::TooFar,
+                _ if self.used[k] => Reason::Taken,
+                _ => Reason::LooksAway,
+            };
+            Ok(Some(Explanation { reason, gap, allowed }))
+        }))
+    }
+}

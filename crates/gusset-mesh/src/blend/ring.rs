@@ -1,0 +1,197 @@
+//! The old faces round a patch: what they ask of its triangles, and the plate that is clamped to
+//! them.
+
+use super::unfold::unfold;
+use crate::fair::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
+use crate::remesh::{PatchMesh, Sizing};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort;
+
+/// New triangles that bend by more than this against each other, and than twice what is usual
+/// between the old faces at the rims, make a crease that those do not have: the cosine.
+pub(super) const MAX_SMOOTH_BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// A rim vertex in more triangles than this is the apex of a fan, and says nothing about slopes.
+pub(crate) const MAX_FAN_TRIANGLES: usize = 64;
+/// What is usual: so many of a hundred old edges do not bend by more.
+const USUAL_PERCENT: usize = 95;
+
+/// The old faces that touch the rims: the rims' vertices first, rim by rim, then others.
+pub(crate) struct OldRing {
+    /// In a unit of about the rims' size, from `origin`.
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) origin: DVec3,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// The faces' sides, face by face.
+    pub(crate) sides: Vec<(u32, u32)>,
+    /// True of the rims' vertices whose Laplacian the plate counts.
+    pub(crate) centred: Vec<bool>,
+    /// The rims' lengths, and whether they are loops.
+    pub(crate) rims: Vec<(usize, bool)>,
+    /// What is wider than this hangs on the first triangles; see [`Shape`].
+    pub(crate) reach: f64,
+    /// How the plate is bent by itself once it was solved: `None`: as before; else as it is then,
+    /// its rims included, averaged so often. Where its curvature is the mean of that round it, as
+    /// on a sphere, the plate stays.
+    pub(crate) follows: Option<u32>,
+    /// Of the old surface beyond, for continuous curvature.
+    pub(crate) beyond: Beyond,
+}
+
+/// The old faces next to those that touch the rims.
+#[derive(Default)]
+pub(crate) struct Beyond {
+    /// What the plate is to have in common with the old surface; without the curvature the rest is
+    /// empty.
+    pub(crate) continuity: Continuity,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// True of the old vertices after the rims' whose Laplacian is known, in their order.
+    pub(crate) centred: Vec<bool>,
+}
+
+impl OldRing {
+    /// How old faces at the rims bend against each other: the cosine that [`USUAL_PERCENT`] of a
+    /// hundred edges reach, at least 0; and of which vertices of the rims an edge bends by more
+    /// than [`MAX_SMOOTH_BEND`].
+    pub(super) fn bends(&self) -> Result<(f64, Vec<bool>)> {
+        let rim = self.centred.len();
+        let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
+        for &[a, b, c] in &self.triangles {
+            let [p, q, r] = [a, b, c].map(|v| self.points[v as usize]);
+            let normal = (q - p).cross(r - p).normalize_or_zero();
+            // A triangle without area has no direction.
+            if normal != DVec3::ZERO {
+                edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
+            }
+        }
+        sort::stable(&mut edges, &|x, y| (x.0, x.1).cmp(&(y.0, y.1)));
+        let pairs = edges.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
+        let mut bends = alloc::gather(pairs.map(|pair| (pair[0].2.dot(pair[1].2), [pair[0].0, pair[0].1])))?;
+        let mut creased = alloc::filled(false, rim)?;
+        for (_, ends) in bends.iter().filter(|(cosine, _)| *cosine < MAX_SMOOTH_BEND) {
+            ends.iter().filter(|&&v| (v as usize) < rim).for_each(|&v| creased[v as usize] = true);
+        }
+        sort::stable(&mut bends, &|p, q| q.0.total_cmp(&p.0));
+        let usual = bends.get(bends.len().saturating_sub(1) * USUAL_PERCENT / 100).map_or(1.0, |&(cosine, _)| cosine);
+        Ok((usual.max(0.0), creased))
+    }
+
+    /// The mean length of the old sides at each vertex of the rims, by their lengths, so that
+    /// slivers count for little. Next to a vertex of larger size none is smaller than that less its
+    /// distance: a corner that the rim cuts off says nothing about the surface.
+    pub(super) fn sizes(&self) -> Result<Vec<f64>> {
+        let rim = self.centred.len();
+        let mut sums = alloc::filled((0.0, 0.0), rim)?;
+        for &(u, v) in &self.sides {
+            let length = self.points[u as usize].distance(self.points[v as usize]);
+            for end in [u, v].into_iter().filter(|&end| (end as usize) < rim) {
+                sums[end as usize].0 += length * length;
+                sums[end as usize].1 += length;
+            }
+        }
+        let mut size = alloc::collect(sums.iter().map(|&(squares, sum)| if sum > 0.0 { squares / sum } else { 0.0 }))?;
+        let mut first = 0;
+        for &(n, closed) in &self.rims {
+            // Twice round, if it is a loop, either way.
+            let places = if closed { 2 * n } else { n };
+            let mut pass = |u: usize, v: usize| {
+                let distance = self.points[u].distance(self.points[v]);
+                size[v] = f64::max(size[v], size[u] - distance);
+            };
+            let at = |k: usize| first + k % n;
+            (1..places).for_each(|k| pass(at(k - 1), at(k)));
+            (1..places).rev().for_each(|k| pass(at(k), at(k - 1)));
+            first += n;
+        }
+        // Where no side has a length, any size does: nothing will be longer.
+        Ok(size)
+    }
+
+    /// Draws the old vertices beyond the rims nearer to them, to where the next new ones would be:
+    /// they are to tell the plate the slope at the rims, and tell little from afar.
+    ///
+    /// Not if they tell its curvature, too, which would be another one.
+    pub(super) fn draw_near(&mut self, size: &[f64]) -> Result<()> {
+        if self.beyond.continuity == Continuity::C2 {
+            return Ok(());
+        }
+        let rim = size.len();
+        let mut anchors = alloc::filled((DVec3::ZERO, 0.0, 0.0), self.points.len() - rim)?;
+        for triangle in &self.triangles {
+            for &v in triangle.iter().filter(|&&v| v as usize >= rim) {
+                for &end in triangle.iter().filter(|&&end| (end as usize) < rim) {
+                    let (sum, reach, count) = &mut anchors[v as usize - rim];
+                    *sum += self.points[end as usize];
+                    *reach += size[end as usize];
+                    *count += 1.0;
+                }
+            }
+        }
+        for (point, (sum, reach, count)) in self.points[rim..].iter_mut().zip(anchors) {
+            if count > 0.0 {
+                let (anchor, reach) = (sum / count, reach / count);
+                *point = anchor + (*point - anchor).clamp_length_max(reach);
+            }
+        }
+        Ok(())
+    }
+
+    /// The ring's points and then the new ones of a patch, and all triangles over them.
+    fn with(&self, mesh: &PatchMesh) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
+        let rim = self.centred.len();
+        let old = self.points.len();
+        let mut points = alloc::copied(&self.points)?;
+        alloc::append(&mut points, &mesh.points[rim..])?;
+        let name = |v: u32| if (v as usize) < rim { v } else { v + (old - rim) as u32 };
+        let mut triangles = alloc::copied(&self.triangles)?;
+        alloc::append(&mut triangles, &self.beyond.triangles)?;
+        alloc::extend(&mut triangles, mesh.triangles.iter().map(|triangle| triangle.map(name)))?;
+        Ok((points, triangles))
+    }
+
+    /// The curvature of a patch that was solved, its rims included; see [`mean_curvature`].
+    pub(super) fn solved_curvature(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
+        let (rim, old) = (self.centred.len(), self.points.len());
+        let (points, triangles) = self.with(mesh)?;
+        let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;
+        let mut own = alloc::copied(&all[..rim])?;
+        alloc::append(&mut own, &all[old..])?;
+        Ok(own)
+    }
+
+    /// Moves the vertices of `mesh` from `rim` on to where a thin plate would have them.
+    pub(super) fn fair(&self, mesh: &mut PatchMesh, sizing: &Sizing, unfolds: bool, job: &Job<'_>) -> Result<()> {
+        let rim = self.centred.len();
+        let (old, new) = (self.points.len(), mesh.points.len() - rim);
+        let (mut points, triangles) = self.with(mesh)?;
+        let mut free = alloc::filled(false, old + new)?;
+        free[old..].fill(true);
+        let mut centres = alloc::copied(&free)?;
+        centres[..rim].copy_from_slice(&self.centred);
+        centres[rim..][..self.beyond.centred.len()].copy_from_slice(&self.beyond.centred);
+        let mut curvature = alloc::copied(&sizing.curvature[..rim])?;
+        alloc::append(&mut curvature, &alloc::filled(DVec3::ZERO, old - rim)?)?;
+        alloc::append(&mut curvature, &sizing.curvature[rim..])?;
+        let mut places = alloc::copied(&self.points)?;
+        alloc::append(&mut places, &sizing.unfaired[rim..])?;
+        // Where the curvature goes on, it is that of the old surface that bends the plate.
+        let is_bent = self.beyond.continuity == Continuity::C1;
+        let plate = Plate {
+            triangles: &triangles,
+            free: &free,
+            centres: &centres,
+            weights: Weights::Cotangent,
+            continuity: self.beyond.continuity,
+            shape: is_bent.then_some(Shape { curvature: &curvature, places: &places, reach: self.reach }),
+            layout: None,
+        };
+        thin_plate(&mut points, &plate, job)?;
+        if unfolds {
+            return unfold(mesh, rim, &points[old..]);
+        }
+        mesh.points[rim..].copy_from_slice(&points[old..]);
+        Ok(())
+    }
+}

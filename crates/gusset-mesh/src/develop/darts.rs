@@ -1,0 +1,50 @@
+//! Where a dart reduces distortion most.
+//!
+//! A conformal map scales lengths by exp(u), where the Laplacian of u is the Gaussian curvature and
+//! u is 0 at the border. Where u is greatest, of either sign, the map is worst, and a dart from
+//! there to the border lets the curvature go (M. Ben-Chen, C. Gotsman, G. Bunin, *Conformal
+//! flattening by curvature prescription and metric scaling*, 2008, who place cones so).
+
+use super::chart::ChartMesh;
+use super::system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
+use glam::{DMat2, DVec2};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::job::Job;
+use std::f64::consts::TAU;
+
+/// The vertex inside the chart where a dart should end; `None` if no vertex is inside, or nothing
+/// is curved.
+pub(super) fn tip(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Option<u32>> {
+    let n = chart.points.len();
+    let mut on_border = BitSet::new(n)?;
+    chart.border.iter().for_each(|&[v, _]| on_border.insert(v));
+    let mut defects = alloc::filled(TAU, n)?;
+    let zero = alloc::filled(DVec2::ZERO, n)?;
+    system.clear(&job.part(0.0, 0.0))?;
+    chart.border.iter().for_each(|&[v, _]| system.fix(v));
+    for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
+        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        for i in 0..3 {
+            let [g, next] = [i, (i + 1) % 3].map(|k| shape.gradients[k]);
+            let value = shape.area * g.dot(next);
+            system.add(triangle[i], triangle[(i + 1) % 3], DMat2::from_diagonal(DVec2::splat(value)), &zero);
+            system.add_diagonal(triangle[i], DMat2::from_diagonal(DVec2::splat(shape.area * g.length_squared())));
+            let [a, b, c] = [i, (i + 1) % 3, (i + 2) % 3].map(|k| chart.points[triangle[k] as usize]);
+            let (p, q) = (b - a, c - a);
+            defects[triangle[i] as usize] -= libm::atan2(p.cross(q).length(), p.dot(q));
+        }
+    }
+    for (v, &defect) in (0..n as u32).zip(&defects) {
+        system.add_right(v, DVec2::new(defect, 0.0));
+    }
+    let scale = system.solve(&zero, &job.part(0.1, 1.0))?;
+    let inside = (0..n as u32).filter(|&v| !on_border.contains(v));
+    let best = inside.fold(None, |best: Option<(f64, u32)>, v| {
+        let size = scale[v as usize].x.abs();
+        if best.is_none_or(|(largest, _)| size > largest) { Some((size, v)) } else { best }
+    });
+    Ok(best.filter(|&(size, _)| size > 1e-9).map(|(_, v)| v))
+}

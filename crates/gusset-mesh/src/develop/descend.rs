@@ -1,0 +1,181 @@
+//! Descent to the least distortion, without folding a triangle.
+//!
+//! In each step the energy is replaced by the quadratic one that has its gradient (Rabinovich et
+//! al., section 3). Its minimum gives a direction; the step along it folds no triangle, and is
+//! halved until the energy falls. If the border meets itself at the end, the descent goes on from
+//! the last map of which it did not, and halves the steps at which it would.
+
+use super::chart::ChartMesh;
+use super::energy::{Jacobian, energy, weights};
+use super::overlap::overlaps;
+use super::request::Distortion;
+use super::system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
+use glam::{DMat2, DVec2};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// Of the way to the first fold so much is gone at the most.
+const MAX_PART_TO_FOLD: f64 = 0.8;
+/// The energy falls by at least this part of what its gradient says (Armijo's rule).
+const MIN_DESCENT: f64 = 1e-4;
+const MAX_HALVINGS: u32 = 40;
+/// The descent ends once the energy falls by less than this part of it.
+const MIN_RELATIVE_GAIN: f64 = 1e-9;
+/// That is a minimum if the gradient promises no more than this part of the energy.
+const MAX_RELATIVE_SLOPE: f64 = 1e-6;
+/// A weight that holds vertices, in means of the diagonal: the plane has no place of its own.
+const HOLD: f64 = 1e-9;
+
+/// How a descent ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// Nothing more was gained.
+    Converged,
+    /// No step was possible that gains: the border would meet itself, or rounding hides it.
+    Stalled,
+    /// The number of steps.
+    IterationLimit,
+    /// There was no map without folds to begin with.
+    Folded,
+}
+
+/// The result of a descent.
+pub(super) struct Descent {
+    pub(super) x: Vec<DVec2>,
+    pub(super) iterations: u32,
+    pub(super) end: End,
+}
+
+/// What a descent does at the border.
+pub(super) enum Border<'a> {
+    /// It may meet itself. The last map on the way of which it did not is entered.
+    Free(&'a mut Option<Vec<DVec2>>),
+    /// It does not meet itself, as it does not at first.
+    Apart,
+}
+
+/// From a map without folds to one of less distortion without folds. Each step costs a factor,
+/// O(n^1.5) for n vertices.
+pub(super) fn descend(
+    chart: &ChartMesh,
+    system: &mut System,
+    distortion: Distortion,
+    mut x: Vec<DVec2>,
+    mut border: Border<'_>,
+    max_iterations: u32,
+    job: &Job<'_>,
+) -> Result<Descent> {
+    let mut value = mean_energy(chart, distortion, &x, &job.part(0.0, 0.0))?;
+    for iteration in 0..max_iterations {
+        let job = job.share(iteration as usize, max_iterations as usize);
+        let is_apart = |x: &[DVec2], job: &Job<'_>| Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0);
+        if let Border::Free(last) = &mut border
+            && is_apart(&x, &job.part(0.0, 0.0))?
+        {
+            **last = Some(alloc::copied(&x)?);
+        }
+        let gradient = assemble(chart, system, distortion, &x, &job.part(0.0, 0.1))?;
+        let target = system.solve(&x, &job.part(0.1, 0.8))?;
+        let late = job.part(0.9, 0.9);
+        let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
+        let slope: f64 = gradient.iter().zip(&way).map(|(g, d)| g.dot(*d)).sum();
+        let mut step = f64::min(1.0, MAX_PART_TO_FOLD * first_fold(chart, &x, &way, &late)?);
+        let mut found = None;
+        for _ in 0..MAX_HALVINGS {
+            let moved = alloc::collect(x.iter().zip(&way).map(|(&p, &d)| p + step * d))?;
+            let reached = mean_energy(chart, distortion, &moved, &late)?;
+            let falls = reached <= value + MIN_DESCENT * step * slope && reached < value;
+            if falls && chart.folds(&moved) == 0 && (matches!(border, Border::Free(_)) || is_apart(&moved, &late)?) {
+                found = Some((moved, reached));
+                break;
+            }
+            step /= 2.0;
+        }
+        let gain = found.as_ref().map_or(0.0, |(_, reached)| value - reached);
+        if let Some(better) = found {
+            (x, value) = better;
+        }
+        if gain <= MIN_RELATIVE_GAIN * value {
+            let end = if slope.abs() <= MAX_RELATIVE_SLOPE * value { End::Converged } else { End::Stalled };
+            return Ok(Descent { x, iterations: iteration + 1, end });
+        }
+    }
+    Ok(Descent { x, iterations: max_iterations, end: End::IterationLimit })
+}
+
+/// The mean over the area.
+pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
+    let mut sum = 0.0;
+    for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
+        job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
+        sum += shape.area * energy(distortion, map.stretch);
+    }
+    Ok(sum / chart.area())
+}
+
+/// The equations of the quadratic energy that has the gradient of the energy at `x`, which is
+/// returned, of the mean over the area.
+fn assemble(
+    chart: &ChartMesh,
+    system: &mut System,
+    distortion: Distortion,
+    x: &[DVec2],
+    job: &Job<'_>,
+) -> Result<Vec<DVec2>> {
+    let mut gradient = alloc::filled(DVec2::ZERO, x.len())?;
+    let whole = chart.area();
+    let mut trace = 0.0;
+    system.clear(&job.part(0.0, 0.0))?;
+    for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
+        job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
+        let share = shape.area / whole;
+        let matrix = share * map.of_stretches(weights(distortion, map.stretch));
+        // J - R is U diag(s - 1) U^T R.
+        let off = matrix * map.of_stretches(map.stretch.map(|s| s - 1.0)) * map.rotation;
+        let target = matrix * map.rotation;
+        for i in 0..3 {
+            let g = shape.gradients[i];
+            gradient[triangle[i] as usize] += 2.0 * (off * g);
+            system.add_right(triangle[i], target * g);
+            let own = g.length_squared() * matrix;
+            trace += own.x_axis.x + own.y_axis.y;
+            system.add_diagonal(triangle[i], own);
+            let j = (i + 1) % 3;
+            system.add(triangle[i], triangle[j], g.dot(shape.gradients[j]) * matrix, x);
+        }
+    }
+    let hold = HOLD * trace / (2 * x.len()) as f64;
+    for (v, &p) in (0..).zip(x) {
+        system.add_diagonal(v, DMat2::from_diagonal(DVec2::splat(hold)));
+        system.add_right(v, hold * p);
+    }
+    Ok(gradient)
+}
+
+/// How far along the way, in its length, the first triangle folds; infinite if none does.
+fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> Result<f64> {
+    let mut first = f64::INFINITY;
+    for (k, &triangle) in chart.triangles.iter().enumerate() {
+        job.step_within(k, STAGE)?;
+        let [a, b, c] = triangle.map(|v| x[v as usize]);
+        let [da, db, dc] = triangle.map(|v| way[v as usize]);
+        let (p, q, dp, dq) = (b - a, c - a, db - da, dc - da);
+        // The doubled area is d t^2 + 2 h t + e.
+        let (d, h, e) = (dp.perp_dot(dq), (p.perp_dot(dq) + dp.perp_dot(q)) / 2.0, p.perp_dot(q));
+        let square = h * h - d * e;
+        if square >= 0.0 {
+            // The smallest positive root, of the form that loses no digits.
+            let s = -h - h.signum() * square.sqrt();
+            for root in [s / d, e / s] {
+                if root > 0.0 && root < first {
+                    first = root;
+                }
+            }
+        }
+    }
+    Ok(first)
+}

@@ -1,0 +1,161 @@
+//! The linear equations of one chart: a sum of quadratic terms, one for each triangle, in the two
+//! coordinates of each vertex.
+
+use super::STAGE;
+use super::chart::ChartMesh;
+use glam::{DMat2, DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use gusset_base::sparse::{Coupling, Symmetric, dissect};
+
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+/// A symmetric matrix of 2 x 2 blocks, one for each vertex and each edge, and a right-hand side.
+pub(super) struct System {
+    /// Of each vertex its place in the order of elimination.
+    place: Vec<u32>,
+    /// Of each place the earlier places that its vertex has an edge to.
+    earlier: Buckets<u32>,
+    matrix: Symmetric,
+    right: Vec<DVec3>,
+    /// Vertices that stay where they are.
+    is_fixed: Vec<bool>,
+}
+
+/// Vertices are coupled with their neighbours.
+struct Edges<'a>(&'a Buckets<u32>);
+
+impl Coupling for Edges<'_> {
+    fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
+        visit(v as usize);
+    }
+
+    fn reach(&self) -> usize {
+        1
+    }
+
+    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+        self.0.get(v as usize).iter().any(|&w| found(w as usize))
+    }
+}
+
+impl System {
+    /// O(n log n) for n vertices; some 120 bytes a vertex.
+    pub(super) fn new(chart: &ChartMesh, job: &Job<'_>) -> Result<System> {
+        let n = chart.points.len();
+        // Each side both ways.
+        let sides = (0..6 * chart.triangles.len()).map(|k| {
+            let (triangle, i) = (chart.triangles[k / 6], k % 6 / 2);
+            let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
+            if k % 2 == 0 { (u as usize, v) } else { (v as usize, u) }
+        });
+        job.step(0.0, STAGE)?;
+        let neighbours = Buckets::new_cancellable(n, 0u32, sides, job, STAGE)?;
+        job.step(0.1, STAGE)?;
+        let mut order = alloc::collect(0..n as u32)?;
+        dissect(&mut order, &chart.points, Edges(&neighbours), &job.part(0.1, 0.6))?;
+        let mut place = alloc::filled(0, n)?;
+        order.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
+        let mut pairs = Vec::new();
+        for (k, &v) in order.iter().enumerate() {
+            job.part(0.6, 0.8).step_every(REPORT_INTERVAL, k, n, STAGE)?;
+            let first = pairs.len();
+            let earlier = neighbours.get(v as usize).iter().map(|&w| place[w as usize]);
+            alloc::extend(&mut pairs, earlier.filter(|&w| (w as usize) < k).map(|w| (k, w)))?;
+            pairs[first..].sort_unstable();
+        }
+        job.step(0.8, STAGE)?;
+        pairs.dedup();
+        let earlier = Buckets::new_cancellable(n, 0u32, pairs.iter().copied(), &job.part(0.8, 0.8), STAGE)?;
+        job.step(0.8, STAGE)?;
+        // Column 2 k has the rows of both coordinates of the earlier places; 2 k + 1 one more.
+        let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
+        start.push(0);
+        for k in 0..n {
+            job.part(0.8, 1.0).step_every(REPORT_INTERVAL, k, n, STAGE)?;
+            for coordinate in 0..2 {
+                let rows = earlier.get(k).iter().flat_map(|&w| [2 * w, 2 * w + 1]);
+                entries.extend(rows.chain((coordinate == 1).then_some(2 * k as u32)).map(|row| (row, 0.0)));
+                start.push(entries.len());
+            }
+        }
+        job.step(1.0, STAGE)?;
+        let matrix = Symmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
+        let right = alloc::filled(DVec3::ZERO, 2 * n)?;
+        Ok(System { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
+    }
+
+    pub(super) fn clear(&mut self, job: &Job<'_>) -> Result<()> {
+        let entries = &mut self.matrix.entries;
+        job.ranges(STAGE, entries.len(), |range| {
+            entries[range].iter_mut().for_each(|entry| entry.1 = 0.0);
+            Ok(())
+        })?;
+        self.matrix.diagonal.fill(0.0);
+        self.right.fill(DVec3::ZERO);
+        self.is_fixed.fill(false);
+        job.step(1.0, STAGE)
+    }
+
+    /// Keeps a vertex where it is; before anything is added.
+    pub(super) fn fix(&mut self, v: u32) {
+        self.is_fixed[v as usize] = true;
+    }
+
+    /// Adds a block to the matrix, at `u` and `v`, and its transpose at `v` and `u`. `x` has the
+    /// places of fixed vertices.
+    pub(super) fn add(&mut self, u: u32, v: u32, block: DMat2, x: &[DVec2]) {
+        match [u, v].map(|v| self.is_fixed[v as usize]) {
+            [true, true] => return,
+            [true, false] => return self.add_right(v, -(block.transpose() * x[u as usize])),
+            [false, true] => return self.add_right(u, -(block * x[v as usize])),
+            [false, false] => {}
+        }
+        let [a, b] = [u, v].map(|v| self.place[v as usize]);
+        let (low, high, block) = if a < b { (a, b, block) } else { (b, a, block.transpose()) };
+        let Ok(slot) = self.earlier.get(high as usize).binary_search(&low) else {
+            return;
+        };
+        for (coordinate, column) in [block.x_axis, block.y_axis].into_iter().enumerate() {
+            let first = self.matrix.start[2 * high as usize + coordinate] + 2 * slot;
+            self.matrix.entries[first].1 += column.x;
+            self.matrix.entries[first + 1].1 += column.y;
+        }
+    }
+
+    /// Adds a symmetric block at the diagonal.
+    pub(super) fn add_diagonal(&mut self, v: u32, block: DMat2) {
+        if self.is_fixed[v as usize] {
+            return;
+        }
+        let k = 2 * self.place[v as usize] as usize;
+        self.matrix.diagonal[k] += block.x_axis.x;
+        self.matrix.diagonal[k + 1] += block.y_axis.y;
+        // The last of its column.
+        let end = self.matrix.start[k + 2];
+        self.matrix.entries[end - 1].1 += block.y_axis.x;
+    }
+
+    pub(super) fn add_right(&mut self, v: u32, value: DVec2) {
+        if !self.is_fixed[v as usize] {
+            let k = 2 * self.place[v as usize] as usize;
+            self.right[k].x += value.x;
+            self.right[k + 1].x += value.y;
+        }
+    }
+
+    /// The solution; fixed vertices and those that the equations do not determine keep their `x`.
+    pub(super) fn solve(&mut self, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
+        let factor = self.matrix.factor(&job.part(0.0, 0.8))?;
+        factor.solve(&mut self.right, &job.part(0.8, 1.0))?;
+        let at = |(v, &old): (usize, &DVec2)| {
+            let k = 2 * self.place[v] as usize;
+            let found = DVec2::new(self.right[k].x, self.right[k + 1].x);
+            if self.is_fixed[v] || !found.is_finite() { old } else { found }
+        };
+        alloc::collect(x.iter().enumerate().map(at))
+    }
+}

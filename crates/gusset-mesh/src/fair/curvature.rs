@@ -1,0 +1,74 @@
+//! How a patch bends at each of its vertices, without the detail of its triangles.
+
+use super::rings::{Rings, Weights};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 14;
+
+/// Averages of the normals.
+const NORMAL_PASSES: u32 = 2;
+
+/// Sums over vertices.
+#[derive(Clone, Copy)]
+struct Sum {
+    /// The Laplacian along the normal, times the area.
+    bend: f64,
+    /// The area of the vertices that have a Laplacian.
+    area: f64,
+    /// The area vector.
+    normal: DVec3,
+}
+
+/// The Laplacian of the surface at each vertex, twice its mean curvature times its normal, both
+/// averaged over some edges round it: the ridges of a polyhedron go, the way that it bends as a
+/// whole stays. (The mean of the Laplacians as vectors would be too short where the normals turn;
+/// that of the normals, round a thin tube, is no direction: it goes [`NORMAL_PASSES`] far.)
+///
+/// Those of vertices whose rings of triangles are not `closed` come from their neighbours. `points`
+/// are in a unit of about their size, the result is in one over that unit.
+/// `passes`: averages over all neighbours, weighted by area, one after the other, which reach about
+/// 2 sqrt(passes) edges far. O(passes * T) for T triangles.
+pub(crate) fn mean_curvature(
+    points: &[DVec3],
+    triangles: &[[u32; 3]],
+    closed: &dyn Fn(usize) -> bool,
+    passes: u32,
+    job: &Job<'_>,
+) -> Result<Vec<DVec3>> {
+    let rings = Rings::new(points, triangles, Weights::Cotangent, &job.part(0.0, 0.0))?;
+    let mut sums = alloc::filled(Sum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
+    for &corners in triangles {
+        let [a, b, c] = corners.map(|v| points[v as usize]);
+        corners.iter().for_each(|&v| sums[v as usize].normal += (b - a).cross(c - a) / 6.0);
+    }
+    for (v, sum) in sums.iter_mut().enumerate().filter(|&(v, _)| closed(v)) {
+        let laplacian: DVec3 = rings.ring(v).iter().map(|&(w, weight)| weight * (points[w as usize] - points[v])).sum();
+        sum.bend = laplacian.dot(sum.normal.normalize_or_zero());
+        sum.area = 1.0 / rings.scale(v);
+    }
+    let mut next = alloc::copied(&sums)?;
+    for pass in 0..passes {
+        let share = job.share(pass as usize, passes as usize);
+        let count = sums.len();
+        for (v, mean) in next.iter_mut().enumerate() {
+            share.step_every(REPORT_INTERVAL, v, count, "refining")?;
+            let share = 1.0 / (1.0 + rings.ring(v).len() as f64);
+            let ring = rings.ring(v).iter().map(|&(w, _)| sums[w as usize]);
+            *mean = ring.fold(sums[v], |mean, sum| Sum {
+                bend: mean.bend + sum.bend,
+                area: mean.area + sum.area,
+                normal: mean.normal + sum.normal,
+            });
+            let normal = if pass < NORMAL_PASSES { share * mean.normal } else { sums[v].normal };
+            *mean = Sum { bend: share * mean.bend, area: share * mean.area, normal };
+        }
+        std::mem::swap(&mut sums, &mut next);
+    }
+    let mean =
+        |sum: Sum| if sum.area > 0.0 { sum.bend / sum.area * sum.normal.normalize_or_zero() } else { DVec3::ZERO };
+    alloc::collect(sums.into_iter().map(mean))
+}

@@ -1,0 +1,456 @@
+//! Thin-plate fairing against known shapes and equations.
+
+use super::exact::Exact;
+use super::rings::Rings;
+use super::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
+use glam::{DQuat, DVec3};
+use gusset_base::Job;
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+const ALL: [Weights; 2] = [Weights::Uniform, Weights::Cotangent];
+
+/// A patch with the vertices that may move.
+#[derive(Clone)]
+struct Patch {
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    free: Vec<bool>,
+}
+
+impl Patch {
+    /// Free vertices, and those beside them that are not on the patch's own border.
+    fn centres(&self) -> Vec<bool> {
+        let edges: BTreeSet<[u32; 2]> = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+        let mut centres = self.free.clone();
+        for &[a, b] in edges.iter().filter(|&&[a, b]| self.free[a as usize] || self.free[b as usize]) {
+            centres[a as usize] = true;
+            centres[b as usize] = true;
+        }
+        for &[a, b] in edges.iter().filter(|&&[a, b]| !edges.contains(&[b, a])) {
+            centres[a as usize] = self.free[a as usize];
+            centres[b as usize] = self.free[b as usize];
+        }
+        centres
+    }
+
+    fn fair(&mut self, weights: Weights) {
+        self.fair_at(&self.centres(), weights);
+    }
+
+    fn fair_at(&mut self, centres: &[bool], weights: Weights) {
+        self.bend(centres, weights, None);
+    }
+
+    fn bend(&mut self, centres: &[bool], weights: Weights, curvature: Option<&[DVec3]>) {
+        let (triangles, free) = (&self.triangles, &self.free);
+        let places = self.points.clone();
+        // Far beyond the patch: the springs are felt nowhere.
+        let shape = curvature.map(|curvature| Shape { curvature, places: &places, reach: 1e9 });
+        let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape, layout: None };
+        thin_plate(&mut self.points, &plate, &Job::default()).unwrap();
+    }
+}
+
+/// A disk of radius 1 in the plane z = 0: a middle vertex and `rings` rings, ring i of 6 i
+/// vertices; all but the last two rings are free.
+fn disk(rings: u32) -> Patch {
+    let first = |i: u32| if i == 0 { 0 } else { 3 * i * (i - 1) + 1 };
+    let vertex = |i: u32, k: u32| if i == 0 { 0 } else { first(i) + k % (6 * i) };
+    let (mut points, mut triangles) = (vec![DVec3::ZERO], Vec::new());
+    for i in 1..=rings {
+        for k in 0..6 * i {
+            let angle = TAU * f64::from(k) / f64::from(6 * i);
+            points.push(DVec3::new(angle.cos(), angle.sin(), 0.0) * f64::from(i) / f64::from(rings));
+        }
+        for side in 0..6 {
+            for k in 0..i {
+                let (outer, inner) = (side * i + k, side * (i - 1) + k);
+                triangles.push([vertex(i, outer), vertex(i, outer + 1), vertex(i - 1, inner)]);
+                if k + 1 < i {
+                    triangles.push([vertex(i - 1, inner), vertex(i, outer + 1), vertex(i - 1, inner + 1)]);
+                }
+            }
+        }
+    }
+    let free = (0..points.len() as u32).map(|v| v < first(rings - 1)).collect();
+    Patch { points, triangles, free }
+}
+
+/// A reproducible number from -1 to 1.
+fn noise(i: usize) -> f64 {
+    ((i as f64 * 12.9898).sin() * 43758.5453).fract()
+}
+
+#[test]
+fn a_plane_stays_a_plane() {
+    let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 1.0);
+    let away = DVec3::new(100.0, -200.0, 50.0);
+    for weights in ALL {
+        let mut patch = disk(8);
+        for (i, p) in patch.points.iter_mut().enumerate() {
+            *p += DVec3::new(noise(i), noise(i + 1000), 0.0) * 0.03;
+            *p = turn * *p + away;
+        }
+        patch.fair(weights);
+        for p in &patch.points {
+            assert!((turn.inverse() * (*p - away)).z.abs() < 1e-12, "{weights:?}");
+        }
+    }
+}
+
+#[test]
+fn fixed_vertices_keep_their_bits_and_free_ones_forget_where_they_were() {
+    let mut patch = disk(6);
+    for (i, p) in patch.points.iter_mut().enumerate() {
+        p.z = (3.0 * p.x).sin() + 0.1 * noise(i);
+    }
+    let mut other = patch.clone();
+    for v in (0..other.points.len()).filter(|&v| other.free[v]) {
+        other.points[v] += DVec3::new(noise(v), noise(v + 7), noise(v + 99));
+    }
+    let before = patch.points.clone();
+    patch.fair(Weights::Uniform);
+    other.fair(Weights::Uniform);
+    for (v, &was) in before.iter().enumerate() {
+        assert_eq!(patch.points[v] == was, !patch.free[v]);
+        assert!(patch.points[v].distance(other.points[v]) < 1e-12);
+    }
+}
+
+/// On a nearly flat disk the energy with cotangent weights is the thin plate's, and biharmonic
+/// functions minimise it: second order in the length of the edges.
+#[test]
+fn biharmonic_functions_are_found() {
+    let height = |p: DVec3| 1e-4 * (p.length_squared() * (p.x + 1.0) + p.x * p.y);
+    let error = |rings: u32| {
+        let mut patch = disk(rings);
+        for v in 0..patch.points.len() {
+            patch.points[v].z = if patch.free[v] { 0.0 } else { height(patch.points[v]) };
+        }
+        patch.fair(Weights::Cotangent);
+        patch.points.iter().map(|&p| (p.z - height(p)).abs()).fold(0.0, f64::max) / 1e-4
+    };
+    let errors = [8, 16, 32].map(error);
+    assert!(errors[0] < 0.03 && errors[1] < errors[0] / 3.0 && errors[2] < errors[1] / 3.0, "{errors:?}");
+}
+
+/// Over a cap of radius R of the unit sphere the biharmonic surface with the sphere's height and
+/// slope at the rim is R^4 / 8 off at the most.
+#[test]
+fn a_hole_in_a_sphere_is_domed() {
+    for weights in ALL {
+        for radius in [0.2, 0.4] {
+            let mut patch = disk(16);
+            let on_sphere = |p: DVec3| DVec3::new(p.x, p.y, (1.0 - p.x * p.x - p.y * p.y).sqrt());
+            let rim = on_sphere(DVec3::X * radius).z;
+            for v in 0..patch.points.len() {
+                let flat = patch.points[v] * radius;
+                patch.points[v] = if patch.free[v] { flat + DVec3::Z * rim } else { on_sphere(flat) };
+            }
+            patch.fair(weights);
+            let error = patch.points.iter().map(|p| (p.length() - 1.0).abs()).fold(0.0, f64::max);
+            // The other weights take the disk's six corners for bends: 5 % of the dome's height.
+            let bound =
+                if weights == Weights::Cotangent { 1.2 * radius.powi(4) / 8.0 } else { 0.025 * radius * radius };
+            assert!(error < bound, "{weights:?}: {error} at {radius}");
+        }
+    }
+}
+
+/// A tube of `around` vertices a row and `rows` rows, of which all but the outer two on each side
+/// are free.
+fn tube(around: u32, rows: u32) -> Patch {
+    let (mut points, mut triangles, mut free) = (Vec::new(), Vec::new(), Vec::new());
+    for row in 0..rows {
+        for k in 0..around {
+            let angle = TAU * f64::from(k) / f64::from(around);
+            let height = TAU * f64::from(row) / f64::from(around);
+            points.push(DVec3::new(angle.cos(), angle.sin(), height));
+            free.push((2..rows - 2).contains(&row));
+            let [a, b] = [row * around + k, row * around + (k + 1) % around];
+            if row + 1 < rows {
+                triangles.extend([[a, b, a + around], [b, b + around, a + around]]);
+            }
+        }
+    }
+    Patch { points, triangles, free }
+}
+
+#[test]
+fn a_gap_in_a_cylinder_gets_its_waist_back() {
+    for weights in ALL {
+        let mut patch = tube(60, 9);
+        for (v, p) in patch.points.iter_mut().enumerate() {
+            if patch.free[v] {
+                *p *= DVec3::new(0.95, 0.95, 1.0);
+            }
+        }
+        patch.fair(weights);
+        for p in &patch.points {
+            assert!((p.truncate().length() - 1.0).abs() < 5e-3, "{weights:?} {p}");
+        }
+    }
+}
+
+#[test]
+fn symmetric_input_gives_symmetric_output() {
+    // The disk is symmetric under a sixth of a turn, with the vertices of each ring renumbered.
+    for weights in ALL {
+        let mut patch = disk(7);
+        for p in &mut patch.points {
+            let angle = p.y.atan2(p.x);
+            p.z = 0.3 * p.length_squared() * (6.0 * angle).cos();
+        }
+        patch.fair(weights);
+        let turn = DQuat::from_rotation_z(TAU / 6.0);
+        for &p in &patch.points {
+            let nearest = patch.points.iter().map(|q| q.distance(turn * p)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-12, "{weights:?} {nearest}");
+        }
+    }
+}
+
+/// At the minimum no vertex can be moved to gain anything. The energy is computed here in its own
+/// way.
+#[test]
+fn the_energy_is_least() {
+    let mut patch = disk(6);
+    for (i, p) in patch.points.iter_mut().enumerate() {
+        *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.2;
+    }
+    let centres = patch.centres();
+    let mut neighbours = vec![BTreeSet::new(); patch.points.len()];
+    for &[a, b, c] in &patch.triangles {
+        for [u, v] in [[a, b], [b, c], [c, a]] {
+            neighbours[u as usize].insert(v as usize);
+            neighbours[v as usize].insert(u as usize);
+        }
+    }
+    let energy = |points: &[DVec3]| -> f64 {
+        let mean = |v: usize| neighbours[v].iter().map(|&w| points[w]).sum::<DVec3>() / neighbours[v].len() as f64;
+        (0..points.len()).filter(|&v| centres[v]).map(|v| (mean(v) - points[v]).length_squared()).sum()
+    };
+    let before = energy(&patch.points);
+    patch.fair(Weights::Uniform);
+    let least = energy(&patch.points);
+    assert!(least < before / 2.0);
+    for v in (0..patch.points.len()).filter(|&v| patch.free[v]) {
+        for by in [DVec3::X, DVec3::Y, DVec3::Z] {
+            let mut sides = [1e-4, -1e-4].map(|h| {
+                let mut moved = patch.points.clone();
+                moved[v] += by * h;
+                energy(&moved) - least
+            });
+            sides.sort_by(f64::total_cmp);
+            assert!(sides[0] > 0.0 && (sides[1] - sides[0]) < 1e-6 * sides[1], "{v} {sides:?}");
+        }
+    }
+}
+
+#[test]
+fn a_vertex_among_fixed_ones() {
+    // With uniform weights and itself as only centre, the middle of its neighbours.
+    let mut patch = disk(1);
+    patch.free = vec![true, false, false, false, false, false, false];
+    patch.points[0] = DVec3::new(0.3, 0.2, 5.0);
+    let centres = patch.free.clone();
+    patch.fair_at(&centres, Weights::Uniform);
+    assert!(patch.points[0].length() < 1e-15);
+}
+
+#[test]
+fn vertices_that_nothing_determines_stay() {
+    for weights in ALL {
+        // All free: the energy is 0 wherever the patch shrinks to a point.
+        let mut patch = disk(4);
+        patch.free.fill(true);
+        let before = patch.points.clone();
+        patch.fair(weights);
+        assert_eq!(patch.points, before);
+
+        // No centre, no energy.
+        let mut patch = disk(4);
+        let none = vec![false; patch.points.len()];
+        patch.fair_at(&none, weights);
+        assert_eq!(patch.points, before);
+
+        // A second disk far away, loose vertices, and triangles that are none.
+        let mut patch = disk(4);
+        let count = patch.points.len() as u32;
+        patch.points.extend(before.iter().map(|&p| p + DVec3::X * 10.0));
+        let again: Vec<_> = patch.triangles.iter().map(|t| t.map(|v| v + count)).collect();
+        patch.triangles.extend(again);
+        patch.points.extend([DVec3::ONE, DVec3::NEG_ONE]);
+        patch.triangles.extend([[2 * count, 2 * count, 0], [2 * count, 2 * count + 1, 2 * count]]);
+        patch.free.resize(patch.points.len(), true);
+        patch.points[0].z = 1.0;
+        patch.fair(weights);
+        assert!(patch.points[0].z.abs() < 1e-9, "{weights:?}");
+        assert_eq!(patch.points[2 * count as usize], DVec3::ONE);
+        assert!((count..2 * count).all(|v| patch.points[v as usize].x > 8.0));
+    }
+}
+
+#[test]
+fn equations_fewer_than_unknowns() {
+    // One centre among seven free vertices: one of them makes the sum 0, and the others stay.
+    for weights in ALL {
+        let mut patch = disk(3);
+        for (i, p) in patch.points.iter_mut().enumerate() {
+            *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.1;
+        }
+        let before = patch.points.clone();
+        let centres: Vec<bool> = (0..before.len()).map(|v| v == 0).collect();
+        patch.fair_at(&centres, weights);
+        let moved: Vec<f64> = before.iter().zip(&patch.points).map(|(p, q)| p.distance(*q)).collect();
+        assert_eq!(moved.iter().filter(|&&by| by > 1e-12).count(), 1, "{weights:?} {moved:?}");
+        assert!(moved.iter().all(|&by| by < 2.0), "{weights:?} {moved:?}");
+    }
+}
+
+#[test]
+fn degenerate_patches_do_no_harm() {
+    for weights in ALL {
+        for size in [0.0, 1e-300, 1e300] {
+            let mut patch = disk(4);
+            patch.points.iter_mut().for_each(|p| *p *= size);
+            // Half of the free ones coincide.
+            for v in (0..10).filter(|v| v % 2 == 0) {
+                patch.points[v] = patch.points[0];
+            }
+            patch.fair(weights);
+            assert!(patch.points.iter().all(|p| p.abs().max_element() <= 1.1 * size), "{weights:?} {size}");
+        }
+    }
+    let (triangles, free, centres, weights) = (&[], &[], &[], Weights::Uniform);
+    let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape: None, layout: None };
+    let nothing = thin_plate(&mut [], &plate, &Job::default());
+    assert_eq!(nothing, Ok(()));
+}
+
+/// A ball's cap whose free vertices were moved comes back if the plate's own curvature is the
+/// ball's, in any unit; a flat plate stays below it.
+#[test]
+fn a_bent_plate_has_its_own_shape() {
+    const RADIUS: f64 = 1.2;
+    for size in [1e-3, 1.0, 1e3] {
+        let mut patch = disk(12);
+        for p in &mut patch.points {
+            p.z = (RADIUS * RADIUS - p.x * p.x - p.y * p.y).sqrt();
+            *p *= size;
+        }
+        let ball = patch.points.clone();
+        // Twice the mean curvature, towards the middle.
+        let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (RADIUS * size).powi(2)).collect();
+        let farthest =
+            |patch: &Patch| patch.points.iter().map(|p| (p.length() / (RADIUS * size) - 1.0).abs()).fold(0.0, f64::max);
+        for (v, p) in patch.points.iter_mut().enumerate().filter(|&(v, _)| patch.free[v]) {
+            p.z += 0.02 * noise(v) * size;
+        }
+        let centres = patch.centres();
+        let mut flat = patch.clone();
+        flat.bend(&centres, Weights::Cotangent, None);
+        patch.bend(&centres, Weights::Cotangent, Some(&curvature));
+        assert!(farthest(&patch) < 4e-3, "{size} {}", farthest(&patch));
+        assert!(farthest(&flat) > 3.0 * farthest(&patch), "{size} {}", farthest(&flat));
+    }
+}
+
+/// Of a ball of radius 2: 1, towards the middle, at every vertex, its rim included; and the ridges
+/// of noise are averaged out.
+#[test]
+fn mean_curvature_of_a_ball() {
+    let mut patch = disk(12);
+    patch.points.iter_mut().for_each(|p| p.z = (4.0 - p.x * p.x - p.y * p.y).sqrt());
+    // The rim first.
+    patch.points.reverse();
+    let last = patch.points.len() as u32 - 1;
+    patch.triangles.iter_mut().flatten().for_each(|v| *v = last - *v);
+    let off = |passes: u32, patch: &Patch| {
+        let curvature = mean_curvature(&patch.points, &patch.triangles, &|v| v >= 72, passes, &Job::default()).unwrap();
+        let off = curvature.iter().zip(&patch.points).map(|(bend, &p)| bend.distance(-p / 2.0));
+        off.fold(0.0, f64::max)
+    };
+    assert!(off(5, &patch) < 0.1, "{}", off(5, &patch));
+    for v in 72..patch.points.len() {
+        patch.points[v].z += 1e-3 * noise(v);
+    }
+    let [rough, smooth] = [off(1, &patch), off(10, &patch)];
+    assert!(smooth < rough / 2.0 && smooth < 0.3, "{rough} {smooth}");
+}
+
+/// The function with Laplacians of all orders but the third, on a nearly flat disk of irregular
+/// triangles: with continuous curvature it is found, better on finer triangles, and far better than
+/// without.
+#[test]
+fn triharmonic_functions_are_found() {
+    let height = |p: DVec3| 1e-4 * p.length_squared() * (p.length_squared() * (p.x + 1.0) + p.x * p.y + p.y + 1.0);
+    let error = |rings: u32, continuity: Continuity| {
+        let mut patch = disk(rings);
+        for (v, p) in patch.points.iter_mut().enumerate() {
+            *p += DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.2 / f64::from(rings);
+        }
+        // Three rows are fixed.
+        let count = patch.points.len();
+        let inner = 3 * (rings as usize - 2) * (rings as usize - 3) + 1;
+        patch.free = (0..count).map(|v| v < inner).collect();
+        let centres: Vec<_> = (0..count).map(|v| v < count - 6 * rings as usize).collect();
+        for v in 0..count {
+            patch.points[v].z = if patch.free[v] { 0.0 } else { height(patch.points[v]) };
+        }
+        let (triangles, free) = (&patch.triangles, &patch.free);
+        let weights = Weights::Cotangent;
+        let plate = Plate { triangles, free, centres: &centres, weights, continuity, shape: None, layout: None };
+        thin_plate(&mut patch.points, &plate, &Job::default()).unwrap();
+        patch.points.iter().map(|&p| (p.z - height(p)).abs()).fold(0.0, f64::max) / 1e-4
+    };
+    let errors = [8, 16, 32].map(|rings| error(rings, Continuity::C2));
+    assert!(errors[0] < 0.2 && errors[1] < errors[0] / 2.0 && errors[2] < errors[1] / 2.0, "{errors:?}");
+    assert!(errors[2] < error(32, Continuity::C1) / 10.0, "{errors:?} {}", error(32, Continuity::C1));
+}
+
+/// Quadratic functions have their Laplacians, on triangles many times as long as they are wide, too.
+#[test]
+fn laplacians_of_quadratic_functions() {
+    type Function = fn(DVec3) -> f64;
+    let functions: [(Function, f64); 3] = [(|p| p.x * p.x, 2.0), (|p| p.y * p.y, 2.0), (|p| p.x * p.y, 0.0)];
+    for (stretch, most) in [(1.0, 0.01), (3.0, 0.02), (10.0, 0.05), (0.05, 0.25)] {
+        let mut patch = disk(12);
+        for (v, p) in patch.points.iter_mut().enumerate() {
+            *p = 12.0 * *p + DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.25;
+            p.y *= stretch;
+        }
+        let (points, triangles) = (&patch.points, &patch.triangles);
+        let rings = Rings::new(points, triangles, Weights::Cotangent, &Job::default()).unwrap();
+        let exact = Exact::new(points, triangles, &rings, &Job::default()).unwrap();
+        let inner: Vec<usize> = (0..points.len()).filter(|&v| patch.free[v]).collect();
+        for (k, (f, expected)) in functions.iter().enumerate() {
+            // In the plane of each vertex.
+            let laplacian = |&v: &usize| {
+                let row = exact.rows(&rings).row(v);
+                row.map(|(w, weight)| weight * f(points[w] - points[v])).sum::<f64>() - expected
+            };
+            let square: f64 = inner.iter().map(laplacian).map(|error| error * error).sum();
+            // The mixed one is of the size of both.
+            let error = (square / inner.len() as f64).sqrt() * if k == 2 { stretch.min(1.0 / stretch) } else { 1.0 };
+            assert!(error < most, "{k}, stretched {stretch} times: {error}");
+        }
+    }
+}
+
+/// Where nothing bends nothing will, however irregular the triangles.
+#[test]
+fn a_plane_stays_a_plane_with_its_curvature() {
+    let mut patch = disk(9);
+    for (v, p) in patch.points.iter_mut().enumerate() {
+        *p += DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.05;
+        p.z = if patch.free[v] { 0.1 * noise(v + 77) } else { 0.0 };
+    }
+    let centres: Vec<_> = (0..patch.points.len()).map(|v| v < patch.points.len() - 54).collect();
+    let (triangles, free) = (&patch.triangles, &patch.free);
+    let (weights, continuity) = (Weights::Cotangent, Continuity::C2);
+    let plate = Plate { triangles, free, centres: &centres, weights, continuity, shape: None, layout: None };
+    thin_plate(&mut patch.points, &plate, &Job::default()).unwrap();
+    assert!(patch.points.iter().all(|p| p.z.abs() < 1e-10));
+}

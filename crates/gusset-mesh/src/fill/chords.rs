@@ -1,0 +1,135 @@
+//! The chords of a loop that a triangulation may use: all of them, or those near the sides of a
+//! triangulation of every other vertex.
+
+use gusset_base::error::Result;
+use gusset_base::sort;
+use gusset_base::sort::Buckets;
+
+/// Chords (i, k), i < k, of n vertices, the edges (i, i + 1) included, each with a number. In
+/// ascending order of numbers, the chords (i, m) and (m, k) come before (i, k).
+pub(super) trait Chords {
+    fn count(&self) -> usize;
+    fn find(&self, i: usize, k: usize) -> Option<usize>;
+    /// Calls `visit` for all chords in the order of their numbers.
+    fn try_each(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
+    /// Calls `visit` with each m between i and k, ascending, that has chords (i, m) and (m, k), and
+    /// their numbers.
+    fn each_apex(&self, i: usize, k: usize, visit: impl FnMut(usize, [usize; 2]));
+}
+
+/// All chords of so many vertices.
+pub(super) struct All(pub(super) usize);
+
+fn at(i: usize, k: usize) -> usize {
+    k * (k - 1) / 2 + (k - 1 - i)
+}
+
+impl Chords for All {
+    fn count(&self) -> usize {
+        self.0 * (self.0 - 1) / 2
+    }
+
+    fn find(&self, i: usize, k: usize) -> Option<usize> {
+        Some(at(i, k))
+    }
+
+    fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
+        (1..self.0).try_for_each(|k| (0..k).rev().try_for_each(|i| visit(at(i, k), [i, k])))
+    }
+
+    fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
+        (i + 1..k).for_each(|m| visit(m, [at(i, m), at(m, k)]));
+    }
+}
+
+/// Chords in lists by their ends.
+pub(super) struct Near {
+    /// At k, where in `first` the chords (i, k) are; their places are their numbers.
+    start: Vec<u32>,
+    /// i, descending for each k.
+    first: Vec<u32>,
+    /// At i the chords (i, k): k, ascending, and the number.
+    after: Buckets<(u32, u32)>,
+}
+
+impl Near {
+    /// Of a loop of `n` vertices: the edges, the chords that cut off one vertex, that from the first
+    /// to the last vertex, and those whose ends lie at most `band` places from those of a side of
+    /// `triangles`, found by a search of the vertices `kept` of the loop. O(band^2 n) time
+    /// and memory.
+    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<Near> {
+        // Each chord is the longest side of one triangle, as they are numbered.
+        let edges = (1..kept.len() as u32).map(|v| (v - 1, v));
+        let given = triangles.iter().map(|&[a, _, c]| (a, c)).chain(edges);
+        let around = |v: u32| {
+            let v = kept[v as usize];
+            v.saturating_sub(band)..=(v + band).min(n as u32 - 1)
+        };
+        let near = given.flat_map(|(u, v)| around(u).flat_map(move |i| around(v).map(move |k| (k as usize, i))));
+        let near = near.filter(|&(k, i)| (i as usize) < k);
+        let short = (0..n).flat_map(|k| (k.saturating_sub(2)..k).map(move |i| (k, i as u32)));
+        let all = near.chain(short).chain([(n - 1, 0)]);
+        let (mut start, mut first) = Buckets::new(n, 0u32, all)?.into_parts();
+        let (mut from, mut count) = (0, 0);
+        for k in 0..n {
+            let to = start[k + 1] as usize;
+            sort::stable(&mut first[from..to], &|a, b| b.cmp(a));
+            let begin = count;
+            for at in from..to {
+                if count == begin || first[count - 1] != first[at] {
+                    first[count] = first[at];
+                    count += 1;
+                }
+            }
+            from = to;
+            start[k + 1] = count as u32;
+        }
+        first.truncate(count);
+        let places = (0..n).flat_map(|k| (start[k]..start[k + 1]).map(move |number| (k, number)));
+        let after =
+            Buckets::new(n, (0, 0), places.map(|(k, number)| (first[number as usize] as usize, (k as u32, number))))?;
+        Ok(Near { start, first, after })
+    }
+
+    fn before(&self, k: usize) -> &[u32] {
+        &self.first[self.start[k] as usize..self.start[k + 1] as usize]
+    }
+}
+
+impl Chords for Near {
+    fn count(&self) -> usize {
+        self.first.len()
+    }
+
+    fn find(&self, i: usize, k: usize) -> Option<usize> {
+        let after = self.after.get(i);
+        after.binary_search_by_key(&(k as u32), |&(k, _)| k).ok().map(|at| after[at].1 as usize)
+    }
+
+    fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
+        for k in 0..self.start.len() - 1 {
+            for number in self.start[k] as usize..self.start[k + 1] as usize {
+                visit(number, [self.first[number] as usize, k])?;
+            }
+        }
+        Ok(())
+    }
+
+    fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
+        let (after, before, start) = (self.after.get(i), self.before(k), self.start[k] as usize);
+        // The shorter list is walked.
+        if after.len() <= before.len() {
+            for &(m, left) in after.iter().take_while(|&&(m, _)| (m as usize) < k) {
+                if let Ok(at) = before.binary_search_by(|v| m.cmp(v)) {
+                    visit(m as usize, [left as usize, start + at]);
+                }
+            }
+        } else {
+            for (at, &m) in before.iter().enumerate().rev().skip_while(|&(_, &m)| m as usize <= i) {
+                if let Ok(left) = after.binary_search_by_key(&m, |&(m, _)| m) {
+                    visit(m as usize, [after[left].1 as usize, start + at]);
+                }
+            }
+        }
+    }
+}

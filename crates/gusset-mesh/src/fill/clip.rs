@@ -1,0 +1,186 @@
+//! Ear clipping of long loops.
+//!
+//! Dynamic programming is cubic in the length of the loop. A loop too long for it loses its
+//! shortest ear, a triangle of three consecutive vertices, then the shortest ear of the rest,
+//! and so on. An ear must, in projection along the loop's mean normal, be convex and contain no
+//! other vertex; every simple polygon has two (G. Meisters, *Polygons have ears*, 1975). Where
+//! no such ear is left, because the projected loop crosses itself, the shortest one is taken. A
+//! grid over the projected vertices keeps each test local: about O(n log n) for loops that fill
+//! their box evenly.
+
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
+/// Cells of the grid along each axis, at the most.
+const MAX_GRID_CELLS: f64 = 1024.0;
+/// Points are planar if they deviate from a plane by no more than this part of their size.
+const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
+/// Ears between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 10;
+
+/// Triangulates the loop through `points`; `None` if every ear that is left would have an edge that
+/// is `taken`.
+///
+/// O(n log n) for n points and the vertices looked at, which are those near each ear; linear
+/// memory, about 150 bytes a point.
+pub(crate) fn clip_ears(
+    points: &[DVec3],
+    taken: &dyn Fn(u32, u32) -> bool,
+    job: &Job<'_>,
+) -> Result<Option<Vec<[u32; 3]>>> {
+    let n = points.len();
+    let mut ring = Ring::new(points)?;
+    let mut triangles = alloc::with_capacity(n - 2)?;
+    // Shortest first; of ears that have changed since, the old entry is passed over.
+    let mut ears = BinaryHeap::from(alloc::with_capacity(4 * n)?);
+    for strict in [true, false] {
+        ears.clear();
+        ears.extend((0..n as u32).filter(|&v| ring.is_left(v)).map(|v| Reverse(ring.ear(points, v))));
+        while let (Some(Reverse((_, [a, b, c]))), true) = (ears.pop(), triangles.len() + 3 < n) {
+            let stale = !ring.is_left(b) || ring.previous[b as usize] != a || ring.next[b as usize] != c;
+            if stale || taken(a, c) || strict && !ring.is_ear([a, b, c]) {
+                continue;
+            }
+            job.step_every(REPORT_INTERVAL, triangles.len(), n, "triangulating holes")?;
+            triangles.push([a, b, c]);
+            ring.remove(b);
+            ears.extend([a, c].map(|v| Reverse(ring.ear(points, v))));
+        }
+    }
+    let Some(v) = (0..n as u32).find(|&v| ring.is_left(v)) else {
+        return Ok(None);
+    };
+    triangles.push([ring.previous[v as usize], v, ring.next[v as usize]]);
+    Ok((triangles.len() == n - 2).then_some(triangles))
+}
+
+/// What is left of the loop.
+struct Ring {
+    /// The loop seen along its mean normal, counter-clockwise.
+    flat: Vec<DVec2>,
+    previous: Vec<u32>,
+    next: Vec<u32>,
+    /// Does not bend to the inside: only such vertices can lie in ears.
+    reflex: Vec<bool>,
+    grid: Grid,
+}
+
+impl Ring {
+    fn new(points: &[DVec3]) -> Result<Ring> {
+        let n = points.len();
+        let flat = flattened(points)?;
+        let previous = alloc::collect((0..n).map(|i| ((i + n - 1) % n) as u32))?;
+        let next = alloc::collect((0..n).map(|i| ((i + 1) % n) as u32))?;
+        let reflex = alloc::collect((0..n).map(|i| turn(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) <= 0.0))?;
+        let grid = Grid::new(&flat, &reflex)?;
+        Ok(Ring { flat, previous, next, reflex, grid })
+    }
+
+    fn is_left(&self, v: u32) -> bool {
+        self.next[v as usize] != v
+    }
+
+    /// The ear at `v`, with the bits of its squared length in front: they sort as the lengths do.
+    fn ear(&self, points: &[DVec3], v: u32) -> (u64, [u32; 3]) {
+        let (a, c) = (self.previous[v as usize], self.next[v as usize]);
+        (points[a as usize].distance_squared(points[c as usize]).to_bits(), [a, v, c])
+    }
+
+    fn is_ear(&self, ear: [u32; 3]) -> bool {
+        let [a, b, c] = ear.map(|v| self.flat[v as usize]);
+        if self.reflex[ear[1] as usize] {
+            return false;
+        }
+        // At a corner are ends of bridges, which the polygon passes more than once.
+        let at_corner = |p: DVec2| p == a || p == b || p == c;
+        let holds = |p: DVec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0 && !at_corner(p);
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let blocks =
+            |&v: &u32| self.reflex[v as usize] && self.is_left(v) && !ear.contains(&v) && holds(self.flat[v as usize]);
+        !self.grid.rows(low, high).any(|row| self.grid.vertices.items()[row].iter().any(blocks))
+    }
+
+    fn remove(&mut self, v: u32) {
+        let (a, c) = (self.previous[v as usize], self.next[v as usize]);
+        self.next[a as usize] = c;
+        self.previous[c as usize] = a;
+        self.next[v as usize] = v;
+        for v in [a, c].map(|v| v as usize) {
+            let (p, q) = (self.previous[v] as usize, self.next[v] as usize);
+            self.reflex[v] = turn(self.flat[p], self.flat[v], self.flat[q]) <= 0.0;
+        }
+    }
+}
+
+/// Positive if the way from `a` by `b` to `c` turns left.
+fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+/// The unit normal of a loop by Newell's formula; any if it has none.
+pub(super) fn mean_normal(points: &[DVec3]) -> DVec3 {
+    let next = points.iter().cycle().skip(1);
+    let normal: DVec3 = points.iter().zip(next).map(|(&p, &q)| (p - points[0]).cross(q - points[0])).sum();
+    normal.try_normalize().unwrap_or(DVec3::Z)
+}
+
+/// True if all points are as near to the plane through the first one, of this normal, as round-off
+/// of single precision may have left them.
+pub(super) fn is_planar(points: &[DVec3], normal: DVec3) -> bool {
+    let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
+    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size)
+}
+
+/// The loop seen along its mean normal, counter-clockwise.
+fn flattened(points: &[DVec3]) -> Result<Vec<DVec2>> {
+    let (origin, normal) = (points[0], mean_normal(points));
+    let x = normal.any_orthonormal_vector();
+    let y = normal.cross(x);
+    alloc::collect(points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y))))
+}
+
+/// The reflex vertices of the loop at the start, by square cells, row by row.
+struct Grid {
+    low: DVec2,
+    cell: f64,
+    columns: usize,
+    vertices: Buckets<u32>,
+}
+
+impl Grid {
+    fn new(flat: &[DVec2], reflex: &[bool]) -> Result<Grid> {
+        let low = flat.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+        let size = flat.iter().fold(DVec2::ZERO, |size, &p| size.max(p - low));
+        let cells = (flat.len() as f64).sqrt().ceil().min(MAX_GRID_CELLS);
+        let cell = (size.max_element() / cells).max(f64::MIN_POSITIVE);
+        let columns = (size.x / cell) as usize + 1;
+        let rows = (size.y / cell) as usize + 1;
+        let mut grid = Grid { low, cell, columns, vertices: Buckets::default() };
+        let inside = (0..flat.len()).filter(|&v| reflex[v]).map(|v| {
+            let (column, row) = grid.cell_of(flat[v]);
+            (row * columns + column, v as u32)
+        });
+        grid.vertices = Buckets::new(rows * columns, 0, inside)?;
+        Ok(grid)
+    }
+
+    fn cell_of(&self, p: DVec2) -> (usize, usize) {
+        let cell = (p - self.low) / self.cell;
+        ((cell.x as usize).min(self.columns - 1), cell.y as usize)
+    }
+
+    /// Where the vertices of the cells that a box touches are, a range for each row.
+    fn rows(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = Range<usize>> + '_ {
+        let ((left, bottom), (right, top)) = (self.cell_of(low), self.cell_of(high));
+        (bottom..=top).map(move |row| {
+            let at = |column: usize| self.vertices.range(row * self.columns + column);
+            at(left).start..at(right).end
+        })
+    }
+}

@@ -1,0 +1,116 @@
+//! The curves along which creases go on across a hole.
+
+use super::super::rim::Rim;
+use super::curve::{Curve, tangent};
+use super::ends::End;
+use super::joins::tangents;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// Without new vertices a chord takes the place of a curve that is no further from it, in chords.
+const MAX_PLAIN_SAG: f64 = 0.1;
+
+/// The way from the tip of an end across the hole to that of another.
+pub(super) struct Bridge {
+    pub(super) to: usize,
+    /// The curve that begins here.
+    pub(super) curve: u32,
+    /// The vertices between, each with the one or two curves that it is on.
+    pub(super) inner: Vec<(u32, [u32; 2])>,
+}
+
+/// The bridges under construction.
+pub(super) struct Bridges<'a> {
+    rim: &'a Rim,
+    ends: &'a [End],
+    pub(super) points: Vec<DVec3>,
+    /// From each end.
+    pub(super) bridges: Vec<Option<Bridge>>,
+    curves: u32,
+}
+
+impl<'a> Bridges<'a> {
+    pub(super) fn new(rim: &'a Rim, ends: &'a [End]) -> Result<Self> {
+        let bridges = alloc::collect(ends.iter().map(|_| None))?;
+        Ok(Bridges { rim, ends, points: Vec::new(), bridges, curves: 0 })
+    }
+
+    fn tip(&self, end: usize) -> DVec3 {
+        self.rim.points[self.ends[end].tip]
+    }
+
+    /// How long the pieces of a curve are that leaves an end: as the edges there.
+    fn spacing(&self, end: usize) -> f64 {
+        let (n, tip) = (self.rim.count, self.ends[end].tip);
+        let around = [self.ends[end].from, self.rim.points[(tip + 1) % n], self.rim.points[(tip + n - 1) % n]];
+        around.iter().map(|p| p.distance(self.tip(end)) / 3.0).sum()
+    }
+
+    /// How many pieces a curve gets: no more than the rim has edges, however short some of them are.
+    fn pieces(&self, curve: &Curve, spacing: f64, limit: usize) -> usize {
+        let most = limit.min(self.rim.count) as f64 + 1.0;
+        ((curve.length() / spacing).round().min(most) as usize).max(1)
+    }
+
+    /// Names points along a curve.
+    fn add(&mut self, inner: &[DVec3]) -> Result<Vec<(u32, [u32; 2])>> {
+        let first = (self.rim.count + self.points.len()) as u32;
+        let curve = self.curves;
+        self.curves += 1;
+        alloc::append(&mut self.points, inner)?;
+        alloc::collect((first..first + inner.len() as u32).map(|name| (name, [curve; 2])))
+    }
+
+    /// Joins two ends, if a chord may do where no vertices are allowed.
+    pub(super) fn join(
+        &mut self,
+        [i, j]: [usize; 2],
+        taken: &dyn Fn(u32, u32) -> bool,
+        limit: Option<usize>,
+    ) -> Result<()> {
+        let pair = [i, j].map(|end| &self.ends[end]);
+        let shape = Curve::new([i, j].map(|end| self.tip(end)), tangents(self.rim, pair));
+        let mut pieces = match limit {
+            Some(limit) => self.pieces(&shape, (self.spacing(i) + self.spacing(j)) / 2.0, 2 * limit),
+            None if shape.sag() <= MAX_PLAIN_SAG => 1,
+            None => return Ok(()),
+        };
+        if pieces == 1 && taken(pair[0].tip as u32, pair[1].tip as u32) {
+            if limit.is_none_or(|limit| limit == 0) {
+                return Ok(());
+            }
+            pieces = 2;
+        }
+        let curve = self.curves;
+        let inner = self.add(&shape.inner(pieces)?)?;
+        let back = alloc::collect(inner.iter().rev().copied())?;
+        self.bridges[i] = Some(Bridge { to: j, curve, inner });
+        self.bridges[j] = Some(Bridge { to: i, curve, inner: back });
+        Ok(())
+    }
+
+    /// Has ends, in the order of the rim, meet in a point.
+    pub(super) fn meet(&mut self, centre: DVec3, arms: &[usize], limit: usize) -> Result<()> {
+        let first = self.curves;
+        let mut inner = alloc::with_capacity(arms.len())?;
+        for &arm in arms {
+            let tip = self.tip(arm);
+            let curve = Curve::arc([tip, centre], tangent(self.ends[arm].from, tip, centre));
+            let pieces = self.pieces(&curve, self.spacing(arm), limit - 1);
+            let points = curve.inner(pieces)?;
+            inner.push(self.add(&points)?);
+        }
+        let name = (self.rim.count + self.points.len()) as u32;
+        alloc::push(&mut self.points, centre)?;
+        // From each to the one before it: with the rim between them they enclose a part.
+        for (k, &arm) in arms.iter().enumerate() {
+            let before = (k + arms.len() - 1) % arms.len();
+            let mut way = alloc::copied(&inner[k])?;
+            alloc::push(&mut way, (name, [first + k as u32, first + before as u32]))?;
+            alloc::extend(&mut way, inner[before].iter().rev().copied())?;
+            self.bridges[arm] = Some(Bridge { to: arms[before], curve: first + k as u32, inner: way });
+        }
+        Ok(())
+    }
+}

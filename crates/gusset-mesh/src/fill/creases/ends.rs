@@ -1,0 +1,239 @@
+//! Where creases of the old surface end on a rim.
+
+use super::super::rim::Rim;
+use super::curve::angle;
+use crate::blend::MAX_FAN_TRIANGLES;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::sort;
+use gusset_base::sort::{Buckets, select};
+
+/// An old edge is sharp if its faces' normals differ by this angle at least, in radians, ...
+const MIN_BEND: f64 = 0.6;
+/// ... and by so many times what half of the old edges that end on the rim do not exceed, ...
+const MIN_CONTRAST: f64 = 6.0;
+/// ... and others at the same vertex are sharp, too, if they bend by more than this part of it.
+const MAX_SECOND: f64 = 0.5;
+/// The rim follows a crease along edges that turn by less: the cosine.
+const MIN_FOLLOWING: f64 = 0.9;
+/// And by less than this angle as a whole: the cosine.
+const MIN_FOLLOWING_IN_ALL: f64 = 0.75;
+/// The surfaces on the hole's side of both ends of a touch differ by less than this angle.
+const MAX_MISFIT: f64 = 0.7;
+
+/// The end of a crease on a rim.
+pub(super) struct End {
+    /// The rim's vertex where the last old edge of the crease inside the surface ends.
+    pub(super) base: usize,
+    /// So many edges of the rim follow the crease from there: forwards, or, if negative, backwards.
+    pub(super) along: isize,
+    /// Where the crease leaves the rim: the base, or the vertex at the end of these edges.
+    pub(super) tip: usize,
+    /// The crease's vertex before the tip.
+    pub(super) from: DVec3,
+    /// The unit vector from there to the tip.
+    pub(super) direction: DVec3,
+    /// The old triangles at the base on either side of the crease: beside the rim's edge that ends
+    /// there, and beside that which begins there.
+    pub(super) sides: [Vec<u32>; 2],
+    /// The surface's unit normals on these sides.
+    pub(super) normals: [DVec3; 2],
+}
+
+impl End {
+    /// Positive where the surface is convex, seen from outside, or negative; of all ends alike.
+    pub(super) fn convexity(&self) -> f64 {
+        self.normals[1].cross(self.normals[0]).dot(self.direction)
+    }
+
+    /// The vertices of a rim of `count` along which the crease goes, from the base to the tip or
+    /// from the tip to the base.
+    pub(super) fn vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+        let first = if self.along < 0 { self.tip } else { self.base };
+        (0..=self.along.unsigned_abs()).map(move |k| (first + k) % count)
+    }
+}
+
+/// A stretch of a rim that follows a crease which does not go into the hole.
+pub(super) struct Touch {
+    /// From this vertex so many edges on; none where the crease only touches the rim.
+    pub(super) first: usize,
+    pub(super) edges: usize,
+    /// The old triangles on the hole's side of the crease at the first vertex and at the last.
+    pub(super) sides: [Vec<u32>; 2],
+}
+
+impl Touch {
+    pub(super) fn vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+        let first = self.first;
+        (0..=self.edges).map(move |k| (first + k) % count)
+    }
+}
+
+/// Corners of triangles at the rim's vertices: (the triangle, its corner before, its corner after).
+pub(super) type Corners = Buckets<(u32, u32, u32)>;
+
+pub(super) fn corners(rim: &Rim) -> Result<Corners> {
+    let given = rim.around.iter().zip(0..).flat_map(|(&[a, b, c], t)| [(b, (t, a, c)), (c, (t, b, a)), (a, (t, c, b))]);
+    let at_rim = given.filter(|&(v, _)| (v as usize) < rim.count).map(|(v, corner)| (v as usize, corner));
+    Buckets::new(rim.count, (0, 0, 0), at_rim)
+}
+
+/// The ends on a rim, in the order of their tips, and its touches; they have no vertex in common.
+/// O(n) for n triangles.
+pub(super) fn ends(rim: &Rim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>)> {
+    let mut bends = Vec::new();
+    let mut sharpest = Vec::new();
+    for v in 0..rim.count {
+        let fan = fan(rim, corners, v)?;
+        let start = bends.len();
+        alloc::extend(&mut bends, fan.windows(2).map(|pair| bend(rim, pair)))?;
+        let most = bends[start..].iter().copied().fold(0.0, f64::max);
+        if most >= MIN_BEND {
+            alloc::push(&mut sharpest, (v, most, start..bends.len(), fan))?;
+        }
+    }
+    let usual = median(&bends)?;
+    let (mut ends, mut touches) = (Vec::new(), Vec::new());
+    for (base, most, own, fan) in sharpest.into_iter().filter(|&(_, most, _, _)| most >= MIN_CONTRAST * usual) {
+        let own = &bends[own];
+        let sharp = || (0..own.len()).filter(|&k| own[k] > MAX_SECOND * most);
+        let (Some(first), Some(last)) = (sharp().next(), sharp().next_back()) else {
+            continue;
+        };
+        match sharp().count() {
+            1 => alloc::push(&mut ends, end(rim, base, first, &fan)?)?,
+            2 => corner(rim, base, [&fan[last + 1..], &fan[..=first]], &mut ends, &mut touches)?,
+            _ => {}
+        }
+    }
+    let ends = paired(ends, &mut touches, rim.count)?;
+    apart(ends, touches, rim.count)
+}
+
+/// Makes touches of ends between which the rim follows a crease, and returns the others.
+fn paired(ends: Vec<End>, touches: &mut Vec<Touch>, count: usize) -> Result<Vec<End>> {
+    let mut used = alloc::filled(false, ends.len())?;
+    // In the order of their bases.
+    for i in 0..ends.len() {
+        let j = (i + 1) % ends.len();
+        let (a, b) = (&ends[i], &ends[j]);
+        let edges = (b.base + count - a.base) % count;
+        let reaches = a.along >= edges as isize || -b.along >= edges as isize;
+        let fits = || angle(a.normals[0], b.normals[1]) < MAX_MISFIT && a.convexity() * b.convexity() > 0.0;
+        if i != j && reaches && !used[i] && !used[j] && fits() {
+            (used[i], used[j]) = (true, true);
+            let sides = [alloc::copied(&a.sides[0])?, alloc::copied(&b.sides[1])?];
+            alloc::push(touches, Touch { first: a.base, edges, sides })?;
+        }
+    }
+    let mut used = used.into_iter();
+    alloc::gather(ends.into_iter().filter(|_| used.next() == Some(false)))
+}
+
+fn median(values: &[f64]) -> Result<f64> {
+    let mut numbers = alloc::collect(0..values.len() as u32)?;
+    let middle = numbers.len() / 2;
+    if numbers.is_empty() {
+        return Ok(0.0);
+    }
+    select(&mut numbers, middle, |k| values[k as usize]);
+    Ok(values[numbers[middle] as usize])
+}
+
+/// The triangles round a vertex, from the rim's edge that begins there to that which ends there, each
+/// with the vertex that it shares with the next; none if they are no fan, or too many.
+fn fan(rim: &Rim, corners: &Corners, v: usize) -> Result<Vec<(u32, u32)>> {
+    let own = corners.get(v);
+    let [before, after] = [(v + rim.count - 1) % rim.count, (v + 1) % rim.count].map(|v| v as u32);
+    let mut fan = Vec::new();
+    let mut side = after;
+    while side != before {
+        let next = own.iter().find(|&&(_, from, _)| from == side);
+        let Some(&(t, _, to)) = next.filter(|_| fan.len() < own.len().min(MAX_FAN_TRIANGLES)) else {
+            return Ok(Vec::new());
+        };
+        alloc::push(&mut fan, (t, to))?;
+        side = to;
+    }
+    Ok(fan)
+}
+
+fn area(rim: &Rim, t: u32) -> DVec3 {
+    let [a, b, c] = rim.around[t as usize].map(|v| rim.points[v as usize]);
+    (b - a).cross(c - a)
+}
+
+/// By how much two triangles of a fan bend; 0 if one has no direction.
+fn bend(rim: &Rim, pair: &[(u32, u32)]) -> f64 {
+    angle(area(rim, pair[0].0), area(rim, pair[1].0))
+}
+
+fn side(rim: &Rim, fan: &[(u32, u32)]) -> Result<(Vec<u32>, DVec3)> {
+    let normal = fan.iter().map(|&(t, _)| area(rim, t)).sum::<DVec3>().normalize_or_zero();
+    Ok((alloc::collect(fan.iter().map(|&(t, _)| t))?, normal))
+}
+
+/// A vertex that two creases pass or end in, with the triangles beyond them on either side: if these
+/// bend against each other, another one goes from there along the line where they meet.
+fn corner(
+    rim: &Rim,
+    base: usize,
+    fans: [&[(u32, u32)]; 2],
+    ends: &mut Vec<End>,
+    touches: &mut Vec<Touch>,
+) -> Result<()> {
+    let [(before, n), (after, m)] = [side(rim, fans[0])?, side(rim, fans[1])?];
+    let sides = [before, after];
+    if angle(n, m) < MIN_BEND {
+        return alloc::push(touches, Touch { first: base, edges: 0, sides });
+    }
+    let at = rim.points[base];
+    let centre = rim.points[..rim.count].iter().sum::<DVec3>() / rim.count as f64;
+    let line = n.cross(m).normalize_or_zero();
+    let direction = if line.dot(centre - at) < 0.0 { -line } else { line };
+    let from = at - direction * at.distance(rim.points[(base + 1) % rim.count]);
+    alloc::push(ends, End { base, along: 0, tip: base, from, direction, sides, normals: [n, m] })
+}
+
+/// The end of the crease between the triangles k and k + 1 of a fan.
+fn end(rim: &Rim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<End> {
+    let (after, before) = fan.split_at(k + 1);
+    let [(before, n), (after, m)] = [side(rim, before)?, side(rim, after)?];
+    let from = rim.points[fan[k].1 as usize];
+    let (along, from) = along(rim, base, from);
+    let tip = base.wrapping_add_signed(along + rim.count as isize) % rim.count;
+    let direction = (rim.points[tip] - from).normalize_or_zero();
+    Ok(End { base, along, tip, from, direction, sides: [before, after], normals: [n, m] })
+}
+
+/// How far the rim follows a crease that ends at a vertex, and the vertex before the last.
+fn along(rim: &Rim, base: usize, from: DVec3) -> (isize, DVec3) {
+    let n = rim.count;
+    let at = |by: isize| rim.points[base.wrapping_add_signed(by + n as isize) % n];
+    let direction = |p: DVec3, q: DVec3| (q - p).normalize_or_zero();
+    let turn = |way: isize| direction(from, at(0)).dot(direction(at(0), at(way)));
+    let way = if turn(1) >= turn(-1) { 1 } else { -1 };
+    let (mut steps, mut last) = (0isize, from);
+    while steps.unsigned_abs() + 2 < n {
+        let (here, next) = (at(steps), at(steps + way));
+        let goes = direction(here, next);
+        if direction(last, here).dot(goes) < MIN_FOLLOWING || direction(from, at(0)).dot(goes) < MIN_FOLLOWING_IN_ALL {
+            break;
+        }
+        (steps, last) = (steps + way, here);
+    }
+    (steps, last)
+}
+
+/// Those that share no vertex of the rim with others, the ends in the order of their tips.
+fn apart(mut ends: Vec<End>, mut touches: Vec<Touch>, count: usize) -> Result<(Vec<End>, Vec<Touch>)> {
+    let mut uses = alloc::filled(0u32, count)?;
+    ends.iter().flat_map(|end| end.vertices(count)).for_each(|v| uses[v] += 1);
+    touches.iter().flat_map(|touch| touch.vertices(count)).for_each(|v| uses[v] += 1);
+    ends.retain(|end| end.vertices(count).all(|v| uses[v] == 1));
+    touches.retain(|touch| touch.vertices(count).all(|v| uses[v] == 1));
+    sort::stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
+    Ok((ends, touches))
+}

@@ -1,0 +1,203 @@
+//! Which ends belong together: two, which a curve joins, or three and more, which meet in a point.
+//!
+//! Of all ways to join them without crossing in the order of the rim, that of least cost. A curve
+//! costs what a thin rod bends, a^2 + a b + b^2 for the turns a and b from its ends to the chord
+//! (an arc's are opposite), and by how much the surfaces beside it disagree; a point costs the
+//! squares of the angles by which the creases miss it, and the same; an end that is left has a
+//! price.
+
+use super::super::rim::Rim;
+use super::curve::{angle, tangent};
+use super::ends::End;
+use glam::{DMat3, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+
+/// More ends than this are no creases.
+const MAX_ENDS: usize = 24;
+/// Points are looked for among so many ends.
+const MAX_ARMS: usize = 12;
+/// What an end costs that stays alone.
+const ALONE: f64 = 0.6;
+/// A curve starts by less than this angle from its chord, in radians.
+const MAX_TURN: f64 = 1.3;
+/// The surfaces beside a curve, or between two arms, differ by less than this angle.
+const MAX_MISFIT: f64 = 0.7;
+/// A crease misses the point where it ends by less than this angle.
+const MAX_MISS: f64 = 0.25;
+
+/// Lines of less are parallel.
+const MIN_DETERMINANT: f64 = 0.02;
+
+/// Rounds of least squares with new weights.
+const LINE_ROUNDS: u32 = 8;
+/// A line that misses a point by less than this part of its length does not miss it.
+const MIN_MISS: f64 = 1e-3;
+
+/// Ends that belong together.
+pub(super) enum Join {
+    Pair([usize; 2]),
+    /// In the order of the rim.
+    Star {
+        centre: DVec3,
+        arms: Vec<usize>,
+    },
+}
+
+/// The best way to join ends, which are in the order of the rim. O(m^3), O(m^6) where points are
+/// looked for, for m ends.
+pub(super) fn joins(rim: &Rim, ends: &[End]) -> Result<Vec<Join>> {
+    let m = ends.len();
+    if !(2..=MAX_ENDS).contains(&m) {
+        return Ok(Vec::new());
+    }
+    let mut costs = alloc::filled(f64::INFINITY, m * m)?;
+    for (i, j) in (0..m).flat_map(|i| (i + 1..m).map(move |j| (i, j))) {
+        costs[i * m + j] = pair_cost(rim, &ends[i], &ends[j]);
+    }
+    let cost = |i: usize, j: usize| costs[i * m + j];
+    let all = alloc::collect(0..m)?;
+    let (mut least, pairs) = matching(&all, &cost)?;
+    let mut best = alloc::collect(pairs.into_iter().map(Join::Pair))?;
+    if m > MAX_ARMS {
+        return Ok(best);
+    }
+    for (i, j, k) in triples(m) {
+        let Some((own, centre, arms)) = star(rim, ends, [i, j, k])? else {
+            continue;
+        };
+        let (mut sum, mut joins) = (own, Vec::new());
+        for (a, &arm) in arms.iter().enumerate() {
+            let next = arms[(a + 1) % arms.len()];
+            let gap = (1..m).map(|k| (arm + k) % m).take_while(|&end| end != next);
+            let mut gap = alloc::gather(gap)?;
+            gap.sort_unstable();
+            let (cost, pairs) = matching(&gap, &cost)?;
+            sum += cost;
+            alloc::extend(&mut joins, pairs.into_iter().map(Join::Pair))?;
+        }
+        if sum < least {
+            alloc::push(&mut joins, Join::Star { centre, arms })?;
+            (least, best) = (sum, joins);
+        }
+    }
+    Ok(best)
+}
+
+fn triples(m: usize) -> impl Iterator<Item = (usize, usize, usize)> {
+    (0..m).flat_map(move |i| (i + 1..m).flat_map(move |j| (j + 1..m).map(move |k| (i, j, k))))
+}
+
+/// The pairs of least cost that do not cross, and the cost with that of the ends left alone.
+fn matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f64) -> Result<(f64, Vec<[usize; 2]>)> {
+    let n = ends.len();
+    // Of the ends from i to k - 1: the least cost, and the partner of i, or i.
+    let mut cells = alloc::filled((0.0, 0usize), (n + 1) * (n + 1))?;
+    let at = |i: usize, k: usize| i * (n + 1) + k;
+    for i in (0..n).rev() {
+        for k in i + 1..=n {
+            let mut best = (ALONE + cells[at(i + 1, k)].0, i);
+            for j in i + 1..k {
+                let sum = cost(ends[i], ends[j]) + cells[at(i + 1, j)].0 + cells[at(j + 1, k)].0;
+                if sum < best.0 {
+                    best = (sum, j);
+                }
+            }
+            cells[at(i, k)] = best;
+        }
+    }
+    let (mut pairs, mut open) = (Vec::new(), vec![(0, n)]);
+    while let Some((i, k)) = open.pop() {
+        if i < k {
+            let j = cells[at(i, k)].1;
+            if j != i {
+                alloc::push(&mut pairs, [ends[i], ends[j]])?;
+                alloc::push(&mut open, (j + 1, k))?;
+            }
+            alloc::push(&mut open, (i + 1, if j == i { k } else { j }))?;
+        }
+    }
+    Ok((cells[at(0, n)].0, pairs))
+}
+
+/// The unit vectors in which a curve between two ends leaves them.
+pub(super) fn tangents(rim: &Rim, [i, j]: [&End; 2]) -> [DVec3; 2] {
+    let [p, q] = [i, j].map(|end| rim.points[end.tip]);
+    [tangent(i.from, p, q), tangent(j.from, q, p)]
+}
+
+fn pair_cost(rim: &Rim, i: &End, j: &End) -> f64 {
+    let chord = (rim.points[j.tip] - rim.points[i.tip]).normalize_or_zero();
+    let [leaves, returns] = tangents(rim, [i, j]);
+    let arrives = -returns;
+    let turn =
+        |direction: DVec3| (direction - direction.dot(chord) * chord).normalize_or_zero() * angle(chord, direction);
+    let [a, b] = [leaves, arrives].map(turn);
+    if a.length().max(b.length()) > MAX_TURN {
+        return f64::INFINITY;
+    }
+    // What is after i is before j.
+    let misfits = [(1, 0), (0, 1)].map(|(of, with)| angle(turned(i.normals[of], leaves, arrives), j.normals[with]));
+    let same_side = i.convexity() * j.convexity() > 0.0;
+    if !same_side || misfits[0].max(misfits[1]) > MAX_MISFIT {
+        return f64::INFINITY;
+    }
+    a.length_squared() + a.dot(b) + b.length_squared() + misfits.map(|angle| angle * angle).iter().sum::<f64>()
+}
+
+/// `v` turned as the shortest turn from one unit vector to another does it.
+fn turned(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
+    let (axis, cosine) = (from.cross(to), from.dot(to));
+    v * cosine + axis.cross(v) + axis * (axis.dot(v) / (1.0 + cosine).max(f64::EPSILON))
+}
+
+/// The point that the lines of three ends come nearest to, with all ends that point at it: what that
+/// costs; `None` if it is none.
+fn star(rim: &Rim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3, Vec<usize>)>> {
+    let size = Aabb::of(&rim.points[..rim.count]).diagonal();
+    let misses = |centre: DVec3, end: &End| {
+        let way = centre - rim.points[end.tip];
+        if way.length() > size { f64::INFINITY } else { angle(way, end.direction) }
+    };
+    let Some(centre) = nearest_to_lines(rim, &three.iter().map(|&k| &ends[k])) else {
+        return Ok(None);
+    };
+    let arms = alloc::gather((0..ends.len()).filter(|&k| misses(centre, &ends[k]) <= MAX_MISS))?;
+    let Some(centre) = nearest_to_lines(rim, &arms.iter().map(|&k| &ends[k])).filter(|_| arms.len() >= 3) else {
+        return Ok(None);
+    };
+    let mut cost = 0.0;
+    for (a, &arm) in arms.iter().enumerate() {
+        let (end, next) = (&ends[arm], &ends[arms[(a + 1) % arms.len()]]);
+        let (miss, misfit) = (misses(centre, end), angle(end.normals[1], next.normals[0]));
+        if miss > MAX_MISS || misfit > MAX_MISFIT {
+            return Ok(None);
+        }
+        cost += miss * miss + misfit * misfit;
+    }
+    Ok(Some((cost, centre, arms)))
+}
+
+/// The point of least distance from lines, by reweighted least squares, so that a crease that is
+/// bent does not draw it away from where straight ones meet; `None` if they are parallel.
+fn nearest_to_lines<'a>(rim: &Rim, ends: &(impl Iterator<Item = &'a End> + Clone)) -> Option<DVec3> {
+    let mut centre: Option<DVec3> = None;
+    for _ in 0..LINE_ROUNDS {
+        let (mut matrix, mut right, mut sum) = (DMat3::ZERO, DVec3::ZERO, 0.0);
+        for end in ends.clone() {
+            let (p, t) = (rim.points[end.tip], end.direction);
+            let off = DMat3::IDENTITY - DMat3::from_cols(t * t.x, t * t.y, t * t.z);
+            let weight = centre.map_or(1.0, |c| 1.0 / ((off * (c - p)).length() + MIN_MISS * c.distance(p)));
+            matrix += off * weight;
+            right += off * p * weight;
+            sum += weight;
+        }
+        matrix *= 1.0 / sum;
+        if centre.is_none() && matrix.determinant() <= MIN_DETERMINANT {
+            return None;
+        }
+        centre = Some(matrix.inverse() * right / sum);
+    }
+    centre
+}

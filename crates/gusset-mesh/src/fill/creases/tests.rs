@@ -1,0 +1,84 @@
+//! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, at heights of several kinds.
+
+use super::super::rim::{OldFaces, Rim};
+use super::{Division, divide};
+use glam::DVec3;
+use gusset_base::testing::cases;
+
+const CELLS: u32 = 9;
+const HOLE: std::ops::RangeInclusive<u32> = 2..=6;
+
+fn rim(mut height: impl FnMut(f64, f64) -> f64) -> Rim {
+    let side = CELLS + 1;
+    // Round the hole, counter-clockwise, and then all other vertices.
+    let ring = (0..5).map(|k| (2 + k, 2)).chain((0..5).map(|k| (7, 2 + k)));
+    let ring = ring.chain((0..5).map(|k| (7 - k, 7))).chain((0..5).map(|k| (2, 7 - k)));
+    let mut order: Vec<(u32, u32)> = ring.collect();
+    let others = (0..side * side).map(|k| (k % side, k / side)).filter(|at| !order.contains(at));
+    let others: Vec<_> = others.collect();
+    order.extend(others);
+    let number = |at: (u32, u32)| order.iter().position(|&other| other == at).unwrap() as u32;
+    let cells = (0..CELLS * CELLS).map(|k| (k % CELLS, k / CELLS));
+    let kept = cells.filter(|(x, y)| !(HOLE.contains(x) && HOLE.contains(y)));
+    let around: Vec<[u32; 3]> = kept
+        .flat_map(|(x, y)| {
+            let [a, b, c, d] = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(number);
+            [[a, b, c], [a, c, d]]
+        })
+        .filter(|triangle| triangle.iter().any(|&v| v < 20))
+        .collect();
+    let points: Vec<_> =
+        order.iter().map(|&(x, y)| (f64::from(x), f64::from(y))).map(|(x, y)| DVec3::new(x, y, height(x, y))).collect();
+    let sides = around.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
+    Rim::new(&points, vec![20], OldFaces { around, beyond: Vec::new(), sides }, vec![DVec3::Z; 20], vec![true; 20])
+        .unwrap()
+}
+
+fn divided(rim: &Rim, limit: Option<u32>) -> Option<Division> {
+    divide(rim, &|_, _| false, limit).unwrap()
+}
+
+#[test]
+fn a_roof_is_two_parts() {
+    let roof = rim(|x, _| -(x - 4.0).abs());
+    for (limit, points) in [(None, 0), (Some(100), 3)] {
+        let division = divided(&roof, limit).unwrap();
+        assert_eq!((division.parts.len(), division.points.len()), (2, points));
+        for part in &division.parts {
+            // Flat: its own old triangles have one normal.
+            let normals: Vec<_> = part.rim.normals.iter().filter(|normal| **normal != DVec3::ZERO).collect();
+            assert!(normals.len() > 3 && normals.iter().all(|normal| normal.distance(*normals[0]) < 1e-12));
+        }
+        let names: Vec<_> = division.parts.iter().map(|part| part.names.len()).collect();
+        assert_eq!(names.iter().sum::<usize>(), 20 + 2 + 2 * points);
+    }
+    // Of a chord that is taken nothing is made.
+    assert!(divide(&roof, &|_, _| true, None).unwrap().is_none());
+}
+
+#[test]
+fn a_ridge_that_touches_the_rim_hides_what_is_beyond() {
+    let ridge = rim(|x, _| -(x - 2.0).abs());
+    let division = divided(&ridge, None).unwrap();
+    let [part] = &division.parts[..] else { panic!("it is one part") };
+    assert_eq!(part.names, (0..20).collect::<Vec<_>>());
+    let normal = DVec3::new(1.0, 0.0, 1.0).normalize();
+    assert!(part.rim.normals.iter().all(|&own| own == DVec3::ZERO || own.distance(normal) < 1e-12));
+    // Places 15 to 20 are the ridge.
+    assert!(part.is_taken(15, 18, &|_, _| false) && !part.is_taken(3, 8, &|_, _| false));
+    assert_eq!(part.rim.across.iter().filter(|across| **across == DVec3::ZERO).count(), 5);
+}
+
+#[test]
+fn noise_has_no_creases() {
+    let count = u64::from(cases(1000));
+    let rough = |&seed: &u64| {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let noise = 0.4 * random.f64();
+        let rough = rim(|x, y| 0.1 * (x * x - x * y) + noise * random.f64());
+        divided(&rough, Some(100)).is_some()
+    };
+    // Chance may put one or the other sharp edge in line with another.
+    let creased: Vec<u64> = (0..count).filter(rough).collect();
+    assert!(creased.len() as u64 <= count / 200, "{creased:?}");
+}

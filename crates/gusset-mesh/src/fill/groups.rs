@@ -1,0 +1,28 @@
+//! The loops that get one patch, as the caller has it.
+
+use super::choose::Candidate;
+use super::request::{HoleStatus, Selection, Together};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::sort;
+
+/// The candidates to be filled, by patches, each group ascending and the groups by their first ones.
+/// Those that will not be filled are in none: the others of their group get the patch.
+pub(super) fn groups(
+    candidates: &[Candidate],
+    selection: Selection<'_>,
+    together: Together,
+) -> Result<Vec<Vec<usize>>> {
+    let to_fill = |&number: &usize| candidates[number].status == HoleStatus::Filled;
+    let mut numbers = alloc::gather((0..candidates.len()).filter(to_fill))?;
+    let group = |number: usize| match (selection, together) {
+        (Selection::Groups(loops), _) => loops[number].1 as usize,
+        (_, Together::One) => 0,
+        (_, Together::Apart | Together::Cheapest) => number,
+    };
+    sort::stable(&mut numbers, &|&a, &b| (group(a), a).cmp(&(group(b), b)));
+    let chunks = numbers.chunk_by(|&i, &k| group(i) == group(k));
+    let mut groups = alloc::try_collect(chunks.map(alloc::copied))?;
+    groups.sort_unstable();
+    Ok(groups)
+}

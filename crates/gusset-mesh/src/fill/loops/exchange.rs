@@ -1,0 +1,114 @@
+//! Many loops of few vertices: a tree of short bridges, each of which is replaced by better ones.
+
+use super::super::chords::All;
+use super::exact::{MAX_WORK, triangles};
+use super::improve::{FREE, REPEATS};
+use super::opened::Opened;
+use super::rims::Rims;
+use super::task::{Closed, Repeats, Task};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+
+/// Other bridges that are tried in place of each, the shortest ones.
+const CANDIDATES: usize = 8;
+
+/// How many triangles are looked at in one pass for loops of these lengths, about.
+pub(super) fn work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
+    let loops = lengths.clone().count();
+    let opened = lengths.sum::<usize>() + 2 * loops - 2;
+    (CANDIDATES * (loops - 1)) as f64 * triangles(opened)
+}
+
+/// A good triangulation, not always the best.
+///
+/// O(k n^3) for k loops of n vertices in all.
+pub(super) fn exchanged(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
+    let rims = task.rims;
+    let n = rims.count() as u32;
+    let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
+    let mut bridges = alloc::gather(pairs.filter(|&[u, v]| rims.joins(u, v) && !(task.taken)(u, v)))?;
+    bridges.sort_unstable_by(|&x, &y| rims.squared(x[0], x[1]).total_cmp(&rims.squared(y[0], y[1])).then(x.cmp(&y)));
+    let Some(mut tree) = shortest_tree(rims, &bridges)? else {
+        return Ok(None);
+    };
+    let mut left = (2.0 * MAX_WORK / triangles(n as usize + 2 * tree.len())) as usize;
+    let allowed = left.max(1) as f64;
+    let search = |tree: &[[u32; 2]], best: &Option<Closed>, left: usize| {
+        let opened = opened_along(rims, tree)?;
+        let limit = best.as_ref().map(|best| &best.cost);
+        let chords = All(opened.len());
+        task.search(opened, &chords, FREE, limit, Repeats::One(REPEATS), &job.part(1.0 - left as f64 / allowed, 1.0))
+    };
+    let mut best = search(&tree, &None, left)?;
+    let mut at = 0;
+    let mut vain = 0;
+    while left > 0 && vain < tree.len() {
+        vain += 1;
+        for bridge in others(rims, &bridges, &tree, at)? {
+            if left == 0 {
+                break;
+            }
+            left -= 1;
+            let old = std::mem::replace(&mut tree[at], bridge);
+            match search(&tree, &best, left)? {
+                None => tree[at] = old,
+                found => (best, vain) = (found, 0),
+            }
+        }
+        at = (at + 1) % tree.len();
+    }
+    Ok(best)
+}
+
+/// The shortest bridges that join all loops; those with ends of their own, if there are such.
+fn shortest_tree(rims: &Rims, bridges: &[[u32; 2]]) -> Result<Option<Vec<[u32; 2]>>> {
+    let mut joined = DisjointSets::new(rims.loops())?;
+    let mut tree = Vec::<[u32; 2]>::new();
+    for apart in [true, false] {
+        for &[u, v] in bridges {
+            if apart && tree.as_flattened().iter().any(|&end| end == u || end == v) {
+                continue;
+            }
+            if joined.union(rims.ring[u as usize], rims.ring[v as usize]) {
+                alloc::push(&mut tree, [u, v])?;
+            }
+            if tree.len() + 1 == rims.loops() {
+                return Ok(Some(tree));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The shortest bridges that join what a tree does not without its bridge `at`.
+fn others(rims: &Rims, bridges: &[[u32; 2]], tree: &[[u32; 2]], at: usize) -> Result<Vec<[u32; 2]>> {
+    let mut joined = DisjointSets::new(rims.loops())?;
+    let ring = |v: u32| rims.ring[v as usize];
+    for (_, &[u, v]) in tree.iter().enumerate().filter(|&(k, _)| k != at) {
+        joined.union(ring(u), ring(v));
+    }
+    let mut apart = |&[u, v]: &[u32; 2]| joined.find(ring(u)) != joined.find(ring(v)) && [u, v] != tree[at];
+    alloc::gather(bridges.iter().filter(|bridge| apart(bridge)).take(CANDIDATES).copied())
+}
+
+/// The polygon along a tree of bridges; where several end at one vertex, in some order.
+fn opened_along(rims: &Rims, tree: &[[u32; 2]]) -> Result<Opened> {
+    let ring = |v: u32| rims.ring[v as usize] as usize;
+    let mut opened = Opened::loop_of(rims.range(ring(tree[0][0])))?;
+    let mut is_joined = alloc::filled(false, rims.loops())?;
+    is_joined[ring(tree[0][0])] = true;
+    for _ in tree {
+        let next = tree.iter().find(|[u, v]| is_joined[ring(*u)] != is_joined[ring(*v)]);
+        let Some(&[u, v]) = next else {
+            break;
+        };
+        let [u, v] = if is_joined[ring(u)] { [u, v] } else { [v, u] };
+        if let Some(place) = opened.order.iter().position(|&w| w == u) {
+            opened = opened.joined(place, rims.range(ring(v)), v)?;
+        }
+        is_joined[ring(v)] = true;
+    }
+    Ok(opened)
+}

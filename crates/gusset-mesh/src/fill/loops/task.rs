@@ -1,0 +1,177 @@
+//! The search of one opened polygon.
+
+use super::super::Weight;
+use super::super::chords::Chords;
+use super::super::search::best;
+use super::super::weigh::{Cost, Measure, Scale};
+use super::opened::Opened;
+use super::rims::Rims;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort;
+use gusset_base::sort::Buckets;
+
+/// Loops to be closed together, and how.
+pub(super) struct Task<'a> {
+    pub(super) rims: &'a Rims,
+    pub(super) weight: Weight,
+    pub(super) measure: Measure,
+    /// True of two vertices that must not get an edge.
+    pub(super) taken: &'a dyn Fn(u32, u32) -> bool,
+    /// False of thinned loops: of theirs, only bridges stay edges for certain.
+    pub(super) is_finest: bool,
+}
+
+/// What to do where a triangulation has an edge twice.
+pub(super) enum Repeats<'a> {
+    /// Search without the one and search without the other, so often in all.
+    Both(&'a mut usize),
+    /// Search without all but one of each edge, so often.
+    One(usize),
+}
+
+impl Repeats<'_> {
+    /// Which chords to do without, in turn, where these are `repeated`.
+    fn next(&mut self, without: &[[u32; 2]], repeated: &[[[u32; 2]; 2]]) -> Result<Vec<Vec<[u32; 2]>>> {
+        let left = match self {
+            Repeats::Both(left) => left,
+            Repeats::One(left) => left,
+        };
+        if *left == 0 {
+            return Ok(Vec::new());
+        }
+        *left -= 1;
+        let with = |more: &mut dyn Iterator<Item = [u32; 2]>| {
+            let mut all = alloc::copied(without)?;
+            alloc::extend(&mut all, more)?;
+            all.sort_unstable();
+            Ok(all)
+        };
+        match self {
+            Repeats::Both(_) => alloc::try_collect(repeated[0].iter().map(|&chord| with(&mut [chord].into_iter()))),
+            Repeats::One(_) => Ok(vec![with(&mut repeated.iter().map(|pair| pair[1]))?]),
+        }
+    }
+}
+
+/// A triangulation of loops cut open.
+pub(super) struct Closed {
+    pub(super) opened: Opened,
+    /// Of places, ascending.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The bends across the bridges included.
+    pub(super) cost: Cost,
+}
+
+impl Task<'_> {
+    /// How costs compare.
+    pub(super) fn is_less(&self, a: &Cost, b: &Cost) -> bool {
+        Scale::opened(&self.rims.all, self.weight, self.measure, &[]).is_less(a, b)
+    }
+
+    /// True of two vertices that no chord may join.
+    pub(super) fn forbids(&self, u: u32, v: u32) -> bool {
+        u == v || self.rims.is_edge(u, v) || (self.is_finest || self.rims.joins(u, v)) && (self.taken)(u, v)
+    }
+
+    /// The best triangulation without an edge that comes twice, of those that cost less than `limit`
+    /// and have no chord between vertices that are `excluded`.
+    pub(super) fn search(
+        &self,
+        opened: Opened,
+        chords: &impl Chords,
+        excluded: &dyn Fn(u32, u32) -> bool,
+        limit: Option<&Cost>,
+        mut repeats: Repeats<'_>,
+        job: &Job<'_>,
+    ) -> Result<Option<Closed>> {
+        let polygon = opened.polygon(self.rims)?;
+        let scale = Scale::opened(&polygon, self.weight, self.measure, &opened.bridges);
+        let tree = opened.tree()?;
+        let mut is_copied = alloc::filled(false, self.rims.count())?;
+        tree.iter().flat_map(|(ends, _)| ends).for_each(|&v| is_copied[v as usize] = true);
+        let is_bridge = |u: u32, v: u32| {
+            is_copied[u as usize] && is_copied[v as usize] && {
+                tree.binary_search_by_key(&[u.min(v), u.max(v)], |&(ends, _)| ends).is_ok()
+            }
+        };
+        let mut found: Option<(Vec<[u32; 3]>, Cost)> = None;
+        let mut open = vec![Vec::<[u32; 2]>::new()];
+        while let Some(without) = open.pop() {
+            let forbidden = |i: usize, k: usize| {
+                let [u, v] = [i, k].map(|place| opened.order[place]);
+                let is_out = || without.binary_search(&[i as u32, k as u32]).is_ok();
+                self.forbids(u, v) || is_bridge(u, v) || excluded(u, v) || is_out()
+            };
+            let least = found.as_ref().map(|(_, cost)| cost).or(limit);
+            let Some(next) = best(&scale, chords, &forbidden, least, job)? else {
+                continue;
+            };
+            let repeated = opened.repeated(&next.triangles, &is_copied)?;
+            if !repeated.is_empty() {
+                open.append(&mut repeats.next(&without, &repeated)?);
+                continue;
+            }
+            let cost = next.cost.and(bridge_bends(&scale, &tree, &next.triangles)?);
+            if least.is_none_or(|least| scale.is_less(&cost, least)) {
+                found = Some((next.triangles, cost));
+            }
+        }
+        Ok(found.map(|(triangles, cost)| Closed { opened, triangles, cost }))
+    }
+
+    /// The cost of any triangles that close the loops, over the vertices of all.
+    pub(super) fn cost(&self, triangles: &[[u32; 3]]) -> Result<Cost> {
+        let rims = self.rims;
+        let scale = Scale::opened(&rims.all, self.weight, self.measure, &[]);
+        let sides = |&[a, b, c]: &[u32; 3]| [[b, c], [c, a], [a, b]];
+        let bulge = |[u, v]: [u32; 2]| if rims.is_edge(u, v) { 0.0 } else { scale.bulge_of([u as usize, v as usize]) };
+        let mut total = Cost::ZERO;
+        let mut normals = alloc::with_capacity(triangles.len())?;
+        for triangle in triangles {
+            let [x, y, z] = sides(triangle).map(bulge);
+            let (normal, own) = scale.triangle(triangle.map(|v| v as usize), [z, x, y]);
+            total = total.and(own);
+            normals.push(normal);
+        }
+        let each = triangles
+            .iter()
+            .zip(&normals)
+            .flat_map(|(triangle, &normal)| sides(triangle).map(|[u, v]| (u.min(v) as usize, (u.max(v), normal))));
+        let mut each = Buckets::new(rims.count(), (0, DVec3::ZERO), each)?;
+        for u in 0..rims.count() as u32 {
+            let sides = each.get_mut(u as usize);
+            sort::stable(sides, &|x, y| x.0.cmp(&y.0));
+            for pair in sides.chunk_by(|a, b| a.0 == b.0) {
+                let (v, normal) = pair[0];
+                let from = if rims.next(u) == v { u } else { v };
+                let beyond = if rims.is_edge(u, v) { rims.all.across[from as usize] } else { pair[pair.len() - 1].1 };
+                total = total.and(scale.bend([u as usize, v as usize], normal, beyond));
+            }
+        }
+        Ok(total)
+    }
+}
+
+/// What the bends across bridges cost, which the search of the polygon does not see.
+fn bridge_bends(scale: &Scale<'_>, tree: &[([u32; 2], [usize; 2])], triangles: &[[u32; 3]]) -> Result<Cost> {
+    let points = &scale.polygon().points;
+    let n = points.len() as u32;
+    let passes = || tree.iter().flat_map(|(_, places)| places.iter().copied());
+    let mut normals = alloc::filled(DVec3::ZERO, 2 * tree.len())?;
+    for &[i, m, k] in triangles {
+        // The side that an edge of the polygon is, if it is one, and the place that it starts from.
+        for (u, _) in [(i, m), (m, k), (k, i)].into_iter().filter(|&(u, v)| (u + 1) % n == v) {
+            if let Some(at) = passes().position(|place| place == u as usize) {
+                normals[at] = scale.triangle([i, m, k].map(|v| v as usize), [0.0; 3]).0;
+            }
+        }
+    }
+    let pairs = tree.iter().zip(normals.chunks_exact(2));
+    let bend = |(&(_, [p, _]), pair): (&([u32; 2], [usize; 2]), &[DVec3])| {
+        scale.bend([p, (p + 1) % points.len()], pair[0], pair[1])
+    };
+    Ok(pairs.map(bend).fold(Cost::ZERO, Cost::and))
+}

@@ -1,0 +1,159 @@
+//! The loops that one patch closes and what lies round them, in numbers of its own.
+
+use super::weigh::Polygon;
+use crate::blend::{Beyond, MAX_FAN_TRIANGLES, OldRing};
+use crate::fair::Continuity;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::common_unit;
+
+/// The rim of a patch: the vertices of its loops from 0 on, loop by loop, each in the direction in
+/// which new faces run along it (the surface is on the right), and then the other old vertices.
+pub(super) struct Rim {
+    /// How many vertices the rim has.
+    pub(super) count: usize,
+    /// How many of them each loop has.
+    pub(super) lengths: Vec<usize>,
+    /// One of the rim's points is the origin of the others, in this unit.
+    pub(super) origin: DVec3,
+    pub(super) unit: f64,
+    /// The rim's points and the other old vertices', from there.
+    pub(crate) points: Vec<DVec3>,
+    /// The old faces with a vertex on the rim, as triangles.
+    pub(super) around: Vec<[u32; 3]>,
+    /// Those next to these, as triangles; empty if no curvature is asked for.
+    pub(super) beyond: Vec<[u32; 3]>,
+    /// The sides of `around`, face by face.
+    pub(super) sides: Vec<(u32, u32)>,
+    /// The unit normal of the old face at the edge from each rim vertex to the next of its loop; 0
+    /// if it is not known.
+    pub(super) across: Vec<DVec3>,
+    /// The unit normal of the old surface at each rim vertex, 0 if it has none.
+    pub(crate) normals: Vec<DVec3>,
+    /// True of the rim vertices that have faces all round once the loops are closed.
+    pub(super) whole: Vec<bool>,
+}
+
+/// The old faces round a rim; see [`Rim`].
+pub(super) struct OldFaces {
+    pub(super) around: Vec<[u32; 3]>,
+    pub(super) beyond: Vec<[u32; 3]>,
+    pub(super) sides: Vec<(u32, u32)>,
+}
+
+impl Rim {
+    /// Of the points as the mesh has them; `whole` and `across` of the rim's.
+    pub(super) fn new(
+        points: &[DVec3],
+        lengths: Vec<usize>,
+        faces: OldFaces,
+        across: Vec<DVec3>,
+        whole: Vec<bool>,
+    ) -> Result<Rim> {
+        let unit = common_unit(points);
+        let origin = points[0] / unit;
+        let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
+        Rim::placed_at((origin, unit), points, lengths, faces, (across, whole))
+    }
+
+    /// A part of it with one loop, of points in its unit from its origin.
+    pub(super) fn part(
+        &self,
+        points: Vec<DVec3>,
+        faces: OldFaces,
+        across: Vec<DVec3>,
+        whole: Vec<bool>,
+    ) -> Result<Rim> {
+        let lengths = vec![whole.len()];
+        Rim::placed_at((self.origin, self.unit), points, lengths, faces, (across, whole))
+    }
+
+    fn placed_at(
+        (origin, unit): (DVec3, f64),
+        points: Vec<DVec3>,
+        lengths: Vec<usize>,
+        OldFaces { around, beyond, sides }: OldFaces,
+        (across, whole): (Vec<DVec3>, Vec<bool>),
+    ) -> Result<Rim> {
+        let count = whole.len();
+        let mut normals = alloc::filled(DVec3::ZERO, count)?;
+        for &triangle in &around {
+            let [a, b, c] = triangle.map(|v| points[v as usize]);
+            let area = (b - a).cross(c - a);
+            for &v in triangle.iter().filter(|&&v| (v as usize) < count) {
+                normals[v as usize] += area;
+            }
+        }
+        normals.iter_mut().for_each(|normal| *normal = normal.normalize_or_zero());
+        Ok(Rim { count, lengths, origin, unit, points, around, beyond, sides, across, normals, whole })
+    }
+
+    /// Back to the mesh's own coordinates.
+    pub(super) fn placed(&self, p: DVec3) -> DVec3 {
+        (p + self.origin) * self.unit
+    }
+
+    /// Each loop by itself.
+    pub(super) fn polygons(&self) -> Result<Vec<Polygon>> {
+        let mut first = 0;
+        alloc::try_collect(self.lengths.iter().map(|&n| {
+            let own = first..first + n;
+            first += n;
+            let part = |of: &[DVec3]| alloc::copied(&of[own.clone()]);
+            Ok(Polygon::new(part(&self.points)?, part(&self.across)?, part(&self.normals)?))
+        }))
+    }
+
+    /// How often the curvature of a patch is averaged: so that it spreads over about a third of a
+    /// round hole, the longest loop, which takes the square of as many edges.
+    fn averages(&self) -> u32 {
+        let radius = self.lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
+        (0.5 * radius * radius).clamp(10.0, 400.0) as u32
+    }
+
+    /// What a blend is clamped to.
+    pub(super) fn old_ring(&self, continuity: Continuity) -> Result<OldRing> {
+        let mut valence = alloc::filled(0usize, self.points.len())?;
+        self.around.as_flattened().iter().for_each(|&v| valence[v as usize] += 1);
+        let is_centre = |(&whole, &valence): (&bool, &usize)| whole && valence <= MAX_FAN_TRIANGLES;
+        Ok(OldRing {
+            points: alloc::copied(&self.points)?,
+            origin: DVec3::ZERO,
+            triangles: alloc::copied(&self.around)?,
+            sides: alloc::copied(&self.sides)?,
+            centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
+            rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
+            reach: f64::INFINITY,
+            follows: (continuity == Continuity::C1).then(|| self.averages()),
+            beyond: self.beyond(continuity)?,
+        })
+    }
+
+    /// Vertices beyond the rim have a Laplacian if the faces that are known go all round them.
+    fn beyond(&self, continuity: Continuity) -> Result<Beyond> {
+        if continuity == Continuity::C1 {
+            return Ok(Beyond::default());
+        }
+        let triangles = self.around.iter().chain(&self.beyond);
+        let mut sides = alloc::with_capacity(3 * (self.around.len() + self.beyond.len()))?;
+        sides.extend(triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]));
+        sides.sort_unstable();
+        let mut valence = alloc::filled(0usize, self.points.len())?;
+        let mut is_whole = alloc::filled(true, self.points.len())?;
+        let once = |side: &(u32, u32)| {
+            let first = sides.partition_point(|other| other < side);
+            sides.get(first) == Some(side) && sides.get(first + 1) != Some(side)
+        };
+        for &(u, v) in &sides {
+            valence[u as usize] += 1;
+            if !once(&(u, v)) || !once(&(v, u)) {
+                is_whole[u as usize] = false;
+                is_whole[v as usize] = false;
+            }
+        }
+        let is_centre = |v: usize| is_whole[v] && (1..=MAX_FAN_TRIANGLES).contains(&valence[v]);
+        let centred = alloc::collect((self.count..self.points.len()).map(is_centre))?;
+        Ok(Beyond { continuity, triangles: alloc::copied(&self.beyond)?, centred })
+    }
+}

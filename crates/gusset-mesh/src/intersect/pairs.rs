@@ -1,0 +1,136 @@
+//! All pairs of intersecting triangles of which at least one is new.
+
+use super::fans::{Fans, Sides};
+use super::predicates::triangles_intersect;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::box_tree::{BoxTree, spatial_order};
+use gusset_base::geom::oriented_box::OrientedBox;
+use gusset_base::job::Job;
+use gusset_base::par;
+
+/// New triangles in a leaf of the tree of boxes.
+const LEAF_TRIANGLES: usize = 4;
+
+/// Triangles tested by a thread at a time, and between two progress reports.
+const CHUNK: usize = 1 << 9;
+const REPORT_INTERVAL: usize = 1 << 15;
+
+/// Leaves met between two progress reports: where all triangles lie together, each meets all.
+const LEAVES_PER_REPORT: usize = 1 << 11;
+
+/// Groups of triangles between two progress reports while their tree is made.
+const GROUPS_PER_REPORT: usize = 1 << 16;
+
+const STAGE: &str = "looking for intersections";
+
+/// New and old triangles over common points, which are in a unit that keeps products in range.
+pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
+    /// The position of a vertex.
+    pub(crate) at: P,
+    /// The new triangles.
+    pub(crate) new: &'a [[u32; 3]],
+    /// The old ones to be tested.
+    pub(crate) old: &'a [[u32; 3]],
+}
+
+/// For each node of the tree over groups of triangles in this order, a box turned with them: the
+/// triangles of strips between dense rims are needles, and a box along the axes of one holds
+/// thousands of others.
+fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<'_>) -> Result<Vec<OrientedBox>> {
+    let groups = order.chunks(LEAF_TRIANGLES);
+    let leaves = groups.len().next_power_of_two();
+    let empty = std::iter::repeat_n(OrientedBox::EMPTY, 2 * leaves);
+    let mut boxes = alloc::collect_cancellable(empty, &job.part(0.0, 0.0), STAGE)?;
+    for (k, (turned, group)) in boxes[leaves..].iter_mut().zip(groups).enumerate() {
+        job.step_every(GROUPS_PER_REPORT, k, leaves, STAGE)?;
+        *turned = OrientedBox::of(group.iter().map(|&i| corners(i)));
+    }
+    for node in (1..leaves).rev() {
+        job.step_every(GROUPS_PER_REPORT, node, leaves, STAGE)?;
+        boxes[node] = boxes[2 * node].union(&boxes[2 * node + 1]);
+    }
+    Ok(boxes)
+}
+
+/// The pairs (new, other) of triangles that intersect, in ascending order; old triangle k is
+/// `other` = number of new ones + k. Of two new ones the smaller comes first. See
+/// [`triangles_intersect`] for which pairs count.
+///
+/// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about
+/// 200 bytes a new triangle.
+pub(crate) fn intersecting_pairs(
+    soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
+    job: &Job<'_>,
+) -> Result<Vec<[u32; 2]>> {
+    intersecting_pairs_where(soup, &|_, _| true, &|_, _| true, job)
+}
+
+/// [`intersecting_pairs`] of those pairs that are `wanted`, of which those are listed that `list`
+/// says, which is asked of pairs that intersect alone.
+pub(crate) fn intersecting_pairs_where(
+    soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
+    wanted: &(impl Fn(u32, u32) -> bool + Sync),
+    list: &(impl Fn(u32, u32) -> bool + Sync),
+    job: &Job<'_>,
+) -> Result<Vec<[u32; 2]>> {
+    if soup.new.is_empty() {
+        return Ok(Vec::new());
+    }
+    job.step(0.0, STAGE)?;
+    let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
+    let boxes = alloc::collect_cancellable(soup.new.iter().map(around), &job.part(0.0, 0.0), STAGE)?;
+    let order = spatial_order(&boxes, LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
+    let job = job.part(0.1, 1.0);
+    let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
+    let tree = BoxTree::new_cancellable(order.chunks(LEAF_TRIANGLES).map(leaf_box), &job.part(0.0, 0.0), STAGE)?;
+    job.step(0.0, STAGE)?;
+    let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at), &job.part(0.0, 0.0))?;
+    let report = |k| job.part(0.0, 0.0).step_every(GROUPS_PER_REPORT, k, order.len(), STAGE);
+    let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at, &report)?;
+    let n = soup.new.len();
+    let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {
+        let (mut found, mut leaves) = (Vec::new(), 0usize);
+        for k in range {
+            let (triangle, query) =
+                if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
+            let corners = triangle.map(&soup.at);
+            let sides = Sides::new(triangle, corners);
+            let enter = |node: usize, b: &Aabb| {
+                b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.is_beside(node, &sides)
+            };
+            tree.descend(enter, |leaf| {
+                leaves += 1;
+                if leaves.is_multiple_of(LEAVES_PER_REPORT) {
+                    job.step(0.0, STAGE)?;
+                }
+                let of_leaf = &order[LEAF_TRIANGLES * leaf..n.min(LEAF_TRIANGLES * (leaf + 1))];
+                let met = |&&i: &&u32| {
+                    (i as usize) < k
+                        && boxes[i as usize].overlaps(&query)
+                        && wanted(i, k as u32)
+                        && !sides.are_beside(soup.new[i as usize], &soup.at)
+                        && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
+                        && list(i, k as u32)
+                };
+                of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut found, [i, k as u32]))
+            })?;
+        }
+        Ok(found)
+    };
+    let mut pairs = Vec::new();
+    let total = n + soup.old.len();
+    for start in (0..total).step_by(REPORT_INTERVAL) {
+        let count = REPORT_INTERVAL.min(total - start);
+        let part = job.part(start as f64 / total as f64, (start + count) as f64 / total as f64);
+        let found = par::map_jobs(&part, STAGE, par::ranges(count, CHUNK), |range, job| {
+            pairs_of(start + range.start..start + range.end, job)
+        })?;
+        alloc::append_all(&mut pairs, found.into_iter().map(Ok))?;
+    }
+    pairs.sort_unstable();
+    job.step(1.0, STAGE)?;
+    Ok(pairs)
+}

@@ -1,0 +1,46 @@
+//! Which vertices are one: those with equal keys, or at equal positions.
+
+use super::view::MeshView;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use std::cmp::Ordering;
+
+const STAGE: &str = "finding vertices that are one";
+
+/// For each vertex the smallest one with the same key, or without keys at the same place, where -0
+/// equals 0; a vertex whose position is not finite is one with itself alone. A merge map as
+/// [`MeshView::merged_corners`] takes it. O(n log n).
+///
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory), [`Error::Cancelled`](gusset_base::Error::Cancelled).
+pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Result<Vec<u32>> {
+    let positions = mesh.positions();
+    let mut order = alloc::collect(0..positions.len() as u32)?;
+    let place = |v: u32| positions.get(v).to_array();
+    let compare = |&u: &u32, &v: &u32| match keys {
+        Some(keys) => keys[u as usize].cmp(&keys[v as usize]),
+        // By numbers first; 0 and -0 are equal, and what is no number comes at the ends.
+        None => place(u)
+            .into_iter()
+            .zip(place(v))
+            .map(|(x, y)| order_of(x, y))
+            .find(|o| o.is_ne())
+            .unwrap_or(Ordering::Equal),
+    };
+    sort(&mut order, |u, v| compare(u, v).then(u.cmp(v)), &job.part(0.0, 0.9), STAGE)?;
+    let mut merge = alloc::collect(0..positions.len() as u32)?;
+    let is_one = |u: u32, v: u32| compare(&u, &v).is_eq() && (keys.is_some() || positions.get(u).is_finite());
+    for (k, pair) in order.windows(2).enumerate() {
+        job.part(0.9, 1.0).step_within(k, STAGE)?;
+        if is_one(pair[0], pair[1]) {
+            merge[pair[1] as usize] = merge[pair[0] as usize];
+        }
+    }
+    Ok(merge)
+}
+
+fn order_of(x: f64, y: f64) -> Ordering {
+    x.partial_cmp(&y).unwrap_or_else(|| x.total_cmp(&y))
+}

@@ -1,0 +1,378 @@
+//! How half-edges find each other.
+//!
+//! Half-edges are put into buckets (a counting sort): bucket 2v has those that run up from vertex
+//! v, to a vertex of a larger number, and bucket 2v + 1 those that run down to it. What shares an
+//! edge lies in two buckets side by side, and in an oriented manifold each half-edge of the one has
+//! the same other end as just one of the other, which in short buckets is found by looking. Where
+//! it is not so, both are sorted by that end. No hashing, and the same answer for any order of the
+//! faces but for the numbers of the half-edges.
+//!
+//! Each thread counts and distributes a part of the faces. All counts together tell it its places
+//! in every bucket: half-edges are in order there, whatever the number of threads. Pairs are then
+//! made in ranges of vertices.
+
+use super::defect::Defect;
+use super::view::{Faces, MeshView, Visitor};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_base::sort::sort;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+
+/// The edge has this one face only.
+pub(super) const FREE: u32 = u32::MAX;
+/// The edge has three or more faces.
+pub(super) const SINGULAR: u32 = u32::MAX - 1;
+
+/// Faces, or vertices, that one thread takes between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
+/// Vertices whose buckets one thread looks through at a time.
+const CHUNK: usize = 1 << 13;
+/// The most threads that fill buckets, as each counts in arrays of its own.
+const MAX_PARTS: usize = 8;
+/// The fewest faces that are worth a thread.
+const MIN_FACES_PER_PART: usize = 1 << 11;
+/// The longest bucket that is not sorted.
+const MAX_UNSORTED_BUCKET: usize = 32;
+/// The longest that is sorted without a report.
+const MAX_UNREPORTED_BUCKET: usize = 1 << 16;
+
+/// The pairing of half-edges.
+pub struct Topology {
+    /// Per half-edge: its partner, or [`FREE`], or [`SINGULAR`], or itself if it is ignored.
+    pub(super) mate: Vec<u32>,
+    /// Per vertex: the number of half-edges that start there, ignored ones apart.
+    pub(super) corner_count: Vec<u32>,
+    /// Sorted.
+    pub(super) defects: Vec<Defect>,
+}
+
+const STAGE: &str = "pairing half-edges";
+
+impl Topology {
+    /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
+    /// memory: 12 bytes a half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most
+    /// 8 take part. Of this 4 bytes a half-edge and 4 a vertex remain.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
+        let faces = mesh.faces();
+        let mut parts = parts(mesh, job.threads())?;
+        each_part(&mut parts, &job.part(0.0, 0.3), |part, range| faces.visit(range, &mut Count { faces, part }))?;
+        job.step(0.3, STAGE)?;
+        let (corner_count, mut defects) = accumulate(&mut parts)?;
+        job.step(0.3, STAGE)?;
+        let count = places(&mut parts, mesh.positions().len(), &job.part(0.3, 0.3))?;
+
+        // (Other end, half-edge) in one word. No two threads write to the same one.
+        let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
+        each_part(&mut parts, &job.part(0.3, 0.6), |part, range| {
+            faces.visit(range, &mut Distribute { part, entries: &entries })
+        })?;
+        let threads = parts.len();
+        job.step(0.6, STAGE)?;
+        // Now the last part's places are where the buckets end. Memory that is used again costs less
+        // than new memory: the parts give theirs up first.
+        let (mut ends, mut ignored) = (Vec::new(), Vec::new());
+        for part in parts {
+            alloc::append(&mut ignored, &part.ignored)?;
+            ends = part.places;
+        }
+        let mate: Vec<AtomicU32> = alloc::zeroed(faces.half_edge_count())?;
+        ignored.iter().for_each(|&h| mate[h as usize].store(h, Ordering::Relaxed));
+
+        let mut entries: Vec<u64> = entries.into_iter().map(AtomicU64::into_inner).collect();
+        let (mut rest, mut first, mut long) = (entries.as_mut_slice(), 0, Vec::new());
+        for block in blocks(0..mesh.positions().len(), REPORT_INTERVAL * threads) {
+            job.step(0.6 + 0.4 * block.start as f64 / mesh.positions().len() as f64, STAGE)?;
+            let mut work = Vec::new();
+            for range in blocks(block, CHUNK) {
+                let ends = &ends[2 * range.start..2 * range.end];
+                let end = ends.last().map_or(first, |&end| end);
+                let (own, others) = rest.split_at_mut((end - first) as usize);
+                work.push((first, ends, own));
+                (rest, first) = (others, end);
+            }
+            let found =
+                par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries))?;
+            for found in found {
+                let found = found?;
+                alloc::append(&mut defects, &found.defects)?;
+                alloc::extend(&mut long, found.long)?;
+            }
+        }
+        let job = job.part(1.0, 1.0);
+        for bucket in long {
+            let bucket = &mut entries[bucket];
+            sort(bucket, Ord::cmp, &job, STAGE)?;
+            for (k, edge) in bucket.chunk_by(same_edge).enumerate() {
+                job.step_every(REPORT_INTERVAL, k, faces.half_edge_count(), STAGE)?;
+                join(faces, &mate, edge, &mut defects)?;
+            }
+        }
+        sort(&mut defects, Ord::cmp, &job, STAGE)?;
+        let mate = mate.into_iter().map(AtomicU32::into_inner).collect();
+        Ok(Topology { mate, corner_count, defects })
+    }
+}
+
+/// Consecutive ranges of `length` elements that cover `range`.
+fn blocks(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usize>> {
+    range.clone().step_by(length).map(move |first| first..range.end.min(first + length))
+}
+
+/// The faces that one thread puts into buckets.
+struct Part {
+    faces: Range<usize>,
+    /// Per bucket: first how many half-edges it gets, then where the next one goes.
+    places: Vec<u32>,
+    /// Per vertex: how many half-edges start there.
+    corner_count: Vec<u32>,
+    /// Half-edges that go into no bucket.
+    ignored: Vec<u32>,
+    defects: Vec<Defect>,
+}
+
+/// As many parts as there are threads for them.
+fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
+    let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
+    let threads = par::at_most(faces.div_ceil(MIN_FACES_PER_PART).min(MAX_PARTS), threads);
+    let mut parts = Vec::new();
+    for faces in blocks(0..faces, faces.div_ceil(threads)) {
+        let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);
+        parts.push(Part { faces, places, corner_count, ignored: Vec::new(), defects: Vec::new() });
+    }
+    Ok(parts)
+}
+
+/// Lets every thread do its part, with a report now and then.
+fn each_part(
+    parts: &mut [Part],
+    job: &Job<'_>,
+    work: impl Fn(&mut Part, Range<usize>) -> Result<()> + Sync,
+) -> Result<()> {
+    let longest = parts.iter().map(|part| part.faces.len()).max().unwrap_or(0);
+    for block in blocks(0..longest, REPORT_INTERVAL) {
+        job.step(block.start as f64 / longest as f64, STAGE)?;
+        let done = par::map(parts.len(), parts.iter_mut(), |part| {
+            let at = |i: usize| part.faces.end.min(part.faces.start + i);
+            let range = at(block.start)..at(block.end);
+            work(part, range)
+        })?;
+        done.into_iter().collect::<Result<()>>()?;
+    }
+    Ok(())
+}
+
+/// The corners of each vertex, and the degenerate faces, of all parts.
+fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
+    let (mut counts, mut defects) = (Vec::new(), Vec::new());
+    for part in parts {
+        alloc::append(&mut defects, &part.defects)?;
+        let more = std::mem::take(&mut part.corner_count);
+        if counts.is_empty() {
+            counts = more;
+        } else {
+            counts.iter_mut().zip(more).for_each(|(count, more)| *count += more);
+        }
+    }
+    Ok((counts, defects))
+}
+
+/// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns how
+/// many half-edges there are.
+fn places(parts: &mut [Part], vertices: usize, job: &Job<'_>) -> Result<u32> {
+    let mut next = 0;
+    job.ranges(STAGE, 2 * vertices, |buckets| {
+        for bucket in buckets {
+            for part in parts.iter_mut() {
+                let place = &mut part.places[bucket];
+                next += std::mem::replace(place, next);
+            }
+        }
+        Ok(())
+    })?;
+    Ok(next)
+}
+
+/// The bucket of a half-edge from `u` to `v`.
+fn bucket(u: u32, v: u32) -> usize {
+    2 * u.min(v) as usize + usize::from(u > v)
+}
+
+/// Shows `visit` the half-edges of a face as (number, start, end), but for those without length,
+/// and not if fewer than three remain. Returns how many it showed.
+#[inline(always)]
+fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> usize {
+    let end = |i: usize| corners[if i + 1 < corners.len() { i + 1 } else { 0 }];
+    let count = (0..corners.len()).filter(|&i| corners[i] != end(i)).count();
+    if count < 3 {
+        return 0;
+    }
+    for (i, &u) in corners.iter().enumerate() {
+        if u != end(i) {
+            visit(first + i as u32, u, end(i));
+        }
+    }
+    count
+}
+
+/// A vertex that the face names twice.
+#[inline(always)]
+fn repeated(corners: &[u32]) -> Result<Option<u32>> {
+    if corners.len() <= 8 {
+        let twice = |&i: &usize| corners[..i].contains(&corners[i]);
+        return Ok((1..corners.len()).find(twice).map(|i| corners[i]));
+    }
+    let mut sorted = alloc::copied(corners)?;
+    sorted.sort_unstable();
+    Ok(sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]))
+}
+
+/// Counts half-edges, and notes degenerate faces.
+struct Count<'p> {
+    faces: &'p Faces<'p>,
+    part: &'p mut Part,
+}
+
+impl Visitor for Count<'_> {
+    #[inline(always)]
+    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+        if let Some(vertex) = repeated(corners)? {
+            let face = self.faces.face_of(first);
+            alloc::push(&mut self.part.defects, Defect::DegenerateFace { face, vertex })?;
+        }
+        proper(first, corners, |_, u, v| {
+            self.part.places[bucket(u, v)] += 1;
+            self.part.corner_count[u as usize] += 1;
+        });
+        Ok(())
+    }
+}
+
+/// Puts half-edges into their buckets.
+struct Distribute<'p> {
+    part: &'p mut Part,
+    entries: &'p [AtomicU64],
+}
+
+impl Visitor for Distribute<'_> {
+    #[inline(always)]
+    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+        let places = &mut self.part.places;
+        let shown = proper(first, corners, |h, u, v| {
+            let place = &mut places[bucket(u, v)];
+            self.entries[*place as usize].store(u64::from(u.max(v)) << 32 | u64::from(h), Ordering::Relaxed);
+            *place += 1;
+        });
+        if shown == corners.len() { Ok(()) } else { self.ignore(first, corners, shown) }
+    }
+}
+
+impl Distribute<'_> {
+    /// Notes the half-edges of a face that were not shown.
+    #[cold]
+    fn ignore(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
+        let after = corners.iter().cycle().skip(1);
+        let ignored = corners.iter().zip(after).zip(first..).filter(|&((u, v), _)| shown == 0 || u == v);
+        alloc::extend(&mut self.part.ignored, ignored.map(|(_, h)| h))
+    }
+}
+
+/// What making pairs leaves.
+#[derive(Default)]
+struct Unpaired {
+    defects: Vec<Defect>,
+    /// The buckets of vertices with so many half-edges that a host would wait.
+    long: Vec<Range<usize>>,
+}
+
+/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`.
+fn pair(
+    faces: &Faces<'_>,
+    mate: &[AtomicU32],
+    mut first: u32,
+    ends: &[u32],
+    mut entries: &mut [u64],
+) -> Result<Unpaired> {
+    let mut found = Unpaired::default();
+    for end in ends.chunks_exact(2) {
+        let (up, both) = (end[0] - first, end[1] - first);
+        let bucket = first as usize..end[1] as usize;
+        first = end[1];
+        let (own, others) = std::mem::take(&mut entries).split_at_mut(both as usize);
+        entries = others;
+        let (ups, downs) = own.split_at_mut(up as usize);
+        if pair_by_scan(mate, ups, downs) {
+            continue;
+        }
+        if own.len() > MAX_UNREPORTED_BUCKET {
+            alloc::push(&mut found.long, bucket)?;
+            continue;
+        }
+        own.sort_unstable();
+        for edge in own.chunk_by(same_edge) {
+            join(faces, mate, edge, &mut found.defects)?;
+        }
+    }
+    Ok(found)
+}
+
+/// True of two half-edges of one vertex's buckets that have the same other end.
+fn same_edge(x: &u64, y: &u64) -> bool {
+    x >> 32 == y >> 32
+}
+
+/// Pairs each half-edge that runs up with the one that runs down from the same end. False if there
+/// is not one, or another one, or too many to look through: then nothing that was written counts.
+fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
+    if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET {
+        return false;
+    }
+    for (i, &up) in ups.iter().enumerate() {
+        let downs = &mut downs[i..];
+        // No exit, and no branch that depends on where it lies.
+        let (mut count, mut at) = (0, 0);
+        for (k, &down) in downs.iter().enumerate() {
+            let same = up >> 32 == down >> 32;
+            count += usize::from(same);
+            at = if same { k } else { at };
+        }
+        if count != 1 {
+            return false;
+        }
+        set_mates(mate, up as u32, downs[at] as u32);
+        downs.swap(0, at);
+    }
+    true
+}
+
+fn set_mates(mate: &[AtomicU32], g: u32, h: u32) {
+    mate[g as usize].store(h, Ordering::Relaxed);
+    mate[h as usize].store(g, Ordering::Relaxed);
+}
+
+/// Enters what the half-edges of one edge, in order, are to each other.
+fn join(faces: &Faces<'_>, mate: &[AtomicU32], edge: &[u64], defects: &mut Vec<Defect>) -> Result<()> {
+    let half_edge = |i: usize| edge[i] as u32;
+    let set = |mark: u32| edge.iter().for_each(|&entry| mate[entry as u32 as usize].store(mark, Ordering::Relaxed));
+    match edge.len() {
+        1 => set(FREE),
+        2 => {
+            let (g, h) = (half_edge(0), half_edge(1));
+            set_mates(mate, g, h);
+            if faces.corner(g) == faces.corner(h) {
+                alloc::push(defects, Defect::OrientationConflict { half_edges: [g, h] })?;
+            }
+        }
+        n => {
+            set(SINGULAR);
+            alloc::push(defects, Defect::NonManifoldEdge { half_edge: half_edge(0), faces: n as u32 })?;
+        }
+    }
+    Ok(())
+}

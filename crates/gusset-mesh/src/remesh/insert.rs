@@ -1,0 +1,198 @@
+//! New vertices where triangles are large or sharp: Delaunay refinement.
+//!
+//! Sources: L. P. Chew, *Guaranteed-quality mesh generation for curved surfaces* (1993); J. Ruppert,
+//! *A Delaunay refinement algorithm for quality 2-dimensional mesh generation* (1995); A. Üngör,
+//! *Off-centers* (2004). A triangle whose circumcircle is larger than its corners' sizes ask for, or
+//! whose least angle is below [`MIN_ANGLE`], gets a vertex at its circumcentre, or nearer, where its
+//! shortest side makes a good triangle with it. The place is found by unfolding the triangles on the
+//! way into one plane. The rim cannot be split: a place that would see one of its edges under a flat
+//! angle is given up.
+
+use super::REPORT_INTERVAL;
+use super::patch_mesh::PatchMesh;
+use super::sizing::Sizing;
+use glam::{DVec2, DVec3};
+use gusset_base::error::Result;
+use gusset_base::geom::triangle::{double_area, min_angle};
+use gusset_base::job::Job;
+
+/// Triangles with a smaller angle get a vertex, in radians: 25 degrees.
+const MIN_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
+/// The height over its shortest side, in such sides, of the vertex that makes a good triangle with
+/// it: 0.95 of 1 / (2 tan(MIN_ANGLE / 2)), at which its angle would be [`MIN_ANGLE`] itself, and
+/// round-off would say whether it is sharp.
+const OFF_CENTRE: f64 = 0.95 * 2.2553542518310286;
+/// A circumradius that is larger than this part of the size is too large: an equilateral triangle
+/// has 0.577.
+const MAX_RADIUS: f64 = 0.85;
+/// A side that is longer, in sizes, is too long.
+const MAX_LENGTH: f64 = 1.5;
+/// Needles whose shortest side is below this part of the size have a large circumcircle, whatever
+/// their length: only that counts.
+const SHORTEST: f64 = 0.3;
+/// A new vertex keeps this distance from others, as part of the shortest side of the triangle that
+/// asked for it.
+const MIN_SPACING: f64 = 1.0;
+/// The cosine of the flattest angle under which a new vertex may see an edge of the rim.
+const MIN_RIM_COSINE: f64 = -0.7;
+/// Passes over all triangles.
+const MAX_PASSES: u32 = 40;
+/// Triangles on the way to a new vertex.
+const MAX_WALK: usize = 64;
+/// A place that is nearer to a side than this part of the height splits the side.
+const ON_SIDE: f64 = 0.05;
+
+/// Where a new vertex goes: a triangle, and barycentric coordinates in it.
+struct Place {
+    triangle: usize,
+    weights: [f64; 3],
+}
+
+/// Adds vertices until no triangle is larger than its size says nor sharper than [`MIN_ANGLE`], as
+/// far as the rim, the vertices below `rim`, allows. `taken`: see [`PatchMesh::relax`].
+///
+/// O(passes * triangles), times the number of triangles at a vertex.
+pub(crate) fn insert(
+    mesh: &mut PatchMesh,
+    rim: usize,
+    sizing: &mut Sizing,
+    taken: &dyn Fn(u32, u32) -> bool,
+    job: &Job<'_>,
+) -> Result<()> {
+    for pass in 1..=MAX_PASSES {
+        let part = job.part(1.0 - 1.0 / f64::from(pass), 1.0 - 1.0 / f64::from(pass + 1));
+        mesh.relax(rim, taken, &part)?;
+        let before = mesh.points.len();
+        for t in 0..mesh.triangles.len() {
+            part.part(1.0, 1.0).step_every(REPORT_INTERVAL, t, mesh.triangles.len(), "refining")?;
+            if mesh.points.len() >= sizing.limit {
+                break;
+            }
+            let Some((place, spacing)) = wanted(mesh, t, sizing) else {
+                continue;
+            };
+            enter(mesh, rim, sizing, taken, &place, spacing)?;
+        }
+        if mesh.points.len() == before {
+            return Ok(());
+        }
+    }
+    mesh.relax(rim, taken, &job.part(1.0, 1.0))
+}
+
+/// The place of a new vertex that improves triangle `t`, and its least distance from others.
+fn wanted(mesh: &PatchMesh, t: usize, sizing: &Sizing) -> Option<(Place, f64)> {
+    let corners = mesh.corners(t);
+    let side = |k: usize| corners[k].distance(corners[(k + 1) % 3]);
+    let sides = [side(0), side(1), side(2)];
+    let shortest = (0..3).fold(0, |k, j| if sides[j] < sides[k] { j } else { k });
+    let e = sides[shortest];
+    let double = double_area(corners[0], corners[1], corners[2]);
+    if double.is_nan() || double <= 1e-9 * sides[(shortest + 1) % 3].powi(2) || e <= 0.0 {
+        return None;
+    }
+    let radius = sides[0] * sides[1] * sides[2] / (2.0 * double);
+    let size = sizing.of(mesh.triangles[t]);
+    let longest = sides[0].max(sides[1]).max(sides[2]);
+    let large = longest > MAX_LENGTH * size || (radius > MAX_RADIUS * size && e >= SHORTEST * size);
+    let sharp = || e >= sizing.shortest * size && min_angle(corners[0], corners[1], corners[2]) < MIN_ANGLE;
+    if !large && !sharp() {
+        return None;
+    }
+    // In the plane of the triangle, its shortest side along x.
+    let [p, q, r] = [0, 1, 2].map(|k| corners[(shortest + k) % 3]);
+    let x = (q - p) / e;
+    let flat = |v: DVec3| DVec2::new((v - p).dot(x), ((v - p) - x * (v - p).dot(x)).length());
+    let apex = flat(r);
+    // On the bisector of the shortest side, as far up as the circumcentre.
+    let up = (apex.length_squared() - apex.x * e) / (2.0 * apex.y);
+    let height = up.min(OFF_CENTRE * e);
+    let target = DVec2::new(e / 2.0, height);
+    let plane = [DVec2::ZERO, DVec2::new(e, 0.0), apex];
+    Some((walk(mesh, t, shortest, plane, target)?, MIN_SPACING * e))
+}
+
+/// Follows the unfolded triangles from `t`, whose corners from `first` on are at `plane`, to the one
+/// that holds `target`; `None` if the rim is in the way.
+fn walk(mesh: &PatchMesh, mut t: usize, mut first: usize, mut plane: [DVec2; 3], target: DVec2) -> Option<Place> {
+    for _ in 0..MAX_WALK {
+        let whole = (plane[1] - plane[0]).perp_dot(plane[2] - plane[0]);
+        let part = |k: usize| (plane[(k + 1) % 3] - target).perp_dot(plane[(k + 2) % 3] - target) / whole;
+        let weights = [part(0), part(1), part(2)];
+        if !weights.iter().all(|w| w.is_finite()) {
+            return None;
+        }
+        let least = (0..3).fold(0, |k, j| if weights[j] < weights[k] { j } else { k });
+        if weights[least] >= 0.0 {
+            let mut own = [0.0; 3];
+            (0..3).for_each(|k| own[(first + k) % 3] = weights[k]);
+            return Some(Place { triangle: t, weights: own });
+        }
+        // Across the side opposite to that corner.
+        let from = (least + 1) % 3;
+        let (s, j) = mesh.beyond(t, (first + from) % 3)?;
+        let (p, q) = (plane[from], plane[(from + 1) % 3]);
+        let [u, v, w] = [0, 1, 2].map(|k| mesh.points[mesh.triangles[s][(j + k) % 3] as usize]);
+        // u is at q, and v at p.
+        let length = u.distance(v);
+        let x = (v - u) / length;
+        let along = (w - u).dot(x);
+        let off = ((w - u) - x * along).length();
+        let axis = (p - q) / length;
+        (t, first, plane) = (s, j, [q, p, q + axis * along + axis.perp() * off]);
+    }
+    None
+}
+
+/// Adds a vertex, unless it would be too near to others or see an edge of the rim under a flat
+/// angle.
+fn enter(
+    mesh: &mut PatchMesh,
+    rim: usize,
+    sizing: &mut Sizing,
+    taken: &dyn Fn(u32, u32) -> bool,
+    place: &Place,
+    spacing: f64,
+) -> Result<()> {
+    let t = place.triangle;
+    let corners = mesh.corners(t);
+    let mut weights = place.weights;
+    let least = (0..3).fold(0, |k, j| if weights[j] < weights[k] { j } else { k });
+    let across = if weights[least] < ON_SIDE { mesh.beyond(t, (least + 1) % 3) } else { None };
+    if across.is_some() {
+        let sum = 1.0 - weights[least];
+        weights[least] = 0.0;
+        weights.iter_mut().for_each(|w| *w /= sum);
+    }
+    let point = (0..3).map(|k| corners[k] * weights[k]).sum::<DVec3>();
+    if !point.is_finite() || !is_clear(mesh, t, point, spacing) {
+        return Ok(());
+    }
+    if across.is_some_and(|(s, _)| !is_clear(mesh, s, point, spacing)) {
+        return Ok(());
+    }
+    sizing.insert(mesh.triangles[t], weights)?;
+    match across {
+        Some(beyond) => {
+            let parts = mesh.split_side((t, (least + 1) % 3), beyond, point)?;
+            mesh.relax_round(rim, taken, &parts)
+        }
+        None => {
+            let parts = mesh.split(t, point)?;
+            mesh.relax_round(rim, taken, &parts)
+        }
+    }
+}
+
+/// True if a vertex at `point` in triangle `t` is far enough from its corners, and sees no edge of
+/// the rim near them under a flat angle.
+fn is_clear(mesh: &PatchMesh, t: usize, point: DVec3, spacing: f64) -> bool {
+    let sees_flat = |t: usize| {
+        let corners = mesh.corners(t);
+        (0..3).filter(|&k| mesh.beyond(t, k).is_none()).any(|k| {
+            let (u, v) = (corners[k] - point, corners[(k + 1) % 3] - point);
+            u.dot(v) < MIN_RIM_COSINE * u.length() * v.length()
+        })
+    };
+    (0..3).all(|k| mesh.corners(t)[k].distance(point) >= spacing && !mesh.any_round(t, k, sees_flat))
+}

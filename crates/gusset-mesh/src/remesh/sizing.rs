@@ -1,0 +1,76 @@
+//! How long the sides of triangles should be, vertex by vertex.
+
+use super::patch_mesh::PatchMesh;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::triangle::double_area;
+
+/// What is known of the vertices of a patch besides their places.
+pub(crate) struct Sizing {
+    /// How long the sides round each should be.
+    pub(crate) size: Vec<f64>,
+    /// Where each would be if nothing had been faired.
+    pub(crate) unfaired: Vec<DVec3>,
+    /// How the surface bends there by itself (see [`Shape`](crate::fair::Shape)).
+    pub(crate) curvature: Vec<DVec3>,
+    /// There will be no more vertices than this.
+    pub(crate) limit: usize,
+    /// Sharp triangles whose shortest side is below this part of the size are left.
+    pub(crate) shortest: f64,
+}
+
+impl Sizing {
+    pub(crate) fn try_clone(&self) -> Result<Sizing> {
+        let [unfaired, curvature] = [alloc::copied(&self.unfaired)?, alloc::copied(&self.curvature)?];
+        Ok(Sizing { size: alloc::copied(&self.size)?, unfaired, curvature, ..*self })
+    }
+
+    /// Of a vertex that is about to be added at a mean of three others.
+    pub(super) fn insert(&mut self, of: [u32; 3], weights: [f64; 3]) -> Result<()> {
+        let parts = || of.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0);
+        let size = parts().map(|(v, weight)| weight * self.size[v as usize]).sum();
+        let mean = |of: &[DVec3]| parts().map(|(v, weight)| weight * of[v as usize]).sum::<DVec3>();
+        let (unfaired, curvature) = (mean(&self.unfaired), mean(&self.curvature));
+        alloc::push(&mut self.size, size)?;
+        alloc::push(&mut self.unfaired, unfaired)?;
+        alloc::push(&mut self.curvature, curvature)
+    }
+
+    /// Keeps these vertices, in ascending order.
+    pub(super) fn keep(&mut self, kept: &[u32]) {
+        for (new, &old) in kept.iter().enumerate() {
+            self.size[new] = self.size[old as usize];
+            self.unfaired[new] = self.unfaired[old as usize];
+            self.curvature[new] = self.curvature[old as usize];
+        }
+        self.size.truncate(kept.len());
+        self.unfaired.truncate(kept.len());
+        self.curvature.truncate(kept.len());
+    }
+
+    /// Of a triangle.
+    pub(super) fn of(&self, corners: [u32; 3]) -> f64 {
+        corners.iter().map(|&v| self.size[v as usize]).sum::<f64>() / 3.0
+    }
+
+    /// Of a side.
+    pub(super) fn between(&self, u: u32, v: u32) -> f64 {
+        (self.size[u as usize] + self.size[v as usize]) / 2.0
+    }
+}
+
+/// What all sizes must be multiplied by to keep the number of new vertices below `limit`.
+pub(crate) fn growth(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
+    (needed(mesh, size) / f64::from(limit)).sqrt().max(1.0)
+}
+
+/// About how many new vertices these sizes ask for: one for each two equilateral triangles.
+pub(crate) fn needed(mesh: &PatchMesh, size: &[f64]) -> f64 {
+    let needed = |t: usize| {
+        let [a, b, c] = mesh.corners(t);
+        let mean = mesh.triangles[t].iter().map(|&v| size[v as usize]).sum::<f64>() / 3.0;
+        double_area(a, b, c) / (3f64.sqrt() * mean * mean)
+    };
+    (0..mesh.triangles.len()).map(needed).sum()
+}

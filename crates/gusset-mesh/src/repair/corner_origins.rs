@@ -1,0 +1,72 @@
+//! Which corners of the old mesh those of a repaired one are.
+
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// A corner that was put on an edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CornerOnEdge {
+    /// The corner of the new mesh.
+    pub corner: u32,
+    /// The old corner where the edge ends; where it starts is in [`CornerOrigins::corners`].
+    pub end: u32,
+    /// How far along the edge, from 0 to 1.
+    pub at: f64,
+}
+
+/// Per corner of a repaired mesh the old one.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CornerOrigins {
+    /// Per corner of the new mesh, the old one; of one that was put on an edge, the old one where
+    /// the edge starts.
+    pub corners: Vec<u32>,
+    /// The corners that were put on edges, ascending.
+    pub on_edges: Vec<CornerOnEdge>,
+}
+
+impl CornerOrigins {
+    /// Adds the next corner.
+    pub(super) fn push(&mut self, origin: Corner) -> Result<()> {
+        if origin.at > 0.0 {
+            let corner = self.corners.len() as u32;
+            alloc::push(&mut self.on_edges, CornerOnEdge { corner, end: origin.end, at: origin.at })?;
+        }
+        alloc::push(&mut self.corners, origin.start)
+    }
+
+    /// From a mesh that was made of these corners, some of which are left, back to the old one;
+    /// `None`: all are.
+    pub(super) fn followed_by(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
+        let Some(left) = left else { return Ok(self) };
+        let mut all = CornerOrigins { corners: alloc::with_capacity(left.len())?, on_edges: Vec::new() };
+        for &corner in left {
+            all.push(self.get(corner))?;
+        }
+        Ok(all)
+    }
+
+    /// With old corners that are themselves what is left of others; `None`: of all.
+    pub(crate) fn after(mut self, left: Option<&[u32]>) -> CornerOrigins {
+        if let Some(left) = left {
+            self.corners.iter_mut().for_each(|corner| *corner = left[*corner as usize]);
+            self.on_edges.iter_mut().for_each(|on| on.end = left[on.end as usize]);
+        }
+        self
+    }
+
+    fn get(&self, corner: u32) -> Corner {
+        let start = self.corners[corner as usize];
+        match self.on_edges.binary_search_by_key(&corner, |on| on.corner) {
+            Ok(k) => Corner { start, end: self.on_edges[k].end, at: self.on_edges[k].at },
+            Err(_) => Corner { start, end: start, at: 0.0 },
+        }
+    }
+}
+
+/// An old corner, or a place on the edge from it to the next one of its face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Corner {
+    pub(super) start: u32,
+    pub(super) end: u32,
+    pub(super) at: f64,
+}

@@ -1,0 +1,106 @@
+//! The part of the lattice that is searched: for each row i the columns j from `low[i]` to
+//! `high[i]`, both non-decreasing.
+
+use super::rims::Pair;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use std::ops::{Range, RangeInclusive};
+
+/// A band of the lattice from (0, 0) to (N, M).
+pub(super) struct Band {
+    low: Vec<u32>,
+    high: Vec<u32>,
+}
+
+impl Band {
+    pub(super) fn full(n: usize, m: usize) -> Result<Self> {
+        Ok(Band { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
+    }
+
+    /// The nodes within `width` rows and columns of a path from (0, 0) to (n, m), of whose nodes
+    /// some may be left out: the path is taken to fill the rectangle between one node and the next.
+    pub(super) fn around(path: &[Pair], n: usize, m: usize, width: usize) -> Result<Self> {
+        let (mut low, mut high) = (alloc::filled(u32::MAX, n + 1)?, alloc::filled(0u32, n + 1)?);
+        for step in path.windows(2) {
+            let ([i, j], [i2, j2]) = (step[0], step[1]);
+            for row in i as usize..=i2 as usize {
+                low[row] = low[row].min(j);
+                high[row] = high[row].max(j2);
+            }
+        }
+        // Both are monotone: the least column within `width` rows is that of the first of them.
+        Ok(Band {
+            low: alloc::collect((0..n + 1).map(|i| low[i.saturating_sub(width)].saturating_sub(width as u32)))?,
+            high: alloc::collect((0..n + 1).map(|i| (high[n.min(i + width)] as usize + width).min(m) as u32))?,
+        })
+    }
+
+    pub(super) fn last_row(&self) -> usize {
+        self.low.len() - 1
+    }
+
+    pub(super) fn last_column(&self) -> usize {
+        self.high[self.last_row()] as usize
+    }
+
+    pub(super) fn columns(&self, i: usize) -> RangeInclusive<usize> {
+        self.low[i] as usize..=self.high[i] as usize
+    }
+
+    /// The nodes of a path on the border of the band that are not on the border of the lattice.
+    pub(super) fn touched_by(&self, path: &[Pair]) -> Result<Vec<Pair>> {
+        let (n, m) = (self.last_row(), self.last_column());
+        let touching = |&[i, j]: &Pair| {
+            let i = i as usize;
+            let below = j > 0 && j <= self.low[i] || i < n && j < self.low[i + 1];
+            let above = (j as usize) < m && j >= self.high[i] || i > 0 && j > self.high[i - 1];
+            below || above
+        };
+        alloc::gather(path.iter().filter(|node| touching(node)).copied())
+    }
+
+    /// Adds all within `width` rows and columns of some nodes.
+    pub(super) fn widen(&mut self, nodes: &[Pair], width: usize) {
+        let (n, m, w) = (self.last_row(), self.last_column(), width as u32);
+        for &[i, j] in nodes {
+            let rows = (i as usize).saturating_sub(width)..=n.min(i as usize + width);
+            self.low[rows.clone()].iter_mut().for_each(|low| *low = (*low).min(j.saturating_sub(w)));
+            self.high[rows].iter_mut().for_each(|high| *high = (*high).max(j.saturating_add(w).min(m as u32)));
+        }
+        // Neither goes back: what one row has, all rows below or above it have too.
+        for i in (0..n).rev() {
+            self.low[i] = self.low[i].min(self.low[i + 1]);
+        }
+        for i in 1..=n {
+            self.high[i] = self.high[i].max(self.high[i - 1]);
+        }
+    }
+
+    /// The number of nodes in row `i`.
+    pub(super) fn width(&self, i: usize) -> usize {
+        (self.high[i] - self.low[i]) as usize + 1
+    }
+
+    /// Rows 1..=N in blocks of at most `nodes` nodes, or of one row.
+    pub(super) fn blocks(&self, nodes: usize) -> Result<Vec<Range<usize>>> {
+        let mut blocks: Vec<Range<usize>> = Vec::new();
+        let mut room = 0;
+        for i in 1..=self.last_row() {
+            match blocks.last_mut() {
+                Some(block) if self.width(i) <= room => {
+                    block.end = i + 1;
+                    room -= self.width(i);
+                }
+                _ => {
+                    alloc::push(&mut blocks, i..i + 1)?;
+                    room = nodes.saturating_sub(self.width(i));
+                }
+            }
+        }
+        Ok(blocks)
+    }
+
+    pub(super) fn nodes(&self, rows: Range<usize>) -> usize {
+        rows.map(|i| self.width(i)).sum()
+    }
+}

@@ -1,0 +1,278 @@
+//! Costs that lie between neighbouring triangles.
+//!
+//! **Smooth.** Over all edges shared by two triangles of the strip, the sum of (1 - cos t) times
+//! the edge's length, t being the angle between their normals. For small angles that is t^2 / 2
+//! times the length, like the energy of a bent plate: many small bends cost less than one sharp
+//! one. Along the rims the second triangle is the old face, where it is known.
+//!
+//! **Continuation.** The sum of 2 sin(t / 2), whatever the edge's length, with [`RIM_WEIGHT`] along
+//! the rims: nearly linear in t, so that a surface may turn in one place rather than a little
+//! everywhere, as where the old faces themselves go on across the gap. To it comes, over the
+//! triangles, the square of the distance that the surface which was there is likely to have had from
+//! them: a meridian from A_i to B_j whose ends lie h and k off each other's tangent planes bulges by
+//! b^2 = (h^2 + k^2) / 32 in the middle, as the cubic with these tangents does, and a triangle
+//! between two such has the mean square (b1^2 + b1 b2 + b2^2) / 3. All lengths are in mean edges of
+//! the rims. Weights and the powers of t and of the length are those whose strips were nearest to
+//! what had been cut out of closed meshes (`make bench ONLY=truth`).
+//!
+//! A triangle without area counts as perpendicular to its neighbours. All loops over the nodes of a
+//! row are without branches, so that they run on vectors.
+
+use super::metric::{Line, StepCosts, point};
+use super::rims::{Pair, RimPair};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use std::ops::Range;
+
+/// What bends along the rims cost more than those across meridians, for [`Bends::continuation`].
+const RIM_WEIGHT: f64 = 4.0;
+
+pub(super) struct Bends<'a> {
+    a: &'a [DVec3],
+    b: Line,
+    /// The normals of the faces along the rims, 0 where they are not known: at `k` that of the edge
+    /// which ends at place k.
+    sides: [Line; 2],
+    /// Weight of the bends along the rims.
+    rim_weight: f64,
+    /// Weight of the meridians' squared lengths.
+    tie: f64,
+    continuation: Option<Tangents>,
+}
+
+/// What a surface that continues others is measured by.
+struct Tangents {
+    /// The normals at the vertices of either rim.
+    normals: [Line; 2],
+    /// One over the mean edge of the rims.
+    per_edge: f64,
+}
+
+/// What the steps into the nodes (i, j) of one row add, by j.
+pub(super) struct Row {
+    /// The unit normals of the triangles A_i A_i-1 B_j and A_i B_j-1 B_j; 0 for one that does not
+    /// exist or has no area.
+    normals: [Line; 2],
+    areas: [Vec<f64>; 2],
+    /// Of each node's meridian the squared bulge, or the length if that is what bends are weighted
+    /// by.
+    meridians: Vec<f64>,
+}
+
+impl Row {
+    pub(super) fn new(len: usize) -> Result<Self> {
+        let zeros = || alloc::filled(0.0, len);
+        let normals = [Line::zeros(len)?, Line::zeros(len)?];
+        Ok(Row { normals, areas: [zeros()?, zeros()?], meridians: zeros()? })
+    }
+}
+
+impl<'a> Bends<'a> {
+    /// The least bends; `tie`: see [`tie_break`].
+    pub(super) fn smooth(rims: &RimPair<'a>, tie: f64) -> Result<Self> {
+        let &RimPair { a, b, sides, .. } = rims;
+        let ends = |points: &[DVec3], side: Option<&[DVec3]>| {
+            let mut line = Line::zeros(points.len())?;
+            (1..points.len()).zip(side.into_iter().flatten()).for_each(|(k, &normal)| line.set(k, normal));
+            Ok(line)
+        };
+        let rim_weight = if sides.is_some() { 1.0 } else { 0.0 };
+        let sides = [ends(a, sides.map(|sides| sides[0]))?, ends(b, sides.map(|sides| sides[1]))?];
+        Ok(Bends { a, b: Line::new(b)?, sides, rim_weight, tie, continuation: None })
+    }
+
+    /// The best continuation of both surfaces.
+    pub(super) fn continuation(rims: &RimPair<'a>, tie: f64) -> Result<Self> {
+        let &RimPair { a, b, sides, closed, .. } = rims;
+        let length = |line: &[DVec3]| line.windows(2).map(|edge| edge[0].distance(edge[1])).sum::<f64>();
+        let mean = (length(a) + length(b)) / (a.len() + b.len() - 2).max(1) as f64;
+        let per_edge = if mean > 0.0 { 1.0 / mean } else { 0.0 };
+        let normals = |points: &[DVec3], side: Option<&[DVec3]>| match side {
+            Some(side) => Line::new(&vertex_normals(side, points.len(), closed)?),
+            None => Line::zeros(points.len()),
+        };
+        let normals = [normals(a, sides.map(|sides| sides[0]))?, normals(b, sides.map(|sides| sides[1]))?];
+        let least = Bends::smooth(rims, tie * per_edge)?;
+        let rim_weight = RIM_WEIGHT * least.rim_weight;
+        Ok(Bends { rim_weight, continuation: Some(Tangents { normals, per_edge }), ..least })
+    }
+
+    /// The costs of the steps into the nodes (i, j) for j in `range`: `steps[0]` of those that
+    /// follow a step on A, `steps[1]` a step on B. `rows`: what this left of row i - 1, and what it
+    /// leaves of row i.
+    pub(super) fn measure(&self, i: usize, range: Range<usize>, rows: [&mut Row; 2], steps: &mut [StepCosts; 2]) {
+        self.triangles(i, range.clone(), rows[1], &mut steps[0].squared);
+        match &self.continuation {
+            Some(tangents) => {
+                tangents.bulges(self.a[i], &self.b, i, range.clone(), rows[1]);
+                self.steps::<true>(i, range, rows, steps);
+            }
+            None => self.steps::<false>(i, range, rows, steps),
+        }
+    }
+
+    /// The triangles of row i; the meridians' lengths, and their squares.
+    fn triangles(&self, i: usize, range: Range<usize>, row: &mut Row, squared: &mut [f64]) {
+        let (here, back) = (self.a[i], self.a[i.saturating_sub(1)] - self.a[i]);
+        let b = self.b.part(range.clone());
+        let [by_a, by_b] = &mut row.normals;
+        let [area_a, area_b] = &mut row.areas;
+        let [x, y, z] = by_a.part_mut(range.clone());
+        let (area, squared) = (&mut area_a[range.clone()], &mut squared[range.clone()]);
+        let length = &mut row.meridians[range.clone()];
+        for j in 0..area.len() {
+            let across = point(b, j) - here;
+            let double = back.cross(across);
+            (area[j], squared[j]) = (0.5 * double.length(), across.length_squared());
+            length[j] = squared[j].sqrt();
+            [x[j], y[j], z[j]] = double.normalize_or_zero().to_array();
+        }
+        // Into j = 0 no step on B leads.
+        let (from, end) = (range.start.max(1), range.end);
+        let (before, b) = (self.b.part(from - 1..end - 1), self.b.part(from..end));
+        let [x, y, z] = by_b.part_mut(from..end);
+        let area = &mut area_b[from..end];
+        for j in 0..area.len() {
+            let double = (point(before, j) - here).cross(point(b, j) - here);
+            area[j] = 0.5 * double.length();
+            [x[j], y[j], z[j]] = double.normalize_or_zero().to_array();
+        }
+    }
+
+    fn steps<const CONTINUES: bool>(
+        &self,
+        i: usize,
+        range: Range<usize>,
+        [before, now]: [&mut Row; 2],
+        [after_a, after_b]: &mut [StepCosts; 2],
+    ) {
+        let edge = self.a[i.saturating_sub(1)].distance(self.a[i]);
+        let side = self.sides[0].get(i);
+        let steps = Steps {
+            normals: now.normals[0].part(range.clone()),
+            areas: &now.areas[0][range.clone()],
+            meridians: [&before.meridians[range.clone()], &now.meridians[range.clone()]],
+            before: [0, 1].map(|k| before.normals[k].part(range.clone())),
+            squared: &after_a.squared[range.clone()],
+        };
+        let costs = [&mut after_a.a[range.clone()], &mut after_b.a[range.clone()]];
+        steps.measure::<CONTINUES>(self, (i, range.start) == (1, 0), |_| (side, edge), costs);
+
+        let (from, end) = (range.start.max(1), range.end);
+        let (sides, b, next) = (self.sides[1].part(from..end), self.b.part(from - 1..end - 1), self.b.part(from..end));
+        let steps = Steps {
+            normals: now.normals[1].part(from..end),
+            areas: &now.areas[1][from..end],
+            meridians: [&now.meridians[from - 1..end - 1], &now.meridians[from..end]],
+            before: [0, 1].map(|k| now.normals[k].part(from - 1..end - 1)),
+            squared: &after_a.squared[from..end],
+        };
+        let costs = [&mut after_a.b[from..end], &mut after_b.b[from..end]];
+        let rim = |j: usize| (point(sides, j), point(b, j).distance(point(next, j)));
+        steps.measure::<CONTINUES>(self, (i, from) == (0, 1), rim, costs);
+    }
+
+    /// The bend across the meridian where a closed strip begins, between its last triangle and its
+    /// first one, by steps on the rims that `last_on_b` and `first_on_b` say.
+    pub(super) fn across_seam(&self, last_on_b: bool, first_on_b: bool) -> f64 {
+        let (n, m) = (self.a.len() - 1, self.b.len() - 1);
+        let b = |j: usize| self.b.get(j);
+        let normal = |i: usize, j: usize, on_b: bool| {
+            let from = if on_b { b(j - 1) } else { self.a[i - 1] };
+            (from - self.a[i]).cross(b(j) - self.a[i]).normalize_or_zero()
+        };
+        let next = if first_on_b { normal(0, 1, true) } else { normal(1, 0, false) };
+        let (last, length) = (normal(n, m, last_on_b), self.a[n].distance(b(m)));
+        if self.continuation.is_some() { bend::<true>(last, next, length) } else { bend::<false>(last, next, length) }
+    }
+}
+
+impl Tangents {
+    /// The squared bulges of the meridians, in squared mean edges, and the areas in the same unit.
+    fn bulges(&self, here: DVec3, b: &Line, i: usize, range: Range<usize>, row: &mut Row) {
+        let square = self.per_edge * self.per_edge;
+        let normal = self.normals[0].get(i);
+        let (normals, b) = (self.normals[1].part(range.clone()), b.part(range.clone()));
+        for (j, bulge) in row.meridians[range.clone()].iter_mut().enumerate() {
+            let across = point(b, j) - here;
+            let (h, k) = (normal.dot(across), point(normals, j).dot(across));
+            *bulge = (h * h + k * k) / 32.0 * square;
+        }
+        row.areas.iter_mut().flat_map(|areas| &mut areas[range.clone()]).for_each(|area| *area *= square);
+    }
+}
+
+/// The steps on one rim into some nodes of a row.
+struct Steps<'a> {
+    /// Of the triangles that they add.
+    normals: [&'a [f64]; 3],
+    areas: &'a [f64],
+    /// Of the nodes that they come from, and of those that they lead to; see [`Row`].
+    meridians: [&'a [f64]; 2],
+    /// The normals of the triangles before, by steps on A and on B.
+    before: [[&'a [f64]; 3]; 2],
+    /// The squared lengths of the meridians.
+    squared: &'a [f64],
+}
+
+impl Steps<'_> {
+    /// What they cost after a step on A, and on B. `rim`: the normal of the face along the rim and
+    /// the length of the edge. `begins`: the first of them is the first step of all; nothing comes
+    /// before it, and the seam is added at the end.
+    #[inline(always)]
+    fn measure<const CONTINUES: bool>(
+        &self,
+        bends: &Bends<'_>,
+        begins: bool,
+        rim: impl Fn(usize) -> (DVec3, f64),
+        [after_a, after_b]: [&mut [f64]; 2],
+    ) {
+        let (tie, rim_weight) = (bends.tie, bends.rim_weight);
+        let [from, to] = self.meridians;
+        let alone = |j: usize| {
+            let (side, length) = rim(j);
+            let along = tie * self.squared[j] + rim_weight * bend::<CONTINUES>(point(self.normals, j), side, length);
+            if !CONTINUES {
+                return along;
+            }
+            along + self.areas[j] * ((to[j] + from[j] + (to[j] * from[j]).sqrt()) / 3.0)
+        };
+        for j in 0..after_a.len() {
+            let (normal, alone) = (point(self.normals, j), alone(j));
+            after_a[j] = alone + bend::<CONTINUES>(normal, point(self.before[0], j), from[j]);
+            after_b[j] = alone + bend::<CONTINUES>(normal, point(self.before[1], j), from[j]);
+        }
+        if begins && let ([a, ..], [b, ..]) = (after_a, after_b) {
+            (*a, *b) = (alone(0), alone(0));
+        }
+    }
+}
+
+/// The bend between triangles with normals `p` and `q` across an edge.
+#[inline(always)]
+fn bend<const CONTINUES: bool>(p: DVec3, q: DVec3, length: f64) -> f64 {
+    if CONTINUES { p.distance(q) } else { length * (1.0 - p.dot(q)) }
+}
+
+/// The normals at the vertices of a rim, the mean of its two faces there; of a closed rim the last
+/// point is the first again.
+fn vertex_normals(sides: &[DVec3], points: usize, closed: bool) -> Result<Vec<DVec3>> {
+    let around = |k: usize| match (k.checked_sub(1), sides.get(k)) {
+        (Some(before), Some(&after)) => sides[before] + after,
+        (None, Some(&after)) if closed => sides[sides.len() - 1] + after,
+        (Some(before), None) if closed => sides[before] + sides[0],
+        (Some(before), None) => sides[before],
+        (None, after) => after.copied().unwrap_or_default(),
+    };
+    alloc::collect((0..points).map(|k| around(k).normalize_or_zero()))
+}
+
+/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and
+/// round-off would choose: on the paper's own strip they come to 2^-20 of the meridians' lengths.
+pub(super) fn tie_break(rims: &RimPair<'_>, paper: &[Pair]) -> f64 {
+    let squared = |&[i, j]: &Pair| rims.a[i as usize].distance_squared(rims.b[j as usize]);
+    let (lengths, squares) =
+        paper.iter().map(squared).fold((0.0, 0.0), |(lengths, squares), s| (lengths + s.sqrt(), squares + s));
+    if squares > 0.0 { 0.5f64.powi(20) * lengths / squares } else { 0.0 }
+}

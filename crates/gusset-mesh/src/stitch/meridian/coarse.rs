@@ -1,0 +1,119 @@
+//! Coarse-to-fine search of a lattice too large to be searched whole.
+//!
+//! Vertices of the rims are removed, those on short edges first, until the lattice is
+//! small enough for the exact search. Each path then bounds the search of the next finer
+//! lattice to a band round it, which is widened where the path touches the band's border or
+//! where forbidden meridians close it. Nearly optimal, not exact; O(N + M) nodes for each
+//! level.
+
+use super::band::Band;
+use super::rims::{Pair, RimPair, STAGE};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// A lattice of at most so many nodes is searched whole.
+const MAX_COARSEST_NODES: usize = 1 << 16;
+
+/// A rim of fewer segments than this is not thinned out further.
+const MIN_SEGMENTS: usize = 32;
+
+const HALF_BAND: usize = 8;
+
+/// Half the width of the band where the path touched the border of a narrower one, at most.
+const MAX_HALF_BAND: usize = 512;
+
+/// If more than one in so many nodes of the path touch the border, the whole band is widened.
+const NODES_PER_BORDER_NODE: usize = 128;
+
+/// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice
+/// of some rims, the given ones thinned out. Time and memory: the search of about
+/// (2 HALF_BAND + 1) (N + M) nodes, and half as many, and so on.
+pub(super) fn coarse_to_fine(
+    rims: &RimPair<'_>,
+    search: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    job: &Job<'_>,
+) -> Result<Option<Vec<Pair>>> {
+    let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
+    if (n + 1) * (m + 1) <= MAX_COARSEST_NODES || (n < MIN_SEGMENTS && m < MIN_SEGMENTS) {
+        return search(rims, &Band::full(n, m)?, job);
+    }
+    job.step(0.0, STAGE)?;
+    let (kept_a, kept_b) = (thinned(rims.a)?, thinned(rims.b)?);
+    job.step(0.0, STAGE)?;
+    let points = |all: &[DVec3], kept: &[u32]| alloc::collect(kept.iter().map(|&i| all[i as usize]));
+    let (a, b) = (points(rims.a, &kept_a)?, points(rims.b, &kept_b)?);
+    let sides = match rims.sides {
+        Some([side_a, side_b]) => Some([thinned_sides(side_a, &kept_a)?, thinned_sides(side_b, &kept_b)?]),
+        None => None,
+    };
+    // A forbidden meridian forbids nothing in the large.
+    let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
+    let coarse = RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], sides, penalties: &[] };
+    let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
+        return Ok(None);
+    };
+    job.step(0.4, STAGE)?;
+    path.iter_mut().for_each(|[i, j]| (*i, *j) = (kept_a[*i as usize], kept_b[*j as usize]));
+    let mut band = Band::around(&path, n, m, HALF_BAND)?;
+    let (mut width, mut done) = (HALF_BAND, 0.4);
+    loop {
+        let until = (1.0 + done) / 2.0;
+        let found = search(rims, &band, &job.part(done, until))?;
+        (width, done) = (4 * width, until);
+        match found {
+            // Where the path runs along the border of the band, a better one may be beyond.
+            Some(found) => {
+                let touching = band.touched_by(&found)?;
+                if touching.is_empty() || width > MAX_HALF_BAND {
+                    return Ok(Some(found));
+                }
+                if touching.len() > found.len() / NODES_PER_BORDER_NODE {
+                    band = Band::around(&found, n, m, width)?;
+                } else {
+                    band = Band::around(&found, n, m, HALF_BAND)?;
+                    band.widen(&touching, width);
+                }
+            }
+            // Where forbidden meridians close the band, the way is farther out.
+            None if !rims.forbidden.is_empty() && width < 4 * n.max(m) => band = Band::around(&path, n, m, width)?,
+            None => return Ok(None),
+        }
+    }
+}
+
+/// The points that are kept, the first and the last among them: as many as are about two mean edges
+/// apart, so that crowds are thinned out and long edges stay. At most three quarters of many.
+fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
+    let last = points.len() - 1;
+    if last < MIN_SEGMENTS {
+        return alloc::collect((0..points.len()).map(|i| i as u32));
+    }
+    let edge = |i: usize| points[i].distance(points[i - 1]);
+    let mean = (1..=last).map(edge).sum::<f64>() / last as f64;
+    let mut reach = 2.000001 * mean;
+    loop {
+        let mut kept = alloc::with_capacity(points.len())?;
+        kept.push(0);
+        let mut length = 0.0;
+        for i in 1..=last {
+            length += edge(i);
+            if i == last || length + edge(i + 1) > reach {
+                kept.push(i as u32);
+                length = 0.0;
+            }
+        }
+        // Edges of no length at all are all alike.
+        if kept.len() <= points.len() / 4 * 3 || mean == 0.0 {
+            return Ok(kept);
+        }
+        reach *= 2.0;
+    }
+}
+
+/// The mean normals of the edges from each kept point to the next.
+fn thinned_sides(normals: &[DVec3], kept: &[u32]) -> Result<Vec<DVec3>> {
+    let mean = |pair: &[u32]| normals[pair[0] as usize..pair[1] as usize].iter().sum::<DVec3>().normalize_or_zero();
+    alloc::collect(kept.windows(2).map(mean))
+}

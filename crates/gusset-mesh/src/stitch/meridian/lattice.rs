@@ -1,0 +1,164 @@
+//! The cheapest path through the lattice, for costs that depend on each step alone: exact dynamic
+//! programming over a band of it.
+//!
+//! Node (i, j) is reached from (i - 1, j), from (i, j - 1), or, if the metric allows steps on both
+//! rims, from (i - 1, j - 1); the cheapest way to it is the cheapest of these, one step longer
+//! (Fuchs, Kedem and Uselton, 1977). How each node is reached is kept for a block of rows at a
+//! time: the first pass keeps the costs at each block's start, and the way back computes each block
+//! but the last once more.
+
+use super::band::Band;
+use super::metric::{Line, Metric, StepCosts};
+use super::rims::{Pair, RimPair, STAGE};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// Nodes whose arrivals are kept at a time, one byte each.
+const MAX_ARRIVALS: usize = 1 << 26;
+
+/// Nodes between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 19;
+
+/// How a node is reached.
+const STEP_A: u8 = 0;
+const STEP_B: u8 = 1;
+const STEP_BOTH: u8 = 2;
+
+/// The cheapest path within `band`, from (0, 0) to (N, M); `None` if the forbidden nodes leave
+/// none.
+///
+/// Time: the number of nodes in the band. Extra memory: one byte a node for at most 2^26 nodes, and
+/// 8 bytes a node of the first row of each further block of so many.
+pub(super) fn cheapest(rims: &RimPair<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
+    let (n, m) = (band.last_row(), band.last_column());
+    let blocks = band.blocks(MAX_ARRIVALS)?;
+    let largest = blocks.iter().map(|rows| band.nodes(rows.clone())).max().unwrap_or(0);
+    let mut arrivals = alloc::filled(0u8, largest)?;
+    let mut table = Table {
+        rims,
+        metric,
+        band,
+        line: Line::new(rims.b)?,
+        steps: StepCosts::new(m + 1)?,
+        cost: alloc::filled(f64::INFINITY, m + 1)?,
+    };
+
+    table.first_row();
+    let mut starts = alloc::with_capacity(blocks.len())?;
+    for rows in &blocks {
+        starts.push(alloc::copied(&table.cost[band.columns(rows.start - 1)])?);
+        let part = job.part(0.5 * (rows.start - 1) as f64 / n as f64, 0.5 * (rows.end - 1) as f64 / n as f64);
+        table.run(rows.clone(), &mut arrivals, &part)?;
+    }
+    if table.cost[m] == f64::INFINITY {
+        return Ok(None);
+    }
+
+    let (mut i, mut j) = (n, m);
+    let mut path = alloc::with_capacity(n + m + 1)?;
+    for (rows, start) in blocks.iter().zip(&starts).rev() {
+        // The last block's arrivals are still there.
+        if rows.end <= n {
+            table.cost.fill(f64::INFINITY);
+            table.cost[band.columns(rows.start - 1)].copy_from_slice(start);
+            // From the last block to the first: what is done grows as the rows get fewer.
+            let done = |row: usize| 1.0 - 0.5 * row as f64 / n as f64;
+            let part = job.part(done(rows.end - 1), done(rows.start));
+            table.run(rows.clone(), &mut arrivals, &part)?;
+        }
+        let mut row_start = band.nodes(rows.start..i);
+        while i >= rows.start {
+            path.push([i as u32, j as u32]);
+            let arrival = arrivals[row_start + j - band.columns(i).start()];
+            j -= usize::from(arrival != STEP_A);
+            if arrival != STEP_B {
+                i -= 1;
+                row_start -= if i >= rows.start { band.width(i) } else { 0 };
+            }
+        }
+    }
+    path.extend((0..=j as u32).rev().map(|j| [0, j]));
+    path.reverse();
+    Ok(Some(path))
+}
+
+struct Table<'a> {
+    rims: &'a RimPair<'a>,
+    metric: Metric,
+    band: &'a Band,
+    line: Line,
+    steps: StepCosts,
+    /// The cheapest ways to the nodes of the row reached so far; infinite beyond the band.
+    cost: Vec<f64>,
+}
+
+impl Table<'_> {
+    fn measure(&mut self, i: usize) {
+        let (low, high) = self.band.columns(i).into_inner();
+        self.metric.measure(self.rims.a, &self.line, i, low..high + 1, &mut self.steps);
+        for &[_, j] in self.rims.forbidden_in_row(i) {
+            self.steps.a[j as usize] = f64::INFINITY;
+            self.steps.b[j as usize] = f64::INFINITY;
+        }
+    }
+
+    /// Row 0: the start, and the way along B from it.
+    fn first_row(&mut self) {
+        self.measure(0);
+        let mut left = if self.rims.is_forbidden([0, 0]) { f64::INFINITY } else { 0.0 };
+        self.cost[0] = left;
+        for j in 1..=*self.band.columns(0).end() {
+            left += self.steps.b[j];
+            self.cost[j] = left;
+        }
+    }
+
+    /// From the row before `rows` to the last of them.
+    fn run(&mut self, rows: std::ops::Range<usize>, arrivals: &mut [u8], job: &Job<'_>) -> Result<()> {
+        let (first, count) = (rows.start, rows.len());
+        let (mut done, mut next_report) = (0, REPORT_INTERVAL);
+        for i in rows {
+            self.measure(i);
+            let width = self.band.width(i);
+            if self.metric.steps_on_both() {
+                self.next_row::<true>(i, &mut arrivals[done..done + width]);
+            } else {
+                self.next_row::<false>(i, &mut arrivals[done..done + width]);
+            }
+            done += width;
+            if done >= next_report {
+                next_report += REPORT_INTERVAL;
+                job.step((i - first) as f64 / count as f64, STAGE)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces the costs of row i - 1 by those of row i.
+    fn next_row<const BOTH: bool>(&mut self, i: usize, arrivals: &mut [u8]) {
+        let columns = self.band.columns(i);
+        let low = *columns.start();
+        // What stands before the band is of an older row, unless the band begins farther right than
+        // it did.
+        let shifted = low > *self.band.columns(i - 1).start();
+        let mut before = if BOTH && shifted { self.cost[low - 1] } else { f64::INFINITY };
+        let mut left = f64::INFINITY;
+        let steps = self.steps.a[columns.clone()].iter().zip(&self.steps.b[columns.clone()]);
+        for ((cost, (step_a, step_b)), arrival) in self.cost[columns].iter_mut().zip(steps).zip(arrivals) {
+            let (by_a, by_b) = (*cost + step_a, left + step_b);
+            let mut best = if by_b < by_a { by_b } else { by_a };
+            *arrival = if by_b < by_a { STEP_B } else { STEP_A };
+            if BOTH {
+                let by_both = before + step_a;
+                if by_both <= best {
+                    best = by_both;
+                    *arrival = STEP_BOTH;
+                }
+                before = *cost;
+            }
+            *cost = best;
+            left = best;
+        }
+    }
+}

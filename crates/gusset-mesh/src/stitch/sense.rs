@@ -1,0 +1,121 @@
+//! Relative direction of two rims round the gap between them.
+//!
+//! Both rims have their surface on the left. Where the pieces are parts of one oriented
+//! surface, the rims therefore run opposite ways; if they run the same way, one piece is inside
+//! out. The test compares the curves: each is sampled at equal arc lengths and centred, and the
+//! second is fitted to the first in both directions, at the best rotation.
+
+use super::facing::{centre, normal};
+use super::polyline::samples;
+use super::rim::Rim;
+use glam::DVec3;
+use gusset_base::error::Result;
+
+/// Samples of each rim.
+const SAMPLES: usize = 64;
+
+/// A difference smaller than this part of the rims' own spread decides nothing: the rims are then
+/// nearly straight there and back, or mirror images of themselves from where the other one stands.
+const MIN_RELATIVE_MARGIN: f64 = 0.01;
+
+/// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in
+/// orientation.
+fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
+    let (p, q) = (centred_samples(a)?, centred_samples(b)?);
+    // The sum of squared distances is |p|^2 + |q|^2 - 2 sum(p . q): the least distance is the
+    // greatest correlation.
+    let best = |sign: usize| {
+        (0..SAMPLES)
+            .map(|shift| (0..SAMPLES).map(|k| p[k].dot(q[(shift + sign * k) % SAMPLES])).sum::<f64>())
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (same, opposite) = (best(1), best(SAMPLES - 1));
+    let spread = |s: &[DVec3]| s.iter().map(|v| v.length_squared()).sum::<f64>();
+    Ok(2.0 * (same - opposite) > MIN_RELATIVE_MARGIN * (spread(&p) + spread(&q)))
+}
+
+/// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their
+/// surfaces disagree in orientation.
+///
+/// The comparison of the curves holds while the gap bends by less than a right angle, or one rim
+/// lies inside the other. Where both rims lead off their surfaces to the same side, as the ends of
+/// a U-bend do, each is judged by itself: whether its surface is on the left as seen from where it
+/// leads to. The ends of an oriented surface all agree in that.
+pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
+    let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION;
+    if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
+        let (u, v) = (turns(a), turns(b));
+        return Ok(u.abs().min(v.abs()) > MIN_MEAN_DIRECTION && u * v < 0.0);
+    }
+    run_the_same_way(&a.points, &b.points)
+}
+
+/// A rim leads off its surface in a direction if the mean of its unit vectors is longer than this.
+const MIN_MEAN_DIRECTION: f64 = 0.3;
+
+/// The cosine of the angle between a rim's area vector and the direction in which it leads off its
+/// surface.
+fn turns(rim: &Rim) -> f64 {
+    normal(&rim.points).dot(rim.outward.normalize_or_zero())
+}
+
+/// True if the centres are nearer to each other than half the larger rim's greatest radius.
+fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
+    let centres = [centre(a), centre(b)];
+    let radius = |points: &[DVec3], c: DVec3| points.iter().map(|p| p.distance(c)).fold(0.0, f64::max);
+    let largest = radius(a, centres[0]).max(radius(b, centres[1]));
+    centres[0].distance(centres[1]) < 0.5 * largest
+}
+
+/// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that
+/// their surfaces disagree in orientation: laid side by side in the same direction they are nearer
+/// to each other than in opposite ones.
+pub fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
+    let (p, q) = (samples(a, false, SAMPLES)?, samples(b, false, SAMPLES)?);
+    let apart = |at: fn(usize) -> usize| (0..SAMPLES).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();
+    let (same, opposite) = (apart(|k| k), apart(|k| SAMPLES - 1 - k));
+    Ok(opposite - same > MIN_RELATIVE_MARGIN * (opposite + same))
+}
+
+/// Samples of a closed polyline, moved so that their mean is the origin.
+fn centred_samples(points: &[DVec3]) -> Result<Vec<DVec3>> {
+    let mut samples = samples(points, true, SAMPLES)?;
+    let mean = samples.iter().sum::<DVec3>() / SAMPLES as f64;
+    samples.iter_mut().for_each(|s| *s -= mean);
+    Ok(samples)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle(n: usize, turn: f64, lift: f64) -> Vec<DVec3> {
+        (0..n)
+            .map(|i| {
+                let t = turn + std::f64::consts::TAU * i as f64 / n as f64;
+                DVec3::new(t.cos(), t.sin(), lift)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn circles_of_any_count_phase_and_distance() {
+        for (n, m) in [(3, 4), (30, 20), (100, 7), (64, 64)] {
+            for lift in [0.0, 0.1, 50.0] {
+                for turn in [0.0, 1.0, 4.0] {
+                    let (a, mut b) = (circle(n, 0.0, 0.0), circle(m, turn, lift));
+                    assert!(run_the_same_way(&a, &b).unwrap(), "{n} {m} {lift} {turn}");
+                    b.reverse();
+                    assert!(!run_the_same_way(&a, &b).unwrap(), "{n} {m} {lift} {turn}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_told_is_left_alone() {
+        let line: Vec<_> = (0..10).chain((1..9).rev()).map(|i| DVec3::X * f64::from(i)).collect();
+        assert!(!run_the_same_way(&line, &line).unwrap());
+        assert!(!run_the_same_way(&[DVec3::ONE; 3], &circle(5, 0.0, 0.0)).unwrap());
+    }
+}

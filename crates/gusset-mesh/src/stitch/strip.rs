@@ -1,0 +1,205 @@
+//! The strip between two rims: first meridian, remaining meridians, rows and faces.
+
+use super::grid::{FaceList, Grid};
+use super::meridian::{
+    self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
+};
+use super::request::{Cells, Options, Rows};
+use super::rim::{Bridges, Rim};
+use super::start::{Start, by_rotation, closest_pair};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::par;
+
+/// A second start is taken if it is better by more than this part.
+const MIN_RELATIVE_GAIN: f64 = 1.0 / (1 << 20) as f64;
+
+/// Pairs of vertices that are worth a thread.
+const MIN_NODES_PER_THREAD: usize = 1 << 14;
+
+/// A strip that is not yet part of a mesh.
+pub(crate) struct Strip {
+    /// The rims, side by side from the first meridian on.
+    pub(crate) a: Rim,
+    pub(crate) b: Rim,
+    pub(crate) meridians: Vec<Pair>,
+    pub(crate) grid: Grid,
+    pub(crate) faces: FaceList,
+    /// Of each new vertex.
+    pub(crate) parents: Vec<Parents>,
+}
+
+/// The vertices of the rims that a new one lies between.
+#[derive(Clone, Copy)]
+pub(crate) struct Parents {
+    /// By the strip's own numbers: of a row, the ends of the meridian, that of rim B twice.
+    pub(crate) vertices: [u32; 3],
+    /// How much each counts, at least 0 with sum 1; the last one 0 of a row.
+    pub(crate) weights: [f64; 3],
+}
+
+impl Strip {
+    /// Hangs a strip on two rims that run side by side, rim A with its surface on the left, rim B
+    /// on the right. `mean_side`: the mean side of the faces round it, in the rims' unit; asked for
+    /// if the rows depend on it.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub(crate) fn between(
+        mut a: Rim,
+        mut b: Rim,
+        bridges: &Bridges,
+        options: &Options,
+        mean_side: impl Fn() -> f64,
+        job: &Job<'_>,
+    ) -> Result<Strip> {
+        let meridians = if a.closed {
+            best_start(&mut a, &mut b, bridges, options, job)?
+        } else if options.twist != 0 {
+            return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
+        } else {
+            from_given_start(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
+        };
+        job.step(1.0, meridian::STAGE)?;
+        let strip = Strip::on(a, b, meridians, bridges, options, mean_side)?;
+        job.step(1.0, meridian::STAGE)?;
+        Ok(strip)
+    }
+
+    /// Hangs a strip on two rims by meridians that are known.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`], [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub(super) fn on(
+        a: Rim,
+        b: Rim,
+        meridians: Vec<Pair>,
+        bridges: &Bridges,
+        options: &Options,
+        mean_side: impl Fn() -> f64,
+    ) -> Result<Strip> {
+        let rows = match options.rows {
+            Rows::None => 0,
+            Rows::Count(count) => count,
+            Rows::MeanEdge => {
+                let lengths = meridians.iter().map(|&[i, j]| a.at(i).distance(b.at(j)));
+                let mean_meridian = lengths.sum::<f64>() / meridians.len() as f64;
+                // As many as the strip can hold at most, even if the sides have no length.
+                ((mean_meridian / mean_side()).round() - 1.0).clamp(0.0, f64::from(u32::MAX)) as u32
+            }
+        };
+        let grid = Grid::new(&a, &b, &meridians, rows)?;
+        let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
+        let parents = grid
+            .meridian_ends()
+            .zip(&grid.new)
+            .map(|([a, b], &(_, weight))| Parents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
+        let parents = alloc::gather(parents)?;
+        Ok(Strip { a, b, meridians, grid, faces, parents })
+    }
+
+    /// Puts the strip on other meridians, without rows.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`], [`Error::OutOfMemory`].
+    pub(super) fn set_meridians(&mut self, meridians: Vec<Pair>, bridges: &Bridges, options: &Options) -> Result<()> {
+        self.grid = Grid::new(&self.a, &self.b, &meridians, 0)?;
+        self.faces = self.grid.faces(&self.a, &self.b, bridges, options.cells == Cells::Quads)?;
+        self.meridians = meridians;
+        Ok(())
+    }
+
+    /// The number of the rims' vertices, which are the strip's first.
+    pub(crate) fn rim_count(&self) -> usize {
+        self.a.vertices.len() + self.b.vertices.len()
+    }
+}
+
+/// Turns the rims so that both begin at the best first meridian, and finds the others.
+fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
+    let none = Error::NoStrip { vertex: a.vertices[0] };
+    let count = b.vertices.len();
+    let (i, j) = closest_pair(a, b, bridges, &job.part(0.0, 0.2))?.ok_or(none)?;
+    let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
+    let second = match options.start {
+        Start::Auto if options.twist == 0 => {
+            by_rotation(a, b, bridges, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
+        }
+        _ => None,
+    };
+    a.start_at(i);
+    b.start_at(j);
+    let job = job.part(0.2, 1.0);
+    job.step(0.0, meridian::STAGE)?;
+    let Some((i2, j2)) = second else {
+        return from_given_start(a, b, bridges, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
+    };
+    let (mut other_a, mut other_b) = (a.try_clone()?, b.try_clone()?);
+    job.step(0.0, meridian::STAGE)?;
+    other_a.start_at((i2 + a.vertices.len() - i) % a.vertices.len());
+    other_b.start_at((j2 + count - j) % count);
+    let linear = matches!(options.meridians, Meridians::Index | Meridians::ArcLength | Meridians::Greedy);
+    let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
+    let (first, other) = par::both(
+        &job.with_threads(threads),
+        meridian::STAGE,
+        |job| from_given_start(a, b, bridges, options, job),
+        |job| from_given_start(&other_a, &other_b, bridges, options, job),
+    )?;
+    let is_better = |other: &MeridianChoice| match &first {
+        Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN),
+        None => true,
+    };
+    match other.filter(is_better) {
+        Some(other) => {
+            (*a, *b) = (other_a, other_b);
+            Ok(other.pairs)
+        }
+        None => first.map(|chosen| chosen.pairs).ok_or(none),
+    }
+}
+
+/// The meridians from the first one on.
+pub(crate) fn from_given_start(
+    a: &Rim,
+    b: &Rim,
+    bridges: &Bridges,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
+    between_rims(a, b, bridges, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
+}
+
+/// The best meridians near others, where some steps have penalties.
+pub(super) fn near(
+    a: &Rim,
+    b: &Rim,
+    bridges: &Bridges,
+    options: &Options,
+    path: &[Pair],
+    penalties: &[StepPenalty],
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
+    between_rims(a, b, bridges, options, penalties, |rims| meridians_near(rims, options.meridians, path, job))
+}
+
+fn between_rims<T>(
+    a: &Rim,
+    b: &Rim,
+    bridges: &Bridges,
+    options: &Options,
+    penalties: &[StepPenalty],
+    find: impl FnOnce(&RimPair<'_>) -> Result<T>,
+) -> Result<T> {
+    let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
+    // With interior rows no meridian is an edge of its own.
+    let forbidden = match options.rows {
+        Rows::None => forbidden_nodes(bridges.nodes(a, b)?.into_iter(), n, m, a.closed)?,
+        _ => Vec::new(),
+    };
+    let (line_a, line_b) = (a.line()?, b.line()?);
+    let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
+    find(&RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides, penalties })
+}

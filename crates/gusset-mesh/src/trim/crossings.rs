@@ -1,0 +1,91 @@
+//! Kept faces of different pieces that cut or touch each other.
+
+use super::STAGE;
+use super::layer::Layer;
+use super::region::Region;
+use crate::intersect::{Soup, intersecting_pairs_where};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The faces of each piece that cut one of a piece before it. O(F log F).
+pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+    let mut points: Vec<DVec3> = Vec::new();
+    // Triangles, the pieces and the faces that they are of.
+    let (mut triangles, mut of): (Vec<[u32; 3]>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
+    for ((layer, region), k) in layers.iter().zip(regions).zip(0..) {
+        let first = points.len() as u32;
+        job.step(0.0, STAGE)?;
+        alloc::append(&mut points, &layer.scan.points)?;
+        let kept = layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.keeps[**f as usize]);
+        for (n, (triangle, &f)) in kept.enumerate() {
+            job.part(0.0, 0.0).step_within(n, STAGE)?;
+            alloc::push(&mut triangles, triangle.map(|v| v + first))?;
+            alloc::push(&mut of, [k, f])?;
+        }
+    }
+    let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
+    // That of the later piece, as elsewhere: what went here on one side and there on the other
+    // would leave neither.
+    let worse = |s: u32, t: u32| if of[s as usize][0] > of[t as usize][0] { s } else { t };
+    // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed,
+    // and the faces are the same in any order.
+    let is_found = alloc::collect((0..triangles.len()).map(|_| AtomicBool::new(false)))?;
+    job.step(0.0, STAGE)?;
+    let wanted = |s: u32, t: u32| {
+        of[s as usize][0] != of[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)
+    };
+    let list = |s: u32, t: u32| !is_found[worse(s, t) as usize].swap(true, Ordering::Relaxed);
+    let mut found = alloc::filled(Vec::new(), layers.len())?;
+    for [s, t] in intersecting_pairs_where(&soup, &wanted, &list, job)? {
+        let [k, f] = of[worse(s, t) as usize];
+        alloc::push(&mut found[k as usize], f)?;
+    }
+    found.iter_mut().for_each(sort_distinct);
+    Ok(found)
+}
+
+/// Adds the faces at vertices that lie exactly in one place with those of another piece, and have no
+/// edge in common with any: no strip fits in there, and no seam. Of pieces that overlap only; where
+/// none of those that meet has an edge in common, the first is left. O(r log r) for r edges of rims.
+pub(super) fn add_touching(
+    layers: &[Layer],
+    regions: &[Region<'_, '_>],
+    pairs: &[[u32; 2]],
+    found: &mut [Vec<u32>],
+) -> Result<()> {
+    // -0 equals 0.
+    let key = |p: DVec3| p.to_array().map(|x| (x + 0.0).to_bits());
+    let mut edges = Vec::new();
+    for ((layer, region), k) in layers.iter().zip(regions).zip(0u32..) {
+        region.each_rim_edge(|f, ends| {
+            alloc::push(&mut edges, (ends.map(|v| key(layer.scan.points[v as usize])), k, f))
+        })?;
+    }
+    // Edges as pairs of places, and the ends of those that two pieces have.
+    let mut sides = alloc::collect(edges.iter().map(|&([p, q], k, _)| ([p.min(q), p.max(q)], k)))?;
+    sides.sort_unstable();
+    let mut held = Vec::new();
+    for together in sides.chunk_by(|a, b| a.0 == b.0).filter(|all| all.iter().any(|side| side.1 != all[0].1)) {
+        for &([p, q], k) in together {
+            alloc::append(&mut held, &[(p, k), (q, k)])?;
+        }
+    }
+    sort_distinct(&mut held);
+    let mut places = alloc::gather(edges.iter().flat_map(|&([p, q], k, f)| [(p, k, f), (q, k, f)]))?;
+    sort_distinct(&mut places);
+    for place in places.chunk_by(|a, b| a.0 == b.0).filter(|place| place.iter().any(|end| end.1 != place[0].1)) {
+        let first = place[0].1;
+        let is_held = |k: u32| held.binary_search(&(place[0].0, k)).is_ok();
+        let any = place.iter().any(|&(_, k, _)| is_held(k));
+        let overlaps = |k: u32| place.iter().any(|&(_, j, _)| pairs.binary_search(&[j.min(k), j.max(k)]).is_ok());
+        for &(_, k, f) in place.iter().filter(|&&(_, k, _)| !is_held(k) && (any || k != first) && overlaps(k)) {
+            alloc::push(&mut found[k as usize], f)?;
+        }
+    }
+    found.iter_mut().for_each(sort_distinct);
+    Ok(())
+}

@@ -1,0 +1,122 @@
+//! New coordinate matrices of rearranged nodes, written row by row on many threads.
+//!
+//! Invariant: coordinates keep their bits, NaN payloads included. O(nodes), bound by memory.
+
+use crate::{Coordinates, Direction, Planes, Real, Shape, each};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+use std::ops::Range;
+
+/// Numbers that one thread writes at a time: enough to outweigh starting it.
+const BLOCK: usize = 1 << 16;
+
+/// Allocations of at least this many bytes come zeroed from the system; below, one thread suffices.
+const MIN_FRESH_BYTES: usize = 1 << 25;
+
+/// Matrices whose rows `write` fills, a range at a time, of X, Y or Z (0, 1, 2).
+pub(crate) fn build_planes<T: Real>(
+    shape: Shape,
+    job: &Job<'_>,
+    write: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
+) -> Result<Planes<'static, T>> {
+    let columns = shape.columns();
+    if shape.node_count().saturating_mul(3 * size_of::<T>()) < MIN_FRESH_BYTES && columns <= BLOCK {
+        job.step(0.0, "nodes")?;
+        let planes = Planes::from_rows(shape, write)?;
+        job.step(1.0, "nodes")?;
+        return Ok(planes);
+    }
+    let mut planes = Planes::zeroed(shape)?;
+    let height = (BLOCK / columns).clamp(1, shape.rows());
+    let mut blocks = alloc::with_capacity(3 * shape.rows().div_ceil(height))?;
+    for (axis, matrix) in planes.matrices_mut().into_iter().enumerate() {
+        blocks.extend(matrix.chunks_mut(height * columns).enumerate().map(|(k, block)| (axis, k * height, block)));
+    }
+    job.step(0.0, "nodes")?;
+    par::map(job.threads(), blocks.into_iter(), |(axis, first, block)| {
+        write(axis, first..first + block.len() / columns, block);
+    })?;
+    job.step(1.0, "nodes")?;
+    Ok(planes)
+}
+
+/// A map from the nodes of a new matrix to those of an old one.
+pub(crate) enum Rearrangement<'a> {
+    /// The rectangle from (row, column) on.
+    Part { row: usize, column: usize },
+    /// The last row (`Down`) or column first.
+    Flipped(Direction),
+    /// Rows and columns exchanged.
+    Transposed,
+    /// New row i is old row `rows[i]`, and likewise columns.
+    Selection { rows: &'a [u32], columns: &'a [u32] },
+}
+
+/// Side of a square tile that fits in the cache together with its image.
+const TILE: usize = 16;
+
+impl Rearrangement<'_> {
+    /// Fills rows of a new matrix of `shape` from the old one, whose rows lie `stride` apart.
+    fn write<T: Real>(&self, shape: Shape, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
+        let columns = shape.columns();
+        let first = rows.start;
+        let lines = rows.zip(to.chunks_exact_mut(columns));
+        match *self {
+            Rearrangement::Part { row, column } => {
+                lines.for_each(|(i, to)| to.copy_from_slice(&from[(row + i) * stride + column..][..columns]));
+            }
+            Rearrangement::Flipped(Direction::Down) => {
+                lines.for_each(|(i, to)| to.copy_from_slice(&from[(shape.rows() - 1 - i) * stride..][..columns]));
+            }
+            Rearrangement::Flipped(Direction::Right) => {
+                for (i, to) in lines {
+                    let from = &from[i * stride..][..columns];
+                    to.iter_mut().zip(from.iter().rev()).for_each(|(to, from)| *to = *from);
+                }
+            }
+            Rearrangement::Selection { rows, columns } => {
+                lines.for_each(|(i, to)| select(&from[rows[i] as usize * stride..], columns, to));
+            }
+            Rearrangement::Transposed => transpose(first, columns, from, stride, to),
+        }
+    }
+}
+
+/// Selected numbers of a row, in runs: all at once where none is dropped or repeated.
+fn select<T: Real>(from: &[T], columns: &[u32], to: &mut [T]) {
+    let mut done = 0;
+    for run in columns.chunk_by(|a, b| a + 1 == *b) {
+        to[done..done + run.len()].copy_from_slice(&from[run[0] as usize..][..run.len()]);
+        done += run.len();
+    }
+}
+
+/// Fills rows of the transposed matrix from row `first` on, tile by tile.
+fn transpose<T: Real>(first: usize, columns: usize, from: &[T], stride: usize, to: &mut [T]) {
+    for (tile, to) in to.chunks_mut(TILE * columns).enumerate() {
+        let first = first + tile * TILE;
+        let height = to.len() / columns;
+        for left in (0..columns).step_by(TILE) {
+            for j in left..columns.min(left + TILE) {
+                let from = &from[j * stride + first..][..height];
+                from.iter().enumerate().for_each(|(i, &value)| to[i * columns + j] = value);
+            }
+        }
+    }
+}
+
+/// The three matrices of a new shape under one rearrangement, bit for bit.
+pub(crate) fn rearrange(
+    coordinates: &Coordinates<'_>,
+    shape: Shape,
+    map: &Rearrangement<'_>,
+    job: &Job<'_>,
+) -> Result<Coordinates<'static>> {
+    each!(coordinates, from => {
+        let (matrices, stride) = (from.matrices(), from.stride());
+        let write = |axis: usize, rows, to: &mut _| map.write(shape, rows, matrices[axis], stride, to);
+        build_planes(shape, job, write).map(Coordinates::from)
+    })
+}

@@ -1,0 +1,150 @@
+//! Rearranged nets: parts, transposed and flipped nets, quarter turns (Deryagin, "Non-spatial
+//! operations").
+//!
+//! Invariant: coordinates keep their bits, and links, seams and bridges follow their nodes. An
+//! exchange of rows and columns, or a reversal of either, mirrors the net in index space, which
+//! [`Topology::is_reversed`] records, so that normals stay what they were. O(nodes).
+//!
+//! `matrices` writes coordinates, `topology` moves links, `seams` moves seams.
+
+mod matrices;
+mod seams;
+mod topology;
+
+pub(crate) use matrices::{Rearrangement, build_planes, rearrange};
+pub(crate) use seams::{map_seam, merge_seams};
+pub(crate) use topology::closed_rows;
+
+use super::{Bridge, Direction, Net, Shape, Topology};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use std::ops::Range;
+
+impl Net<'_> {
+    /// The net within a range of rows and a range of columns, with the links and pairs of seams
+    /// within it and the bridges that cross it. Closing links survive if all rows, or all columns,
+    /// do.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`], [`Error::OptionOutOfRange`] for ranges beyond the net,
+    /// [`Error::CrossingCell`] if only what is outside made the opposite corners of a cell one,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn part(&self, rows: Range<usize>, columns: Range<usize>, job: &Job<'_>) -> Result<Net<'static>> {
+        let old = self.shape();
+        for (option, range, count) in [("rows", &rows, old.rows()), ("columns", &columns, old.columns())] {
+            let is_within = range.start <= range.end && range.end <= count;
+            Error::require(is_within, option, range.end.max(range.start) as f64)?;
+        }
+        // An error names both numbers.
+        Shape::new(rows.len(), columns.len())?;
+        let topology = topology_part(self.topology(), &rows, &columns)?;
+        topology.check_crossings()?;
+        let map = Rearrangement::Part { row: rows.start, column: columns.start };
+        let mut part = self.rearranged(&map, topology, job)?;
+        for bridge in self.bridges() {
+            if let Some(bridge) = bridge.clipped_to(&rows, &columns) {
+                alloc::push(part.bridges_mut(), bridge)?;
+            }
+        }
+        Ok(part)
+    }
+
+    /// Rows and columns exchanged.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn transposed(&self, job: &Job<'_>) -> Result<Net<'static>> {
+        let mut net = self.rearranged(&Rearrangement::Transposed, self.topology().transposed()?, job)?;
+        let transpose = |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.unadapted() };
+        *net.bridges_mut() = alloc::collect(self.bridges().iter().map(transpose))?;
+        Ok(net)
+    }
+
+    /// The last row (`Down`) or column first.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn flipped(&self, axis: Direction, job: &Job<'_>) -> Result<Net<'static>> {
+        let topology = self.topology().along(axis, Topology::flipped_rows)?;
+        let mut net = self.rearranged(&Rearrangement::Flipped(axis), topology, job)?;
+        let flip = |bridge: &Bridge| bridge.flipped(axis, self.shape());
+        *net.bridges_mut() = alloc::collect(self.bridges().iter().map(flip))?;
+        Ok(net)
+    }
+
+    /// The net rotated by quarter turns, anticlockwise as the matrix is written down: after one,
+    /// the last column is the first row. The face orientation stays.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn turned(&self, quarters: i32, job: &Job<'_>) -> Result<Net<'static>> {
+        let (first, second) = (&job.part(0.0, 0.5), &job.part(0.5, 1.0));
+        match quarters.rem_euclid(4) {
+            0 => self.copied(),
+            1 => self.transposed(first)?.flipped(Direction::Down, second),
+            2 => self.flipped(Direction::Down, first)?.flipped(Direction::Right, second),
+            _ => self.transposed(first)?.flipped(Direction::Right, second),
+        }
+    }
+
+    /// The nodes under a rearrangement with a topology of theirs; no bridges.
+    pub(crate) fn rearranged(
+        &self,
+        map: &Rearrangement<'_>,
+        topology: Topology,
+        job: &Job<'_>,
+    ) -> Result<Net<'static>> {
+        Ok(Net::new(rearrange(self.coordinates(), topology.shape(), map, job)?, topology))
+    }
+}
+
+/// The topology within a rectangle; crossed cells are not looked for.
+fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
+    let cut = |topology: &Topology, range: &Range<usize>| -> Result<Topology> {
+        match range.len() == topology.shape().rows() {
+            true => Ok(topology.clone()),
+            false => Ok(topology.rows_cut(std::slice::from_ref(range))?.swap_remove(0)),
+        }
+    };
+    let topology = cut(topology, rows)?;
+    if columns.len() == topology.shape().columns() {
+        return Ok(topology);
+    }
+    topology.along(Direction::Right, |topology| cut(topology, columns))
+}
+
+impl Bridge {
+    /// The bridge without the adaptations of its nets, which hold no longer once nodes move.
+    pub(crate) fn unadapted(&self) -> Bridge {
+        Bridge { adaptations: [None, None], ..self.clone() }
+    }
+
+    /// The bridge in a net whose rows (`Down`) or columns are reversed.
+    fn flipped(&self, axis: Direction, shape: Shape) -> Bridge {
+        let count = axis.extent(shape).0 as u32;
+        let bridge = self.unadapted();
+        if self.direction == axis {
+            Bridge { at: count - self.first_side() - 1, ..bridge }
+        } else {
+            Bridge { start: count - self.end, end: count - self.start, ..bridge }
+        }
+    }
+
+    /// The part of the bridge within a rectangle, if a cell of it is. Where the rectangle ends
+    /// among the inner rows, the last of them is the side.
+    pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
+        let (across, along) = self.direction.ordered(rows, columns);
+        let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
+        let (side, at) = (self.first_side() as usize, self.at as usize);
+        let (first, last) = (side.max(across.start), at.min(across.end.saturating_sub(1)));
+        if first >= last || end < start + 2 {
+            return None;
+        }
+        let whole = (start, end, first, last) == (self.start as usize, self.end as usize, side, at);
+        let bridge = if whole { self.clone() } else { self.unadapted() };
+        let (start, end) = ((start - along.start) as u32, (end - along.start) as u32);
+        let (at, rows) = ((last - across.start) as u32, (last - first - 1) as u32);
+        Some(Bridge { at, rows, start, end, ..bridge })
+    }
+}

@@ -1,0 +1,102 @@
+//! Parallel loops over the coordinates of a net in chunks of consecutive nodes that fit in the L1
+//! cache.
+//!
+//! Invariant: chunk boundaries depend on the shape and the stride alone, so that results do not
+//! depend on the number of threads.
+
+use super::{Planes, Real};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+
+/// The largest number of nodes of a chunk: three rows of `f64` take 24 kB.
+pub(crate) const CHUNK: usize = 1024;
+
+/// Nodes that one thread takes at a time, approximately.
+pub(crate) const BLOCK: usize = 1 << 15;
+
+/// The lines of a block, of `width` nodes each.
+pub(crate) fn lines_per_block(width: usize) -> usize {
+    (BLOCK / width).max(1)
+}
+
+/// The layout of blocks: `lines` lines each, of `length` numbers `stride` apart.
+struct ChunkLayout {
+    length: usize,
+    stride: usize,
+    lines: usize,
+}
+
+impl ChunkLayout {
+    /// Rows without gaps are one long line, divided anywhere.
+    fn of<T: Real>(planes: &Planes<'_, T>) -> Self {
+        let (stride, columns) = (planes.stride(), planes.shape().columns());
+        if stride == columns {
+            ChunkLayout { length: BLOCK, stride: BLOCK, lines: 1 }
+        } else {
+            ChunkLayout { length: columns, stride, lines: lines_per_block(stride) }
+        }
+    }
+
+    /// Calls `work` for the chunks of consecutive lines, of which line `first` is the first.
+    fn for_each_chunk<T: Real>(
+        &self,
+        matrices: [&mut [T]; 3],
+        first: usize,
+        max: usize,
+        mut work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
+    ) -> Result<()> {
+        zip3(matrices.map(|matrix| matrix.chunks_mut(self.stride))).zip(first..).try_for_each(|(rows, line)| {
+            let (start, length) = (line * self.length, rows[0].len().min(self.length));
+            let mut chunks = zip3(rows.map(|row| row[..length].chunks_mut(max))).enumerate();
+            chunks.try_for_each(|(k, chunk)| work(start + k * max, chunk))
+        })
+    }
+}
+
+/// The elements of three iterators in step.
+pub(crate) fn zip3<I: ExactSizeIterator>([x, y, z]: [I; 3]) -> impl ExactSizeIterator<Item = [I::Item; 3]> {
+    x.zip(y).zip(z).map(|((x, y), z)| [x, y, z])
+}
+
+/// Calls `work` with the number of the first node and the coordinates of each chunk of at most
+/// `max` nodes, in parallel. The error is that of the first chunk that fails; other chunks may be
+/// changed.
+pub(crate) fn for_each_chunk_mut<T: Real>(
+    planes: &mut Planes<'_, T>,
+    threads: usize,
+    max: usize,
+    work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
+) -> Result<()> {
+    let layout = ChunkLayout::of(planes);
+    let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
+    let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
+        layout.for_each_chunk(matrices, block * layout.lines, max, &work)
+    })?;
+    results.into_iter().collect()
+}
+
+/// As [`for_each_chunk_mut`], in the order of the nodes and on this thread. Stops at the first
+/// error.
+pub(crate) fn for_each_chunk_in_order<T: Real>(
+    planes: &mut Planes<'_, T>,
+    work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
+) -> Result<()> {
+    ChunkLayout::of(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * CHUNK, work)
+}
+
+/// The results of `work` for each row of `width` values, in order, computed in parallel;
+/// cancellable between blocks of rows.
+pub(crate) fn map_rows<V: Send, R: Send>(
+    values: &mut [V],
+    width: usize,
+    (job, stage): (&Job<'_>, &'static str),
+    work: impl Fn(usize, &mut [V]) -> R + Sync,
+) -> Result<impl Iterator<Item = R>> {
+    let lines = lines_per_block(width);
+    let blocks = par::map_cancellable(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
+        let rows = values.chunks_mut(width).enumerate();
+        rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
+    })?;
+    Ok(blocks.into_iter().flatten())
+}

@@ -1,0 +1,151 @@
+//! Three closures of a box, among them the cube of Deryagin's Fig. 6.
+//!
+//! A vertex of a box has total angle 3 pi / 2, an odd multiple of a right angle, which only a
+//! corner of the net provides; a net has four corners and a box eight vertices, so some cells must
+//! degenerate. All three closures wrap the four lateral faces by a closed band of rows and differ
+//! in the rows that cover the two caps. Invariant: the place of a node on the box is a function of
+//! its row and column, and the contracted links are those between equal places. O(nodes).
+
+use crate::topology::{Links, Matrix, Run, Seam};
+use crate::{Shape, Sides, Topology};
+use gusset_base::error::{Error, Result};
+
+/// The covering of the caps of a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum BoxKind {
+    /// Two opposite rims of the cap sweep over it until they meet in a slit, which then closes from
+    /// both ends. All faces are unit quads, all vertices but the eight have four edges, and the
+    /// characteristic matrix suffices.
+    #[default]
+    Slit,
+    /// The paper's cross unwrapping: one block of the net is the cap, and the three blocks beside
+    /// it are contracted to its sides. All faces are unit quads; the last row of each cap is a
+    /// [`Seam`].
+    Cross,
+    /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two
+    /// triangles.
+    Concentric,
+}
+
+/// A box of `cells` unit cells in x, y and z as a net.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Cuboid {
+    /// How the caps, at both ends of z, are covered.
+    pub kind: BoxKind,
+    /// The number of cells along x, y and z; each at least 1.
+    pub cells: [u32; 3],
+}
+
+impl Cuboid {
+    /// A cube.
+    pub fn cube(kind: BoxKind, cells: u32) -> Self {
+        Cuboid { kind, cells: [cells; 3] }
+    }
+
+    /// The size of the net.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`].
+    pub fn shape(&self) -> Result<Shape> {
+        Error::require(!self.cells.contains(&0), "cells", 0.0)?;
+        let [a, b, c] = self.cells.map(|n| n as usize);
+        Shape::new(c + 1 + 2 * self.cap_rows(), 2 * (a + b) + 1)
+    }
+
+    /// The number of rows beyond the lateral faces at each end.
+    fn cap_rows(&self) -> usize {
+        let [a, b, _] = self.cells.map(|n| n as usize);
+        match self.kind {
+            BoxKind::Slit => a.div_ceil(2) + b.div_ceil(2),
+            BoxKind::Cross => b,
+            BoxKind::Concentric => a.div_ceil(2).max(b.div_ceil(2)),
+        }
+    }
+
+    /// The gluing.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub fn topology(&self) -> Result<Topology> {
+        let shape = self.shape()?;
+        let (h, w) = (shape.rows(), shape.columns());
+        let mut matrix = Matrix::of_sides(shape, Sides::TUBE)?;
+        for i in (0..h).filter(|&i| i == 0 || self.level(i) == self.level(i - 1) || self.depth(i) > 0) {
+            for j in 0..w {
+                let here = self.place(i, j);
+                if j + 1 < w && here == self.place(i, j + 1) {
+                    matrix.set(shape.horizontal_link(i, j), true);
+                }
+                if i > 0 && here == self.place(i - 1, j) {
+                    matrix.set(shape.vertical_link(i - 1, j), true);
+                }
+            }
+        }
+        let [a, b, _] = self.cells;
+        let seam = |row| Seam { a: Run::along_row(row, 0, 1), b: Run::along_row(row, 2 * a + b, -1), count: a + 1 };
+        let seams = [seam(0), seam(h as u32 - 1)];
+        let seams = if self.kind == BoxKind::Cross { &seams[..] } else { &[] };
+        Topology::new(shape, Links::Matrix(matrix), seams)
+    }
+
+    /// The number of rows between row i and the lateral faces.
+    fn depth(&self, i: usize) -> usize {
+        let (cap, c) = (self.cap_rows(), self.cells[2] as usize);
+        cap.saturating_sub(i).max(i.saturating_sub(cap + c))
+    }
+
+    /// The z of row i.
+    fn level(&self, i: usize) -> u32 {
+        i.saturating_sub(self.cap_rows()).min(self.cells[2] as usize) as u32
+    }
+
+    /// The place of node (i, j), in cells from the corner of the box. Rows run from the bottom to
+    /// the top, columns round the box counter-clockwise seen from above.
+    pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
+        let [a, b, _] = self.cells;
+        let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
+        let [x, y] = match self.kind {
+            BoxKind::Slit => {
+                let (s, t) = (depth.min(b.div_ceil(2)), depth.saturating_sub(b.div_ceil(2)));
+                let [x, y] = self.rim(column);
+                [inset(x, t, a), inset(y, s, b)]
+            }
+            BoxKind::Concentric => {
+                let [x, y] = self.rim(column);
+                [inset(x, depth, a), inset(y, depth, b)]
+            }
+            BoxKind::Cross => self.crosswise(depth, column),
+        };
+        [x, y, self.level(i)]
+    }
+
+    /// The point of a column on the rim of a cap: along x, along y, back along x, back along y.
+    fn rim(&self, column: u32) -> [u32; 2] {
+        let [a, b, _] = self.cells;
+        match column {
+            k if k <= a => [k, 0],
+            k if k <= a + b => [a, k - a],
+            k if k <= 2 * a + b => [2 * a + b - k, b],
+            k => [0, 2 * (a + b) - k],
+        }
+    }
+
+    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is contracted
+    /// to the rim at y = b; the two between to those at x = a and x = 0, where they follow the end
+    /// of the first block.
+    fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
+        let [a, b, _] = self.cells;
+        let [x, y] = self.rim(column);
+        match column {
+            k if k <= a => [x, depth],
+            k if k > a + b && k < 2 * a + b => [x, b],
+            _ => [x, y.max(depth)],
+        }
+    }
+}
+
+/// A coordinate clamped to the interval from 0 to `size` less `steps` at both ends; for an odd size
+/// the last step moves one end only.
+fn inset(value: u32, steps: u32, size: u32) -> u32 {
+    value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
+}

@@ -1,0 +1,97 @@
+//! Edges and vertices at glued nodes: the sides and corners that the pass over the rows collected,
+//! grouped by edge and by vertex. O(s log s) for s sides at most.
+
+use super::boundary::FanEnds;
+use super::quotient::Complex;
+use super::row_scan::{Corner, RowScan, Sense, Side};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::sort::{sort_by_bucket, sort_distinct};
+
+/// Groups sides of faces to edges, and adds boundary edges to the scan's.
+pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
+    let count = scan.node_count();
+    sort_by_bucket(&mut scan.sides, count, |side| side.edge[0])?;
+    for sides in scan.sides.chunk_by(|a, b| a.edge == b.edge) {
+        complex.edges += 1;
+        let [min, max] = sides[0].edge;
+        match faces(sides) {
+            [] => alloc::push(&mut complex.wires, [min, max])?,
+            [one] if one.sense == Sense::Up => alloc::push(&mut scan.rim, [min, max])?,
+            [_] => alloc::push(&mut scan.rim, [max, min])?,
+            [a, b] if a.sense != b.sense => {}
+            [_, _] => alloc::push(&mut complex.conflicts, [min, max])?,
+            _ => alloc::push(&mut complex.branches, [min, max])?,
+        }
+    }
+    Ok(())
+}
+
+/// The sides of an edge that belong to faces, given all of them in order.
+pub(super) fn faces(sides: &[Side]) -> &[Side] {
+    &sides[..sides.partition_point(|side| side.sense != Sense::None)]
+}
+
+/// Groups the corners at each vertex to fans, sequences of adjacent faces round it. A vertex with
+/// several is a pinch; the boundary edges of each fan are added to the scan's.
+pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
+    let count = scan.node_count();
+    sort_by_bucket(&mut scan.corners, count, |corner| corner[0])?;
+    let mut link = VertexLink::default();
+    for corners in scan.corners.chunk_by(|a, b| a[0] == b[0]) {
+        if link.fans(corners, &mut scan.fan_ends)? > 1 {
+            alloc::push(&mut complex.pinches, corners[0][0])?;
+        }
+    }
+    complex.pinches.sort_unstable();
+    Ok(())
+}
+
+/// The link of a vertex: its points are the edges that meet there, and each face joins two of them.
+/// The memory is reused for each vertex.
+#[derive(Default)]
+struct VertexLink {
+    /// The other ends of the edges, in order.
+    points: Vec<u32>,
+    /// The components that they make.
+    components: DisjointSets,
+    /// The number of faces of each.
+    degrees: Vec<u32>,
+    /// The points with one face, each with the root of its component.
+    ends: Vec<(u32, u32)>,
+}
+
+impl VertexLink {
+    /// The number of components of the link; the two ends of each open one are appended to `ends`.
+    fn fans(&mut self, corners: &[Corner], ends: &mut Vec<FanEnds>) -> Result<usize> {
+        self.points.clear();
+        alloc::extend(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]))?;
+        sort_distinct(&mut self.points);
+        let count = self.points.len();
+        alloc::reset(&mut self.degrees, count, 0)?;
+        self.components.reset(count)?;
+        for &[_, before, after] in corners {
+            let [a, b] = [before, after].map(|point| self.points.partition_point(|&other| other < point));
+            self.degrees[a] += 1;
+            self.degrees[b] += 1;
+            self.components.union(a as u32, b as u32);
+        }
+        self.ends.clear();
+        for point in 0..count {
+            if self.degrees[point] == 1 {
+                let root = self.components.find(point as u32);
+                alloc::push(&mut self.ends, (root, self.points[point]))?;
+            }
+        }
+        self.ends.sort_unstable();
+        for component in self.ends.chunk_by(|a, b| a.0 == b.0) {
+            // More than two only where a fan branches; an odd end terminates a chain of the
+            // boundary.
+            for pair in component.chunks_exact(2) {
+                alloc::push(ends, [corners[0][0], pair[0].1, pair[1].1])?;
+            }
+        }
+        Ok(self.components.roots().count())
+    }
+}

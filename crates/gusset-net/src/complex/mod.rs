@@ -1,0 +1,64 @@
+//! The quotient complex of a net: the surface that it is once glued nodes are one.
+//!
+//! Vertices are classes of nodes. Edges are pairs of vertices that links join: links with the same
+//! ends are one edge. Faces are the quads and triangles that cells reduce to; digons, points and
+//! folds are none. An edge of no face is a wire, such as the thread between two closed nets; of one
+//! face, boundary; of more than two, a branch. Invariant: V - E + F is Euler's characteristic.
+//!
+//! One pass over the rows counts the regular part and collects the rest, which is sorted by vertex.
+//! O(nodes), and a sort of the edges and corners at glued nodes.
+
+mod boundary;
+mod connect;
+mod edges;
+mod presence;
+mod quotient;
+mod row_scan;
+
+pub use boundary::{Boundary, Edge};
+pub use quotient::Complex;
+
+use super::Net;
+use super::topology::{Classes, Topology};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use presence::Presence;
+use row_scan::RowScan;
+
+impl Complex {
+    /// The complex of all cells of a topology.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`](gusset_base::Error::TooLarge) (more than 2^31 edges of one face),
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn of_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
+        Complex::new(topology, &Presence::ALL, job)
+    }
+
+    /// The complex of the cells of a net that exist: see [`Net`].
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`](gusset_base::Error::TooLarge) (more than 2^31 edges of one face),
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn of(net: &Net<'_>, job: &Job<'_>) -> Result<Self> {
+        Complex::new(net.topology(), &Presence::of(net)?, job)
+    }
+
+    fn new(topology: &Topology, presence: &Presence, job: &Job<'_>) -> Result<Self> {
+        let classes = Classes::of(topology)?;
+        let mut complex = Complex::default();
+        let mut scan = RowScan::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
+        edges::edges(&mut scan, &mut complex)?;
+        job.step(0.7, "complex")?;
+        edges::fans(&mut scan, &mut complex)?;
+        complex.components = connect::components(&classes, presence)?;
+        complex.orientable = complex.conflicts.is_empty() || connect::is_orientable(&scan, &classes, presence)?;
+        complex.boundary_edges = scan.rim.len() as u64;
+        let (count, reversed) = (scan.node_count(), topology.is_reversed());
+        complex.boundary = Boundary::of(&scan.rim, &mut scan.fan_ends, count, reversed)?;
+        job.step(1.0, "complex")?;
+        Ok(complex)
+    }
+}

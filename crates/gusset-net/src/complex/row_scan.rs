@@ -1,0 +1,230 @@
+//! One pass over the rows of a net, which counts the regular elements and collects the others.
+//!
+//! A link between two single nodes is an edge, and the two cells beside it determine its faces.
+//! Only at glued nodes must edges be grouped, and only at these and their neighbours can the faces
+//! round a vertex be more than the cells round a node. O(nodes), memory for the glued part only.
+
+use super::boundary::{Edge, FanEnds};
+use super::presence::Presence;
+use super::quotient::Complex;
+use crate::Shape;
+use crate::topology::{Classes, Reduced};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+
+/// A side of a face, or of a cell reduced to less than a face, with at least one glued end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Side {
+    /// The vertices, the smaller first.
+    pub(super) edge: Edge,
+    /// The direction in which the face traverses it.
+    pub(super) sense: Sense,
+    /// The cell.
+    pub(super) cell: u32,
+}
+
+/// The direction of a side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Sense {
+    /// From the smaller vertex to the larger.
+    Up,
+    /// From the larger to the smaller.
+    Down,
+    /// Without a face.
+    None,
+}
+
+/// A corner of a face: the vertex, and those before and after it.
+pub(super) type Corner = [u32; 3];
+
+/// The elements that the pass collects.
+pub(super) struct RowScan<'a> {
+    shape: Shape,
+    classes: &'a Classes,
+    /// For each node [`GLUED`], [`NEAR`], or neither.
+    marks: Vec<u8>,
+    pub(super) sides: Vec<Side>,
+    pub(super) corners: Vec<Corner>,
+    /// Boundary edges between single nodes, in the direction of their faces.
+    pub(super) rim: Vec<Edge>,
+    pub(super) fan_ends: Vec<FanEnds>,
+    /// Classes of several nodes that cells touch, with repetitions.
+    touched: Vec<u32>,
+}
+
+/// The node is glued to others.
+const GLUED: u8 = 1;
+/// A link joins the node to a glued one.
+const NEAR: u8 = 2;
+
+impl<'a> RowScan<'a> {
+    /// Scans the net and counts its regular elements in `complex`.
+    pub(super) fn new(classes: &'a Classes, presence: &Presence, complex: &mut Complex, job: &Job<'_>) -> Result<Self> {
+        let shape = classes.shape();
+        let (sides, corners, rim, fan_ends, touched) = Default::default();
+        let mut scan = RowScan { shape, classes, marks: marks(classes)?, sides, corners, rim, fan_ends, touched };
+        let mut above: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
+        let mut below: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
+        for i in 0..shape.rows() {
+            job.step_every(64, i, shape.rows(), "complex")?;
+            presence.row(shape, i, &mut below);
+            scan.nodes(i, &above, &below, complex)?;
+            scan.links(i, &above, &below, complex)?;
+            scan.cells(i, &below, complex)?;
+            std::mem::swap(&mut above, &mut below);
+        }
+        sort_distinct(&mut scan.touched);
+        complex.vertices += scan.touched.len() as u64;
+        Ok(scan)
+    }
+
+    /// Counts the vertices of row i, and finds pinches at missing cells.
+    fn nodes(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
+        let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
+        let marks = &self.marks[start as usize..][..w];
+        for j in 0..w {
+            let node = start + j as u32;
+            let cells = [above[j], above[j + 1], below[j + 1], below[j]];
+            if cells == [0; 4] {
+                continue;
+            }
+            if marks[j] == GLUED {
+                alloc::push(&mut self.touched, self.classes.representative(node))?;
+                continue;
+            }
+            complex.vertices += 1;
+            // Two cells that touch at the node only.
+            if marks[j] == 0 && (cells == [1, 0, 1, 0] || cells == [0, 1, 0, 1]) {
+                let [east, south, west, north] = [node + 1, node + w as u32, node - 1, node - w as u32];
+                let (of_north, of_south) = if cells[0] == 1 { (west, east) } else { (east, west) };
+                alloc::push(&mut complex.pinches, node)?;
+                alloc::push(&mut self.fan_ends, [node, north, of_north])?;
+                alloc::push(&mut self.fan_ends, [node, south, of_south])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Counts the edges of row i and down from it that are links between single nodes.
+    fn links(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
+        let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
+        let (marks, next) = self.marks[start as usize..].split_at(w);
+        let rim = &mut self.rim;
+        // `with`: whether the face that traverses the link from a to b exists; `against`: the
+        // opposite one.
+        let mut link = |a: u32, b: u32, with: u8, against: u8| {
+            complex.edges += u64::from(with | against);
+            let boundary = if with == 1 { [a, b] } else { [b, a] };
+            if with != against { alloc::push(rim, boundary) } else { Ok(()) }
+        };
+        for j in 0..w - 1 {
+            if (marks[j] | marks[j + 1]) & GLUED == 0 {
+                let a = start + j as u32;
+                link(a, a + 1, below[j + 1], above[j + 1])?;
+            }
+        }
+        for (j, &mark) in next.iter().enumerate().take(w) {
+            if (marks[j] | mark) & GLUED == 0 {
+                let a = start + j as u32;
+                link(a, a + w as u32, below[j], below[j + 1])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Counts the cells of row i by their reduced form, and collects sides and corners at glued
+    /// nodes.
+    fn cells(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
+        for j in (0..self.shape.columns() - 1).filter(|&j| below[j + 1] == 1) {
+            let corners = self.shape.corners(i, j);
+            let mark = corners.into_iter().fold(0, |mark, node| mark | self.marks[node as usize]);
+            if mark == 0 {
+                complex.quads += 1;
+                continue;
+            }
+            let cell = self.shape.cell(i, j);
+            match Reduced::new(self.classes.corners(i, j)) {
+                Reduced::Quad(polygon) => {
+                    complex.quads += 1;
+                    self.face(&polygon, cell)?;
+                }
+                Reduced::Triangle(polygon) => {
+                    complex.triangles += 1;
+                    self.face(&polygon, cell)?;
+                }
+                Reduced::Digon(edge) => {
+                    complex.digons += 1;
+                    self.side(edge, cell, true)?;
+                }
+                Reduced::Point(_) => complex.points += 1,
+                Reduced::Fold([a, b, d]) => {
+                    complex.folds += 1;
+                    self.side([a, b], cell, true)?;
+                    self.side([a, d], cell, true)?;
+                }
+                // No topology has such a cell.
+                Reduced::Crossing(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn face(&mut self, polygon: &[u32], cell: u32) -> Result<()> {
+        let n = polygon.len();
+        for k in 0..n {
+            let [before, at, after] = [polygon[(k + n - 1) % n], polygon[k], polygon[(k + 1) % n]];
+            if self.marks[at as usize] != 0 {
+                alloc::push(&mut self.corners, [at, before, after])?;
+            }
+            self.side([at, after], cell, false)?;
+        }
+        Ok(())
+    }
+
+    fn side(&mut self, [from, to]: Edge, cell: u32, bare: bool) -> Result<()> {
+        if (self.marks[from as usize] | self.marks[to as usize]) & GLUED == 0 {
+            return Ok(());
+        }
+        let sense = match (bare, from < to) {
+            (true, _) => Sense::None,
+            (_, true) => Sense::Up,
+            (_, false) => Sense::Down,
+        };
+        alloc::push(&mut self.sides, Side { edge: [from.min(to), from.max(to)], sense, cell })
+    }
+
+    /// The number of nodes.
+    pub(super) fn node_count(&self) -> usize {
+        self.marks.len()
+    }
+
+    /// True if other nodes are the same vertex.
+    pub(super) fn is_glued(&self, node: u32) -> bool {
+        self.marks[node as usize] == GLUED
+    }
+}
+
+/// Marks the glued nodes and their neighbours.
+fn marks(classes: &Classes) -> Result<Vec<u8>> {
+    let shape = classes.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let mut marks: Vec<u8> = alloc::zeroed(shape.node_count())?;
+    classes.each_glued(|node, representative| {
+        for node in [node, representative] {
+            let (i, j) = shape.place(node);
+            let node = node as usize;
+            marks[node] = GLUED;
+            let around = [(j > 0, 1, 0), (j + 1 < w, 0, 1), (i > 0, w, 0), (i + 1 < h, 0, w)];
+            for (_, minus, plus) in around.into_iter().filter(|&(exists, ..)| exists) {
+                let neighbour = &mut marks[node + plus - minus];
+                if *neighbour == 0 {
+                    *neighbour = NEAR;
+                }
+            }
+        }
+        Ok(())
+    })?;
+    Ok(marks)
+}

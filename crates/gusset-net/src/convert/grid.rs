@@ -1,0 +1,384 @@
+//! Recognition of a rectangular grid in the faces of a mesh.
+//!
+//! A cell is represented by the half-edge of its face that runs from (i, j) to (i, j + 1); its four
+//! neighbours, and their half-edges, are a few half-edges away. A step in one direction is an
+//! injective map, so that a walk ends at the border, at a pole, or where it began. Every candidate
+//! is verified cell by cell: no mesh that is not a grid is accepted. O(faces).
+
+use crate::topology::{Links, Run, Seam};
+use crate::{Net, Shape, Sides, Topology};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_mesh::mesh::{Across, MeshView, NONE, Topology as Pairing};
+
+/// A net recognised in a mesh.
+#[derive(Debug)]
+pub struct GridNet {
+    /// The net, with the mesh's coordinates, closed where the mesh is.
+    pub net: Net<'static>,
+    /// For each node its vertex.
+    pub vertex_of_node: Vec<u32>,
+    /// For each cell its face.
+    pub face_of_cell: Vec<u32>,
+}
+
+/// The net whose cells are the faces of a mesh: quads in rows and columns, which may be closed, and
+/// at the first and the last row a fan of triangles round a pole each. `seed`: a face of the
+/// component; without it the mesh must have one only. Rows run along the first edge of the first
+/// quad, or round if only one direction is closed. O(H log d) for H half-edges and vertices of
+/// degree d.
+///
+/// # Errors
+/// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<GridNet> {
+    let pairing = Pairing::new(mesh, &job.part(0.0, 0.6))?;
+    let walker = Walker { mesh, pairing: &pairing };
+    let grid = Grid::find(&walker, seed, &job.part(0.6, 0.8))?;
+    job.step(0.8, STAGE)?;
+    if seed.is_none() {
+        let mut visited = alloc::filled(false, mesh.faces().len())?;
+        grid.faces(&walker).for_each(|face| visited[face as usize] = true);
+        if let Some(face) = visited.iter().position(|visited| !visited) {
+            return Err(Error::NoGrid { face: face as u32 });
+        }
+    }
+    grid.net(&walker, &job.part(0.8, 1.0))
+}
+
+/// Cells between two progress reports.
+const CELLS_PER_REPORT: usize = 1 << 15;
+const STAGE: &str = "rows to nodes";
+
+/// The neighbour of a cell in a direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Neighbour {
+    /// A quad, by its representing half-edge.
+    Quad(u32),
+    /// A triangle, by its half-edge on the common edge.
+    Triangle(u32),
+    /// None: the border.
+    Border,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Heading {
+    Up,
+    Right,
+    Down,
+    Left,
+}
+
+struct Walker<'a> {
+    mesh: &'a MeshView<'a>,
+    pairing: &'a Pairing,
+}
+
+impl Walker<'_> {
+    fn face(&self, h: u32) -> u32 {
+        self.mesh.faces().face_of(h)
+    }
+
+    fn size(&self, face: u32) -> usize {
+        self.mesh.faces().range(face as usize).len()
+    }
+
+    /// The half-edge `k` places further round the face.
+    fn advance(&self, h: u32, k: usize) -> u32 {
+        (0..k).fold(h, |h, _| self.mesh.faces().next(h))
+    }
+
+    fn start(&self, h: u32) -> u32 {
+        self.mesh.faces().corner(h)
+    }
+
+    /// The third corner of a triangle.
+    fn apex(&self, h: u32) -> u32 {
+        self.start(self.advance(h, 2))
+    }
+
+    /// The error at the face of a half-edge.
+    fn no_grid(&self, h: u32) -> Error {
+        Error::NoGrid { face: self.face(h) }
+    }
+
+    /// The neighbour of the quad of `h`.
+    fn neighbour(&self, h: u32, heading: Heading) -> Result<Neighbour> {
+        let turns = heading as usize;
+        let edge = self.advance(h, turns);
+        if self.pairing.is_ignored(edge) {
+            return Err(self.no_grid(h));
+        }
+        let mate = match self.pairing.across(edge) {
+            Across::Free => return Ok(Neighbour::Border),
+            Across::Singular => return Err(self.no_grid(h)),
+            Across::Mate(mate) => mate,
+        };
+        // Faces of one orientation run their common edge in opposite directions.
+        if self.start(mate) == self.start(edge) {
+            return Err(self.no_grid(mate));
+        }
+        match self.size(self.face(mate)) {
+            // Edge k of the one is edge k + 2 of the other.
+            4 => Ok(Neighbour::Quad(self.advance(mate, (6 - turns) % 4))),
+            3 => Ok(Neighbour::Triangle(mate)),
+            _ => Err(self.no_grid(mate)),
+        }
+    }
+
+    /// The last cell of a walk and its neighbour, which is the first cell if the walk is closed.
+    fn walk(&self, from: u32, heading: Heading) -> Result<(u32, Neighbour)> {
+        let mut at = from;
+        loop {
+            match self.neighbour(at, heading)? {
+                Neighbour::Quad(next) if next != from => at = next,
+                end => return Ok((at, end)),
+            }
+        }
+    }
+}
+
+/// Rows of quads, by their representing half-edges, and the fans at the poles.
+struct Grid {
+    cells: Vec<u32>,
+    columns: usize,
+    rows_closed: bool,
+    /// The column of the first row below the first cell of the last row, if columns are closed.
+    shift: Option<usize>,
+    /// The fans of triangles before the first and after the last row, as their half-edges shared
+    /// with quads.
+    poles: [Option<Vec<u32>>; 2],
+}
+
+impl Grid {
+    fn find(walker: &Walker<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<Grid> {
+        let head = Grid::head(walker, seed)?;
+        let mut grid = Grid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
+        let count = walker.mesh.faces().len();
+        grid.add_row(walker, head)?;
+        let (mut row, mut next_report) = (head, 0);
+        while let Neighbour::Quad(next) = walker.neighbour(row, Heading::Down)? {
+            if grid.cells.len() >= next_report {
+                job.step(0.5 * grid.cells.len() as f64 / count as f64, STAGE)?;
+                next_report = grid.cells.len() + CELLS_PER_REPORT;
+            }
+            grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
+            if grid.shift.is_some() {
+                break;
+            }
+            grid.add_row(walker, next)?;
+            row = next;
+            // More rows than faces: an endless walk is none of a grid.
+            if grid.cells.len() > count {
+                return Err(walker.no_grid(row));
+            }
+        }
+        grid.check(walker, &job.part(0.5, 1.0))?;
+        let last = grid.cells.len() - grid.columns;
+        grid.poles = [grid.pole(walker, 0, Heading::Up)?, grid.pole(walker, last, Heading::Down)?];
+        Ok(grid)
+    }
+
+    /// The first cell of the first row of quads.
+    fn head(walker: &Walker<'_>, seed: Option<u32>) -> Result<u32> {
+        let face = seed.unwrap_or(0);
+        let faces = walker.mesh.faces();
+        if face as usize >= faces.len() {
+            return Err(Error::NoGrid { face });
+        }
+        let first = faces.range(face as usize).start as u32;
+        let quad = match walker.size(face) {
+            4 => first,
+            // A triangle at a pole has a quad across its side opposite to the pole.
+            3 => {
+                let across = |k: usize| match walker.pairing.across(walker.advance(first, k)) {
+                    Across::Mate(mate) if walker.size(walker.face(mate)) == 4 => Some(mate),
+                    _ => None,
+                };
+                if walker.pairing.is_ignored(first) {
+                    return Err(Error::NoGrid { face });
+                }
+                let mate = (0..3).find_map(across).ok_or(Error::NoGrid { face })?;
+                faces.range(walker.face(mate) as usize).start as u32
+            }
+            _ => return Err(Error::NoGrid { face }),
+        };
+        let ends = |h: u32, heading: Heading| walker.walk(h, heading).map(|(_, end)| end);
+        let sideways = [ends(quad, Heading::Left)?, ends(quad, Heading::Right)?];
+        let pole_aside = sideways.iter().any(|end| matches!(end, Neighbour::Triangle(_)));
+        let closed_up = matches!(ends(quad, Heading::Up)?, Neighbour::Quad(_));
+        let turn = pole_aside || (closed_up && !matches!(sideways[0], Neighbour::Quad(_)));
+        let mut head = if turn { walker.advance(quad, 1) } else { quad };
+        for heading in [Heading::Left, Heading::Up] {
+            let (last, end) = walker.walk(head, heading)?;
+            // Closed rows and columns start at the first quad.
+            if !matches!(end, Neighbour::Quad(_)) {
+                head = last;
+            }
+        }
+        Ok(head)
+    }
+
+    /// Adds the row that starts with a cell.
+    fn add_row(&mut self, walker: &Walker<'_>, head: u32) -> Result<()> {
+        let start = self.cells.len();
+        let mut at = head;
+        let closed = loop {
+            alloc::push(&mut self.cells, at)?;
+            match walker.neighbour(at, Heading::Right)? {
+                Neighbour::Quad(next) if next == head => break true,
+                Neighbour::Quad(next) => at = next,
+                Neighbour::Border => break false,
+                Neighbour::Triangle(h) => return Err(walker.no_grid(h)),
+            }
+        };
+        let columns = self.cells.len() - start;
+        if start == 0 {
+            (self.columns, self.rows_closed) = (columns, closed);
+        }
+        if (columns, closed) == (self.columns, self.rows_closed) { Ok(()) } else { Err(walker.no_grid(head)) }
+    }
+
+    /// Verifies that each cell is above the next one of its column, that rows start at the border,
+    /// and that no face occurs twice.
+    fn check(&self, walker: &Walker<'_>, job: &Job<'_>) -> Result<()> {
+        let mut visited = alloc::filled(false, walker.mesh.faces().len())?;
+        let rows = self.cells.len() / self.columns;
+        for (k, &cell) in self.cells.iter().enumerate() {
+            job.step_every(CELLS_PER_REPORT, k, self.cells.len(), STAGE)?;
+            if std::mem::replace(&mut visited[walker.face(cell) as usize], true) {
+                return Err(walker.no_grid(cell));
+            }
+            let (i, j) = (k / self.columns, k % self.columns);
+            let below = match (i + 1 == rows, self.shift) {
+                (false, _) => self.cells.get(k + self.columns),
+                (true, Some(shift)) if self.rows_closed => self.cells.get((j + shift) % self.columns),
+                (true, Some(0)) => self.cells.get(j),
+                (true, Some(_)) => return Err(walker.no_grid(cell)),
+                (true, None) => None,
+            };
+            match (walker.neighbour(cell, Heading::Down)?, below) {
+                (Neighbour::Quad(next), Some(&below)) if next == below => {}
+                (Neighbour::Border | Neighbour::Triangle(_), None) => {}
+                _ => return Err(walker.no_grid(cell)),
+            }
+            if j == 0 && !self.rows_closed && walker.neighbour(cell, Heading::Left)? != Neighbour::Border {
+                return Err(walker.no_grid(cell));
+            }
+            if i == 0 && self.shift.is_none() && matches!(walker.neighbour(cell, Heading::Up)?, Neighbour::Quad(_)) {
+                return Err(walker.no_grid(cell));
+            }
+        }
+        Ok(())
+    }
+
+    /// The fan beyond the row that starts at `first`: every cell has a triangle, all with one third
+    /// corner; or none has.
+    fn pole(&self, walker: &Walker<'_>, first: usize, heading: Heading) -> Result<Option<Vec<u32>>> {
+        if self.shift.is_some() {
+            return Ok(None);
+        }
+        let mut triangles = Vec::new();
+        let mut apex = None;
+        for &cell in &self.cells[first..first + self.columns] {
+            match walker.neighbour(cell, heading)? {
+                Neighbour::Triangle(h) if *apex.get_or_insert(walker.apex(h)) == walker.apex(h) => {
+                    // Neighbours share the edge to the pole; otherwise it would be open there.
+                    alloc::push(&mut triangles, h)?;
+                }
+                Neighbour::Border if triangles.is_empty() => {}
+                _ => return Err(walker.no_grid(cell)),
+            }
+        }
+        match triangles.len() {
+            0 => Ok(None),
+            n if n == self.columns => Ok(Some(triangles)),
+            _ => Err(walker.no_grid(self.cells[first])),
+        }
+    }
+
+    /// The faces, cell by cell.
+    fn faces(&self, walker: &Walker<'_>) -> impl Iterator<Item = u32> {
+        let [top, bottom] = self.poles.each_ref().map(|pole| pole.as_deref().unwrap_or_default());
+        top.iter().chain(&self.cells).chain(bottom).map(|&h| walker.face(h))
+    }
+
+    fn net(&self, walker: &Walker<'_>, job: &Job<'_>) -> Result<GridNet> {
+        job.step(0.0, STAGE)?;
+        let poles = self.poles.each_ref().map(Option::is_some);
+        let quads = self.cells.len() / self.columns;
+        let rows = quads + 1 + usize::from(poles[0]) + usize::from(poles[1]);
+        let shape = Shape::new(rows, self.columns + 1)?;
+        let vertex_of_node = self.vertices(walker, shape)?;
+        let face_of_cell = alloc::gather(self.faces(walker))?;
+        job.step(0.3, STAGE)?;
+        let topology = self.topology(shape, &vertex_of_node, walker.mesh.positions().len())?;
+        job.step(0.6, STAGE)?;
+        let positions = walker.mesh.positions();
+        let net = Net::from_fn(topology, positions.scalar(), |i, j| {
+            positions.get(vertex_of_node[shape.node(i, j) as usize])
+        })?;
+        Ok(GridNet { net, vertex_of_node, face_of_cell })
+    }
+
+    /// For each node its vertex.
+    fn vertices(&self, walker: &Walker<'_>, shape: Shape) -> Result<Vec<u32>> {
+        let mut vertices = alloc::with_capacity(shape.node_count())?;
+        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.apex(pole[0]));
+        let [top, bottom] = self.poles.each_ref().map(apex);
+        vertices.extend(top.into_iter().flat_map(|apex| std::iter::repeat_n(apex, shape.columns())));
+        let mut add_row = |row: &[u32], corners: [usize; 2]| {
+            vertices.extend(row.iter().map(|&cell| walker.start(walker.advance(cell, corners[0]))));
+            vertices.extend(row.last().map(|&cell| walker.start(walker.advance(cell, corners[1]))));
+        };
+        for row in self.cells.chunks_exact(self.columns) {
+            add_row(row, [0, 1]);
+        }
+        add_row(&self.cells[self.cells.len() - self.columns..], [3, 2]);
+        vertices.extend(bottom.into_iter().flat_map(|apex| std::iter::repeat_n(apex, shape.columns())));
+        Ok(vertices)
+    }
+
+    /// The gluing: nodes of the same vertex.
+    fn topology(&self, shape: Shape, vertices: &[u32], vertex_count: usize) -> Result<Topology> {
+        let sides = Sides {
+            rows_closed: self.rows_closed,
+            columns_closed: self.shift == Some(0),
+            pole_top: self.poles[0].is_some(),
+            pole_bottom: self.poles[1].is_some(),
+            ..Sides::SHEET
+        };
+        let mut seams = Vec::new();
+        if let Some(shift) = self.shift.filter(|&shift| shift > 0) {
+            // The last row is the first from another column: up to its end, and from its start.
+            let (last, end) = (shape.rows() as u32 - 1, self.columns as u32);
+            let shift = shift as u32;
+            let pairs = [(0, shift, end + 1 - shift), (end - shift, 0, shift + 1)];
+            for (from, to, count) in pairs {
+                alloc::push(&mut seams, Seam { a: Run::along_row(last, from, 1), b: Run::along_row(0, to, 1), count })?;
+            }
+        }
+        let closed = Topology::new(shape, Links::Sides(sides), &seams)?;
+        // Nodes of one vertex that are not glued yet: a surface that touches itself there.
+        let mut sets = DisjointSets::new(shape.node_count())?;
+        let links = closed.contracted().map(|link| shape.ends(link));
+        for [a, b] in links.chain(seams.iter().flat_map(|seam| seam.pairs(shape))) {
+            sets.union(a, b);
+        }
+        let mut first = alloc::filled(NONE, vertex_count)?;
+        let mut touches = false;
+        for (node, &vertex) in (0..).zip(vertices) {
+            let first = &mut first[vertex as usize];
+            if *first == NONE {
+                *first = node;
+            } else if sets.union(*first, node) {
+                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| Run::at(i, j));
+                alloc::push(&mut seams, Seam { a, b, count: 1 })?;
+                touches = true;
+            }
+        }
+        if touches { Topology::new(shape, Links::Sides(sides), &seams) } else { Ok(closed) }
+    }
+}

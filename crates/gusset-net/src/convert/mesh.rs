@@ -1,0 +1,462 @@
+//! The polygon mesh of a net.
+//!
+//! Classes of glued nodes become vertices, and cells their reduced polygons (Deryagin, Fig. 4):
+//! quads, triangles, or nothing. Invariant: a closed net becomes a closed mesh, with positions bit
+//! for bit. O(nodes).
+
+use super::used_links::UsedLinks;
+use crate::hidden_cells::HiddenCells;
+use crate::shape::sorted_pair;
+use crate::topology::Reduced;
+use crate::{Classes, Net, Planes, Real, Shape, each};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
+use std::iter::repeat_n;
+
+/// Nodes between two progress reports.
+const NODES_PER_REPORT: usize = 1 << 16;
+/// The edges of about so many faces tell what length is usual.
+const FACES_LOOKED_AT: usize = 1 << 14;
+const FACES: &str = "cells to faces";
+const NUMBERS: &str = "numbering vertices";
+
+/// The diagonal that cuts a quad into triangles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Diagonal {
+    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where it would
+    /// repeat an edge, which gluing makes possible, the other one.
+    Shorter,
+    /// From (i, j) to (i + 1, j + 1), with the same exception.
+    Fixed,
+}
+
+/// Options of [`Net::to_mesh`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshOptions {
+    /// Triangles only; `None` keeps quads.
+    pub triangles: Option<Diagonal>,
+    /// One vertex for each class of glued nodes; else one for each node, and nothing is glued.
+    pub weld: bool,
+    /// Keeps finite vertices that neither a face nor a wire uses.
+    pub keep_unused: bool,
+    /// A cell with exactly one missing corner becomes a triangle; else it is dropped.
+    pub fill_corners: bool,
+    /// Computes texture coordinates.
+    pub texture: bool,
+    /// Faces with an edge of more than so many times the length that is usual among the edges are
+    /// left out: in a range image, those from one surface to another behind it. Above 0.
+    pub max_edge_ratio: Option<f64>,
+}
+
+impl Default for MeshOptions {
+    fn default() -> Self {
+        MeshOptions {
+            triangles: None,
+            weld: true,
+            keep_unused: false,
+            fill_corners: false,
+            texture: false,
+            max_edge_ratio: None,
+        }
+    }
+}
+
+/// A net as a mesh, and the maps between their elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NetMesh {
+    /// The mesh; faces are counter-clockwise as the net's are. It may have none.
+    pub mesh: Mesh,
+    /// For each node its vertex, or `u32::MAX`.
+    pub vertex_of_node: Vec<u32>,
+    /// For each vertex the smallest of its nodes. The vertex lies at the first of them that is not
+    /// missing.
+    pub node_of_vertex: Vec<u32>,
+    /// For each face its cell.
+    pub cell_of_face: Vec<u32>,
+    /// The net's nodes in a row.
+    pub columns: usize,
+    /// Edges without faces, as vertices: those of cells whose opposite sides are glued, such as
+    /// threads.
+    pub wires: Vec<[u32; 2]>,
+    /// Texture coordinates, if requested.
+    pub texture: Option<Texture>,
+}
+
+/// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
+///
+/// They belong to nodes, not to vertices: a vertex on a seam has a pair of coordinates on each
+/// side, so that an image covers a closed net once and does not run back within its last column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texture {
+    /// u and v, once for each node that a face uses, in the order of the nodes.
+    pub coordinates: Vec<[f64; 2]>,
+    /// For each corner of the mesh the index of its coordinates.
+    pub corners: Vec<u32>,
+}
+
+impl Texture {
+    /// The texture coordinates of faces given by nodes.
+    fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
+        let mut number = alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERS)?;
+        job.part(0.2, 0.4).ranges(NUMBERS, nodes.len(), |range| {
+            nodes[range].iter().for_each(|&node| number[node as usize] = 0);
+            Ok(())
+        })?;
+        let mut coordinates = Vec::new();
+        let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
+        job.part(0.4, 0.8).ranges(NUMBERS, shape.node_count(), |range| {
+            for (node, number) in range.clone().zip(&mut number[range]).filter(|(_, number)| **number == 0) {
+                *number = coordinates.len() as u32;
+                let (i, j) = shape.place(node as u32);
+                alloc::push(&mut coordinates, [j as f64 / columns, i as f64 / rows])?;
+            }
+            Ok(())
+        })?;
+        let corners =
+            alloc::collect_cancellable(nodes.iter().map(|&node| number[node as usize]), &job.part(0.8, 1.0), NUMBERS)?;
+        Ok(Texture { coordinates, corners })
+    }
+}
+
+impl Net<'_> {
+    /// The mesh of the net. It has the cells that exist. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a `max_edge_ratio` that is not above 0,
+    /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn to_mesh(&self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+        let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
+        Error::check_count("corners", corners, MAX_ELEMENTS)?;
+        if let Some(ratio) = options.max_edge_ratio {
+            Error::require(ratio > 0.0, "max_edge_ratio", ratio)?;
+        }
+        each!(self.coordinates(), planes => build(self, planes, options, job))
+    }
+}
+
+fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+    let shape = net.shape();
+    let first = job.part(0.0, 0.1);
+    let classes = if options.weld {
+        Classes::of_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
+            .table_cancellable(&first.part(0.7, 1.0), FACES)?
+    } else {
+        alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
+    };
+    let mut faces = FaceBuilder {
+        columns: shape.columns() as u32,
+        places: VertexPlaces::new(planes, &classes, &job.part(0.1, 0.2))?,
+        planes,
+        options,
+        reversed: net.topology().is_reversed(),
+        nodes: alloc::with_capacity(4 * shape.cell_count())?,
+        offsets: alloc::with_capacity(shape.cell_count() + 1)?,
+        cells: alloc::with_capacity(shape.cell_count())?,
+        edges: Vec::new(),
+        used: match options.triangles {
+            Some(_) => Some(UsedLinks::new(shape, &classes, &job.part(0.2, 0.3), FACES)?),
+            None => None,
+        },
+        classes: &classes,
+    };
+    faces.offsets.push(0);
+    let hidden = HiddenCells::of(net)?;
+    let (scanning, often) = (job.part(0.3, 0.7), (NODES_PER_REPORT / shape.columns()).max(1));
+    let mut skip = alloc::filled(false, shape.columns() - 1)?;
+    for i in 0..shape.rows() - 1 {
+        scanning.step_every(often, i, shape.rows(), FACES)?;
+        let ranges = hidden.row(i);
+        ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(true));
+        for (j, _) in skip.iter().enumerate().filter(|(_, skip)| !**skip) {
+            faces.add(shape.corners(i, j), shape.cell(i, j))?;
+        }
+        ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
+    }
+    if let Some(ratio) = options.max_edge_ratio {
+        faces.leave_out_long(ratio, &job.part(0.7, 0.8))?;
+    }
+    faces.finish(options, &job.part(0.8, 1.0))
+}
+
+/// The nodes at which classes lie.
+struct VertexPlaces {
+    /// True for each node with finite coordinates.
+    finite: Vec<bool>,
+    /// The classes whose smallest node is missing, each with its first node that is not, in order.
+    /// Rarely any.
+    elsewhere: Vec<[u32; 2]>,
+}
+
+impl VertexPlaces {
+    fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
+        let finite = finite(planes, &job.part(0.0, 0.5))?;
+        let mut elsewhere = Vec::new();
+        job.part(0.5, 1.0).ranges(FACES, classes.len(), |range| {
+            for node in range.filter(|&node| finite[node] && !finite[classes[node] as usize]) {
+                alloc::push(&mut elsewhere, [classes[node], node as u32])?;
+            }
+            Ok(())
+        })?;
+        elsewhere.sort_unstable();
+        elsewhere.dedup_by_key(|entry| entry[0]);
+        Ok(VertexPlaces { finite, elsewhere })
+    }
+
+    /// The node whose position is that of the class.
+    fn of_class(&self, class: u32) -> u32 {
+        match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
+            Ok(at) => self.elsewhere[at][1],
+            Err(_) => class,
+        }
+    }
+
+    fn has_class(&self, class: u32) -> bool {
+        self.finite[self.of_class(class) as usize]
+    }
+}
+
+/// True for each node with finite coordinates.
+fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
+    let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
+    let mut finite = alloc::filled(true, planes.shape().node_count())?;
+    let often = (NODES_PER_REPORT / columns).max(1);
+    let zero = T::of(0.0);
+    for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
+        job.step_every(often, i, rows, FACES)?;
+        for row in planes.row(i) {
+            // x * 0 is 0 except for infinities and NaN.
+            finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
+        }
+    }
+    Ok(finite)
+}
+
+/// Faces under construction, their corners as nodes.
+struct FaceBuilder<'a, T> {
+    columns: u32,
+    places: VertexPlaces,
+    planes: &'a Planes<'a, T>,
+    options: &'a MeshOptions,
+    reversed: bool,
+    classes: &'a [u32],
+    /// The edges that no diagonal may repeat, if quads are cut.
+    used: Option<UsedLinks>,
+    nodes: Vec<u32>,
+    offsets: Vec<u32>,
+    cells: Vec<u32>,
+    /// Edges, as classes, of cells reduced to less than a face.
+    edges: Vec<[u32; 2]>,
+}
+
+impl<T: Real> FaceBuilder<'_, T> {
+    /// Adds a cell, given its corners in order.
+    fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+        let finite = corners.map(|node| self.places.finite[node as usize]);
+        if finite != [true; 4] {
+            return if self.options.fill_corners { self.add_corner(corners, finite, cell) } else { Ok(()) };
+        }
+        let [a, b, c, d] = corners.map(|node| self.classes[node as usize]);
+        if a != b && b != c && c != d && d != a && a != c && b != d {
+            return self.quad(corners, cell);
+        }
+        match Reduced::new([a, b, c, d]) {
+            Reduced::Triangle(_) => self.triangle_of(corners, cell),
+            Reduced::Digon([p, q]) => alloc::push(&mut self.edges, [p, q]),
+            Reduced::Fold([p, q, r]) => alloc::append(&mut self.edges, &[[p, q], [p, r]]),
+            Reduced::Quad(_) | Reduced::Point(_) | Reduced::Crossing(_) => Ok(()),
+        }
+    }
+
+    /// Adds a cell with missing corners: a triangle, if the other three are distinct points.
+    fn add_corner(&mut self, corners: [u32; 4], finite: [bool; 4], cell: u32) -> Result<()> {
+        let mut kept = (0..4).filter(|&k| finite[k]).map(|k| corners[k]);
+        let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
+        let [p, q, r] = [a, b, c].map(|node| self.classes[node as usize]);
+        if p != q && q != r && r != p { self.face(&[a, b, c], cell) } else { Ok(()) }
+    }
+
+    /// Adds a cell with one side contracted; of the two glued corners the latter stays.
+    fn triangle_of(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+        let class = |k: usize| self.classes[corners[k % 4] as usize];
+        let mut kept = (0..4).filter(|&k| class(k) != class(k + 1)).map(|k| corners[k]);
+        let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
+        self.face(&[a, b, c], cell)
+    }
+
+    /// Adds a cell of four points.
+    fn quad(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+        let [a, b, c, d] = corners;
+        let along = match self.options.triangles {
+            None => return self.face(&corners, cell),
+            Some(Diagonal::Fixed) => true,
+            // Measured between classes, so that coincident cells agree.
+            Some(Diagonal::Shorter) => {
+                let between = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
+                between(a, c) <= between(b, d)
+            }
+        };
+        let ends = [[a, c], [b, d]].map(|ends| ends.map(|node| self.classes[node as usize]));
+        let is_used = |k: usize| self.used.as_ref().is_some_and(|used| used.contains(ends[k]));
+        let [chosen, other] = if along { [0, 1] } else { [1, 0] };
+        let chosen = if is_used(chosen) && !is_used(other) { other } else { chosen };
+        if let Some(used) = &mut self.used {
+            used.add(ends[chosen])?;
+        }
+        let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+        self.face(&first, cell)?;
+        self.face(&second, cell)
+    }
+
+    fn position(&self, node: u32) -> DVec3 {
+        let node = self.places.of_class(self.classes[node as usize]);
+        self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
+    }
+
+    fn face(&mut self, corners: &[u32], cell: u32) -> Result<()> {
+        let start = self.nodes.len();
+        alloc::append(&mut self.nodes, corners)?;
+        if self.reversed {
+            // The first corner stays the first.
+            self.nodes[start + 1..].reverse();
+        }
+        alloc::push(&mut self.offsets, self.nodes.len() as u32)?;
+        alloc::push(&mut self.cells, cell)
+    }
+
+    /// Leaves out faces with an edge of more than `ratio` times the usual length: the median over the
+    /// edges of faces taken evenly, but for those without a length. O(faces).
+    fn leave_out_long(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
+        let squared = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
+        let looked_at = self.offsets.windows(2).step_by(self.cells.len() / FACES_LOOKED_AT + 1);
+        let mut lengths = Vec::new();
+        for ends in looked_at {
+            let face = &self.nodes[ends[0] as usize..ends[1] as usize];
+            let nexts = face.iter().skip(1).chain(face.first());
+            let edges = face.iter().zip(nexts).map(|(&p, &q)| squared(p, q));
+            alloc::extend(&mut lengths, edges.filter(|&length| length > 0.0))?;
+        }
+        if lengths.is_empty() {
+            return Ok(());
+        }
+        let middle = lengths.len() / 2;
+        let longest = ratio * ratio * *lengths.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let mut kept = alloc::filled(false, self.cells.len())?;
+        job.part(0.0, 0.7).ranges(FACES, self.cells.len(), |range| {
+            for f in range {
+                let face = &self.nodes[self.offsets[f] as usize..self.offsets[f + 1] as usize];
+                let nexts = face.iter().skip(1).chain(face.first());
+                kept[f] = face.iter().zip(nexts).all(|(&p, &q)| squared(p, q) <= longest);
+            }
+            Ok(())
+        })?;
+        // In place, as nothing gets longer.
+        let (mut faces, mut corners) = (0, 0);
+        job.part(0.7, 1.0).ranges(FACES, self.cells.len(), |range| {
+            for f in range.filter(|&f| kept[f]) {
+                let own = self.offsets[f] as usize..self.offsets[f + 1] as usize;
+                let count = own.len();
+                self.nodes.copy_within(own, corners);
+                self.cells[faces] = self.cells[f];
+                (faces, corners) = (faces + 1, corners + count);
+                // The end of this face comes after the start of the next, which is still to be read.
+                self.offsets[faces] = corners as u32;
+            }
+            Ok(())
+        })?;
+        self.nodes.truncate(corners);
+        self.cells.truncate(faces);
+        self.offsets.truncate(faces + 1);
+        Ok(())
+    }
+
+    /// The edges without faces, as pairs of classes, each once, in order. O(e log e) for e edges,
+    /// and O(faces log e) if there are any.
+    fn wires(&mut self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+        let mut edges = std::mem::take(&mut self.edges);
+        edges.iter_mut().for_each(|edge| *edge = sorted_pair(*edge));
+        sort_distinct(&mut edges);
+        if edges.is_empty() {
+            return Ok(edges);
+        }
+        let mut has_face = alloc::filled(false, edges.len())?;
+        job.ranges(NUMBERS, self.cells.len(), |range| {
+            for ends in self.offsets[range.start..=range.end].windows(2) {
+                let face = &self.nodes[ends[0] as usize..ends[1] as usize];
+                let nexts = face.iter().skip(1).chain(face.first());
+                for (&node, &next) in face.iter().zip(nexts) {
+                    let edge = sorted_pair([node, next].map(|node| self.classes[node as usize]));
+                    if let Ok(at) = edges.binary_search(&edge) {
+                        has_face[at] = true;
+                    }
+                }
+            }
+            Ok(())
+        })?;
+        let mut has_face = has_face.into_iter();
+        edges.retain(|_| has_face.next() == Some(false));
+        Ok(edges)
+    }
+
+    /// Numbers the vertices in the order of their nodes, and completes the mesh.
+    fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+        let part = |from: f64, to: f64| job.part(from, to);
+        let wires = self.wires(&part(0.0, 0.2))?;
+        let mut vertex = alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERS)?;
+        let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
+        part(0.3, 0.4).ranges(NUMBERS, self.nodes.len(), |range| {
+            self.nodes[range].iter().for_each(|&node| use_class(node));
+            Ok(())
+        })?;
+        wires.as_flattened().iter().for_each(|&class| use_class(class));
+        let mut node_of_vertex = Vec::new();
+        part(0.4, 0.5).ranges(NUMBERS, self.classes.len(), |range| {
+            for node in range {
+                let own = self.classes[node] as usize == node;
+                if own && (vertex[node] == 0 || options.keep_unused && self.places.has_class(node as u32)) {
+                    vertex[node] = node_of_vertex.len() as u32;
+                    alloc::push(&mut node_of_vertex, node as u32)?;
+                } else {
+                    // A node after the first of its class has that one's vertex.
+                    vertex[node] = vertex[self.classes[node] as usize];
+                }
+            }
+            Ok(())
+        })?;
+        let texture = options.texture.then(|| Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
+        let texture = texture.transpose()?;
+        part(0.7, 0.8).ranges(NUMBERS, self.nodes.len(), |range| {
+            self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
+            Ok(())
+        })?;
+        let nodes = node_of_vertex.iter().map(|&node| self.places.of_class(node));
+        let positions = positions(self.planes, nodes, &part(0.8, 1.0))?;
+        let mesh = Mesh::new(positions, self.offsets, self.nodes);
+        let columns = self.planes.shape().columns();
+        let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
+        job.step(1.0, NUMBERS)?;
+        Ok(NetMesh { mesh, vertex_of_node: vertex, node_of_vertex, cell_of_face: self.cells, columns, wires, texture })
+    }
+}
+
+/// The positions of nodes, bit for bit.
+fn positions<T: Real>(
+    planes: &Planes<'_, T>,
+    nodes: impl ExactSizeIterator<Item = u32>,
+    job: &Job<'_>,
+) -> Result<PositionBuffer> {
+    let (matrices, stride, columns) = (planes.matrices(), planes.stride(), planes.shape().columns());
+    let points = nodes.map(|node| {
+        let at = node as usize / columns * stride + node as usize % columns;
+        matrices.map(|matrix| matrix[at])
+    });
+    let points: Vec<[T; 3]> = alloc::collect_cancellable(points, job, NUMBERS)?;
+    Ok(match T::SCALAR {
+        Scalar::F32 => PositionBuffer::F32(bytemuck::allocation::cast_vec(points)),
+        Scalar::F64 => PositionBuffer::F64(bytemuck::allocation::cast_vec(points)),
+    })
+}

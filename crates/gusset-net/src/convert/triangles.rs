@@ -1,0 +1,400 @@
+//! Recognition of a rectangular grid in a mesh of triangles: quads with a diagonal each, in any
+//! direction from cell to cell, and fans round poles.
+//!
+//! Edges are labelled as sides or diagonals. A triangle has one diagonal, at a pole none; a vertex
+//! within the surface has four faces of the grid once diagonals are taken away, so that of its T
+//! triangles' edges T - 4 are diagonals; one on the border has two faces, or one at a corner of the
+//! grid: T - 2 diagonals, or T - 1. A label that follows from these rules is set, until none does. At
+//! the border, or next to a pole, one label makes all others follow, cell by cell along the first row
+//! and then row by row; so two attempts decide. Where there is neither, on a torus, a label that
+//! leads to a contradiction is taken back and set the other way, and one that does not is kept: a
+//! torus whose diagonals run without any rule may be refused. The quads are then recognised as those
+//! of any mesh: nothing that is no grid is accepted. O(edges) an attempt.
+
+use super::grid::{GridNet, net_of_grid};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use gusset_mesh::mesh::{Across, Faces, MeshView, NONE, Topology as Pairing};
+
+/// Half-edges between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 15;
+const STAGE: &str = "triangles to cells";
+/// Spheres of so many vertices at most, whose poles do not show by their degrees, are tried with
+/// every vertex as a pole; larger ones with the two that are farthest apart.
+const MAX_POLE_TRIALS: usize = 400;
+
+/// The label of an edge.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Label {
+    Unknown,
+    Side,
+    Diagonal,
+}
+
+/// The net whose cells are pairs of triangles of a mesh, with `face_of_cell` the first triangle of
+/// each; poles have one triangle a cell. All vertices keep their bits. If several pairings make a
+/// grid, as where all diagonals run one way, the one that the first triangle with a side decides:
+/// its first edge that can be one is the diagonal.
+///
+/// # Errors
+/// [`Error::NoGrid`] with a triangle at the first contradiction, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
+    let faces = mesh.faces();
+    if let Some(face) = (0..faces.len()).find(|&f| faces.range(f).len() != 3) {
+        return Err(Error::NoGrid { face: face as u32 });
+    }
+    let pairing = Pairing::new(mesh, &job.part(0.0, 0.4))?;
+    let surface = Surface::new(mesh, &pairing)?;
+    let mut refused = Error::NoGrid { face: 0 };
+    let candidates = surface.poles()?;
+    for (k, poles) in candidates.iter().enumerate() {
+        let job = job.part(0.4, 1.0).share(k, candidates.len());
+        job.step(0.0, STAGE)?;
+        match surface.attempt(mesh, *poles, &job) {
+            Err(Error::NoGrid { face }) => refused = Error::NoGrid { face },
+            found => return found,
+        }
+    }
+    Err(refused)
+}
+
+/// A mesh of triangles: half-edge 3 f + k runs from corner k of face f.
+struct Surface {
+    /// The half-edge on the other side; `NONE` at the border.
+    mates: Vec<u32>,
+    starts: Vec<u32>,
+    /// Of each vertex its edges, each by the smaller of its half-edges.
+    edges: Buckets<u32>,
+    /// Of each vertex its triangles, and whether it is on the border.
+    counts: Vec<u32>,
+    on_border: Vec<bool>,
+}
+
+impl Surface {
+    fn new(mesh: &MeshView<'_>, pairing: &Pairing) -> Result<Self> {
+        let (count, vertices) = (mesh.faces().half_edge_count() as u32, mesh.positions().len());
+        let starts = alloc::collect((0..count as usize).map(|h| mesh.faces().corner(h as u32)))?;
+        let (mut counts, mut on_border) = (alloc::filled(0u32, vertices)?, alloc::filled(false, vertices)?);
+        let mut mates = alloc::with_capacity(count as usize)?;
+        for h in 0..count {
+            let (start, end) = (starts[h as usize], starts[next(h) as usize]);
+            counts[start as usize] += 1;
+            let mate = match pairing.across(h) {
+                _ if pairing.is_ignored(h) => return Err(no_grid(h)),
+                Across::Singular => return Err(no_grid(h)),
+                Across::Mate(mate) if starts[mate as usize] == start => return Err(no_grid(mate)),
+                Across::Mate(mate) => mate,
+                Across::Free => NONE,
+            };
+            if mate == NONE {
+                (on_border[start as usize], on_border[end as usize]) = (true, true);
+            }
+            mates.push(mate);
+        }
+        let whole = (0..count).filter(|&h| h < mates[h as usize]);
+        let ends = whole.flat_map(|h| [(starts[h as usize] as usize, h), (starts[next(h) as usize] as usize, h)]);
+        let edges = Buckets::new(vertices, 0, ends.clone())?;
+        Ok(Surface { mates, starts, edges, counts, on_border })
+    }
+
+    fn ends(&self, h: u32) -> [u32; 2] {
+        [self.starts[h as usize], self.starts[next(h) as usize]]
+    }
+
+    /// The least and the largest number of diagonals at a vertex that is no pole; `None` if it can be
+    /// none of a grid.
+    fn diagonals(&self, v: u32) -> Option<[u32; 2]> {
+        match (self.on_border[v as usize], self.counts[v as usize]) {
+            (_, 0) | (true, 1) => Some([0, 0]),
+            (true, 2) => Some([0, 1]),
+            (true, count @ 3..=4) => Some([count - 2; 2]),
+            (false, count @ 4..=8) => Some([count - 4; 2]),
+            _ => None,
+        }
+    }
+
+    /// The poles to try: those that their degrees show; else none, and then what is farthest.
+    fn poles(&self) -> Result<Vec<[u32; 2]>> {
+        let vertices = 0..self.counts.len() as u32;
+        let mut odd = vertices.clone().filter(|&v| self.diagonals(v).is_none());
+        let (first, second) = (odd.next(), odd.next());
+        if let Some(third) = odd.next() {
+            let h = (0..self.starts.len() as u32).find(|&h| self.starts[h as usize] == third).unwrap_or(0);
+            return Err(no_grid(h));
+        }
+        let border = || vertices.clone().filter(|&v| self.on_border[v as usize]);
+        let is_open = border().next().is_some();
+        let mut found = Vec::new();
+        match (first, second) {
+            (Some(first), Some(second)) => alloc::push(&mut found, [first, second])?,
+            (Some(first), None) => {
+                if is_open {
+                    alloc::push(&mut found, [first, NONE])?;
+                }
+                alloc::push(&mut found, [first, self.farthest(std::iter::once(first))?])?;
+            }
+            _ => {
+                alloc::push(&mut found, [NONE; 2])?;
+                if is_open {
+                    // Every row is a step farther from the border than the one before.
+                    alloc::push(&mut found, [self.farthest(border())?, NONE])?;
+                } else {
+                    let used = || vertices.clone().filter(|&v| self.counts[v as usize] > 0);
+                    let first = self.farthest(used().take(1))?;
+                    alloc::push(&mut found, [first, self.farthest(std::iter::once(first))?])?;
+                    if used().count() <= MAX_POLE_TRIALS {
+                        for v in used() {
+                            alloc::push(&mut found, [v, self.farthest(std::iter::once(v))?])?;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The vertex farthest from some others by edges, the first of several.
+    fn farthest(&self, from: impl Iterator<Item = u32>) -> Result<u32> {
+        let mut steps = alloc::filled(NONE, self.counts.len())?;
+        let mut list = alloc::gather(from)?;
+        list.iter().for_each(|&v| steps[v as usize] = 0);
+        let (mut done, mut last) = (0, list.first().copied().unwrap_or(0));
+        while let Some(&v) = list.get(done) {
+            done += 1;
+            if steps[v as usize] > steps[last as usize] || (steps[v as usize] == steps[last as usize] && v < last) {
+                last = v;
+            }
+            for &h in self.edges.get(v as usize) {
+                for other in self.ends(h) {
+                    if steps[other as usize] == NONE {
+                        steps[other as usize] = steps[v as usize] + 1;
+                        alloc::push(&mut list, other)?;
+                    }
+                }
+            }
+        }
+        Ok(last)
+    }
+
+    /// The grid with these poles, by attempts with each diagonal of the first triangle that is open.
+    fn attempt(&self, mesh: &MeshView<'_>, poles: [u32; 2], job: &Job<'_>) -> Result<GridNet> {
+        let mut labels = Labels::new(self, poles)?;
+        labels.propagate(job)?;
+        let Some(face) = labels.next_open(0) else {
+            return labels.net(mesh, job);
+        };
+        let (mark, mut refused) = (labels.trail.len(), no_grid(3 * face));
+        for h in 3 * face..3 * face + 3 {
+            labels.undo(mark);
+            if labels.of[h as usize] != Label::Unknown {
+                continue;
+            }
+            match labels.decide(h, job).and_then(|()| labels.net(mesh, job)) {
+                Err(Error::NoGrid { face }) => refused = Error::NoGrid { face },
+                found => return found,
+            }
+        }
+        Err(refused)
+    }
+}
+
+/// The next half-edge of a triangle.
+fn next(h: u32) -> u32 {
+    if h % 3 == 2 { h - 2 } else { h + 1 }
+}
+
+fn no_grid(h: u32) -> Error {
+    Error::NoGrid { face: h / 3 }
+}
+
+/// The labels of edges, by half-edge, and what is still to be looked at.
+struct Labels<'a> {
+    surface: &'a Surface,
+    poles: [u32; 2],
+    of: Vec<Label>,
+    /// The edges that were labelled, in order.
+    trail: Vec<u32>,
+    /// How many of them have been propagated.
+    done: usize,
+    /// Of each vertex the diagonals, and the edges without a label.
+    diagonals: Vec<u32>,
+    unknown: Vec<u32>,
+}
+
+impl<'a> Labels<'a> {
+    /// Edges at the border and at poles are sides.
+    fn new(surface: &'a Surface, poles: [u32; 2]) -> Result<Self> {
+        let (count, vertices) = (surface.starts.len(), surface.counts.len());
+        let mut labels = Labels {
+            surface,
+            poles,
+            of: alloc::filled(Label::Unknown, count)?,
+            trail: Vec::new(),
+            done: 0,
+            diagonals: alloc::filled(0, vertices)?,
+            unknown: alloc::collect((0..vertices).map(|v| surface.edges.get(v).len() as u32))?,
+        };
+        for h in 0..count as u32 {
+            if surface.mates[h as usize] == NONE {
+                labels.of[h as usize] = Label::Side;
+            } else if labels.is_polar(h / 3) {
+                labels.set(h, Label::Side)?;
+            }
+        }
+        for v in 0..vertices as u32 {
+            labels.vertex(v)?;
+        }
+        for face in 0..count as u32 / 3 {
+            labels.face(face)?;
+        }
+        Ok(labels)
+    }
+
+    /// True of a triangle at a pole.
+    fn is_polar(&self, face: u32) -> bool {
+        (3 * face..3 * face + 3).any(|h| self.poles.contains(&self.surface.starts[h as usize]))
+    }
+
+    /// Labels an edge; [`Error::NoGrid`] if it has another label.
+    fn set(&mut self, h: u32, label: Label) -> Result<()> {
+        let before = self.of[h as usize];
+        if before != Label::Unknown {
+            return if before == label { Ok(()) } else { Err(no_grid(h)) };
+        }
+        for end in self.surface.ends(h) {
+            self.unknown[end as usize] -= 1;
+            self.diagonals[end as usize] += u32::from(label == Label::Diagonal);
+        }
+        (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) = (label, label);
+        alloc::push(&mut self.trail, h)
+    }
+
+    /// Takes labels back until so many are left.
+    fn undo(&mut self, mark: usize) {
+        while self.trail.len() > mark {
+            let Some(h) = self.trail.pop() else { return };
+            for end in self.surface.ends(h) {
+                self.unknown[end as usize] += 1;
+                self.diagonals[end as usize] -= u32::from(self.of[h as usize] == Label::Diagonal);
+            }
+            (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) = (Label::Unknown, Label::Unknown);
+        }
+        self.done = mark;
+    }
+
+    /// Sets all labels that follow from those there are.
+    fn propagate(&mut self, job: &Job<'_>) -> Result<()> {
+        while let Some(&h) = self.trail.get(self.done) {
+            job.step_every(REPORT_INTERVAL, self.done, self.of.len(), STAGE)?;
+            self.done += 1;
+            self.face(h / 3)?;
+            self.face(self.surface.mates[h as usize] / 3)?;
+            let [a, b] = self.surface.ends(h);
+            self.vertex(a)?;
+            self.vertex(b)?;
+        }
+        Ok(())
+    }
+
+    /// The rule of a triangle: one diagonal, and none at a pole.
+    fn face(&mut self, face: u32) -> Result<()> {
+        let sides = 3 * face..3 * face + 3;
+        let count = |labels: &Self, label| sides.clone().filter(|&h| labels.of[h as usize] == label).count();
+        if self.is_polar(face) {
+            return if count(self, Label::Diagonal) == 0 { Ok(()) } else { Err(no_grid(3 * face)) };
+        }
+        let label = match (count(self, Label::Diagonal), count(self, Label::Unknown)) {
+            (0, 0) | (2.., _) => return Err(no_grid(3 * face)),
+            (1, _) => Label::Side,
+            (0, 1) => Label::Diagonal,
+            _ => return Ok(()),
+        };
+        sides.clone().try_for_each(|h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
+    }
+
+    /// The rule of a vertex: so many diagonals.
+    fn vertex(&mut self, v: u32) -> Result<()> {
+        if self.poles.contains(&v) {
+            return Ok(());
+        }
+        let surface = self.surface;
+        let edges = surface.edges.get(v as usize);
+        let here = edges.first().map_or(0, |&h| h);
+        let [min, max] = surface.diagonals(v).ok_or(no_grid(here))?;
+        let (found, unknown) = (self.diagonals[v as usize], self.unknown[v as usize]);
+        let label = if found > max || found + unknown < min {
+            return Err(no_grid(here));
+        } else if found == max {
+            Label::Side
+        } else if found + unknown == min {
+            Label::Diagonal
+        } else {
+            return Ok(());
+        };
+        edges.iter().try_for_each(|&h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
+    }
+
+    /// From a face on, and then from the first: one with a side and without a diagonal; or else one
+    /// without any label.
+    fn next_open(&self, from: u32) -> Option<u32> {
+        let count = self.of.len() as u32 / 3;
+        let is = |face: u32, label| (3 * face..3 * face + 3).any(|h| self.of[h as usize] == label);
+        let faces = || (from..count).chain(0..from).filter(|&face| is(face, Label::Unknown));
+        faces().find(|&face| is(face, Label::Side)).or_else(|| faces().next())
+    }
+
+    /// Makes an edge a diagonal, and then decides the others.
+    fn decide(&mut self, h: u32, job: &Job<'_>) -> Result<()> {
+        self.set(h, Label::Diagonal)?;
+        self.propagate(job)?;
+        let mut from = h / 3;
+        while let Some(face) = self.next_open(from) {
+            from = face;
+            let Some(h) = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == Label::Unknown) else { break };
+            let mark = self.trail.len();
+            match self.set(h, Label::Diagonal).and_then(|()| self.propagate(job)) {
+                Err(Error::NoGrid { .. }) => {
+                    self.undo(mark);
+                    self.set(h, Label::Side)?;
+                    self.propagate(job)?;
+                }
+                other => other?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The net of the faces without diagonals.
+    fn net(&self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
+        let surface = self.surface;
+        let (mut offsets, mut corners, mut triangles) = (alloc::filled(0u32, 1)?, Vec::new(), Vec::new());
+        for face in 0..self.of.len() as u32 / 3 {
+            let diagonal = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == Label::Diagonal);
+            let start = |h: u32| surface.starts[h as usize];
+            match diagonal.map(|h| (h, surface.mates[h as usize])) {
+                // Of two triangles the second was seen.
+                Some((h, mate)) if mate < h => continue,
+                Some((h, mate)) => alloc::append(
+                    &mut corners,
+                    &[start(h), start(next(next(mate))), start(next(h)), start(next(next(h)))],
+                )?,
+                None => alloc::append(&mut corners, &[start(3 * face), start(3 * face + 1), start(3 * face + 2)])?,
+            }
+            alloc::push(&mut offsets, corners.len() as u32)?;
+            alloc::push(&mut triangles, face)?;
+        }
+        let faces = Faces::polygons(&offsets, &corners)?;
+        let view = MeshView::new(*mesh.positions(), faces, &job.part(0.0, 0.2))?;
+        match net_of_grid(&view, None, &job.part(0.2, 1.0)) {
+            Ok(mut found) => {
+                found.face_of_cell.iter_mut().for_each(|face| *face = triangles[*face as usize]);
+                Ok(found)
+            }
+            Err(Error::NoGrid { face }) => Err(Error::NoGrid { face: triangles[face as usize] }),
+            Err(other) => Err(other),
+        }
+    }
+}

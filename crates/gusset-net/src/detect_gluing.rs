@@ -1,0 +1,229 @@
+//! Detection of the gluing of a net from its coordinates.
+//!
+//! Neighbours that coincide are contracted links. Of the others only the rim is examined: runs of
+//! at least two rim nodes that coincide with others, in the same sense or in reverse, are seams.
+//! They cover closed rows and columns, reversed sides and folded sides; a single pair of coincident
+//! nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted by cell.
+//! O(nodes), and O(r log r) for r rim nodes.
+
+use super::coincidence::{coincide, coincident_links};
+use super::topology::{Links, Matrix, Run, Seam, Topology};
+use super::{Classes, Coordinates, Shape, each};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use std::cmp::Ordering;
+
+/// The largest number of coincident rim nodes that each is paired with.
+const MAX_PARTNERS: usize = 8;
+
+/// The topology that coordinates imply, in canonical form ([`Topology::saturated`]): coincident
+/// neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal coordinates (0 and
+/// -0 are equal). O(nodes), and a sort of the rim.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is negative or
+/// not finite, [`Error::CrossingCell`](gusset_base::Error::CrossingCell) for a cell whose pairs of
+/// opposite corners coincide separately, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
+    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
+    let shape = coordinates.shape();
+    let mut matrix = Matrix::empty(shape)?;
+    each!(coordinates, planes => coincident_links(planes, tolerance, &job.part(0.0, 0.5), |link| {
+        if shape.is_inner(link) {
+            matrix.set(link, true);
+        }
+        Ok(())
+    }))?;
+    let near = Topology::new(shape, Links::Matrix(matrix), &[])?;
+    let classes = Classes::of(&near)?;
+    let rim = Rim { shape, coordinates, tolerance };
+    let seams = rim.seams(&rim.pairs(&classes)?, &classes)?;
+    job.step(0.8, "detecting gluings")?;
+    Topology::new(shape, Links::Matrix(near.matrix()?), &seams)?.saturated()
+}
+
+/// The nodes of the four sides, numbered round the net: the first row forwards, the last column
+/// down, the last row backwards, the first column up. Each corner appears once.
+struct Rim<'a> {
+    shape: Shape,
+    coordinates: &'a Coordinates<'a>,
+    tolerance: f64,
+}
+
+impl Rim<'_> {
+    fn len(&self) -> usize {
+        2 * (self.shape.rows() + self.shape.columns()) - 4
+    }
+
+    /// Where the four sides start, and the end.
+    fn corners(&self) -> [usize; 5] {
+        let (h, w) = (self.shape.rows() - 1, self.shape.columns() - 1);
+        [0, w, w + h, 2 * w + h, 2 * (w + h)]
+    }
+
+    fn node(&self, k: usize) -> (usize, usize) {
+        let (h, w) = (self.shape.rows() - 1, self.shape.columns() - 1);
+        match k {
+            k if k < w => (0, k),
+            k if k < w + h => (k - w, w),
+            k if k < 2 * w + h => (h, 2 * w + h - k),
+            k => (2 * (w + h) - k, 0),
+        }
+    }
+
+    fn place(&self, k: usize) -> DVec3 {
+        let (i, j) = self.node(k % self.len());
+        self.coordinates.get(i, j)
+    }
+
+    fn class(&self, classes: &Classes, k: usize) -> u32 {
+        let (i, j) = self.node(k % self.len());
+        classes.representative(self.shape.node(i, j))
+    }
+
+    /// Coincident pairs of rim nodes that are not one vertex by links alone, each vertex by its
+    /// first node.
+    fn pairs(&self, classes: &Classes) -> Result<Vec<[usize; 2]>> {
+        let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class(classes, k), k)))?;
+        nodes.sort_unstable();
+        nodes.dedup_by_key(|node| node.0);
+        let finite = nodes.iter().filter(|node| self.place(node.1).is_finite());
+        let mut sorted: Vec<(Cell, usize)> = alloc::gather(finite.map(|&(_, k)| (self.cell(k), k)))?;
+        sorted.sort_unstable_by(|a, b| by_cell(&a.0, &b.0).then(a.1.cmp(&b.1)));
+        // Nodes within the tolerance lie in the same cell or in one next to it; cells along z are
+        // consecutive.
+        let near: &[f64] = if self.tolerance > 0.0 { &[-1.0, 0.0, 1.0] } else { &[0.0] };
+        let (first, last) = (near[0], near[near.len() - 1]);
+        let mut pairs = Vec::new();
+        for (at, &([x, y, z], k)) in sorted.iter().enumerate() {
+            // Each pair is found from its first node.
+            let candidates =
+                near.iter().flat_map(|dx| near.iter().map(move |dy| [x + dx, y + dy])).flat_map(|[x, y]| {
+                    let rest = &sorted[at + 1..];
+                    let from = rest.partition_point(|other| by_cell(&other.0, &[x, y, z + first]).is_lt());
+                    rest[from..].iter().take_while(move |other| by_cell(&other.0, &[x, y, z + last]).is_le())
+                });
+            let partners = candidates.filter(|&&(_, l)| coincide(self.place(k), self.place(l), self.tolerance));
+            for &(_, l) in partners.take(MAX_PARTNERS) {
+                alloc::push(&mut pairs, [k.min(l), k.max(l)])?;
+            }
+        }
+        Ok(pairs)
+    }
+
+    /// The grid cell of a rim node, 1 % wider than the tolerance for rounding. Without a tolerance,
+    /// or with one below the spacing of numbers, each position is a cell.
+    fn cell(&self, k: usize) -> Cell {
+        self.place(k).to_array().map(|x| {
+            let at = (x / (self.tolerance * 1.01)).floor();
+            // Adding 0 makes -0 and 0 equal.
+            (if self.tolerance > 0.0 && at.is_finite() { at } else { x }) + 0.0
+        })
+    }
+
+    /// The seams of the pairs: pairs of one sum of places run in reverse, those of one difference
+    /// in the same sense, both modulo the length of the rim. Every run is found from both its
+    /// sides; a topology merges the two.
+    fn seams(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
+        let n = self.len();
+        let mut seams = Vec::new();
+        for reversed in [true, false] {
+            let line = |k: usize, l: usize| if reversed { (k + l) % n } else { (l + n - k) % n };
+            let mut sorted = alloc::gather(pairs.iter().flat_map(|&[k, l]| [(line(k, l), k), (line(l, k), l)]))?;
+            sort_distinct(&mut sorted);
+            for line in sorted.chunk_by(|a, b| a.0 == b.0) {
+                let pairing = Pairing { line: line[0].0, reversed, n };
+                for (start, count) in cyclic_runs(line, n) {
+                    self.add_run(pairing, start, count, classes, &mut seams)?;
+                }
+            }
+        }
+        Ok(seams)
+    }
+
+    /// Adds a run, cut where either side turns a corner, and extended by one pair at each end if
+    /// that pair coincides but was not compared, as links glue it to others.
+    fn add_run(
+        &self,
+        pairing: Pairing,
+        start: usize,
+        count: usize,
+        classes: &Classes,
+        seams: &mut Vec<Seam>,
+    ) -> Result<()> {
+        let n = self.len();
+        let same = |k: usize| {
+            self.class(classes, k) == self.class(classes, pairing.partner(k))
+                || coincide(self.place(k), self.place(pairing.partner(k)), self.tolerance)
+        };
+        let before = usize::from(count < n && same(start + n - 1));
+        let after = usize::from(count < n && same(start + count));
+        let (mut k, mut steps) = (start + n - before, before + count + after - 1);
+        // A fold is its own partner.
+        if pairing.reversed && pairing.partner(k) % n == (k + steps) % n {
+            steps /= 2;
+        }
+        while steps > 0 {
+            let (a, b) = (self.run(k, true), self.run(pairing.partner(k), !pairing.reversed));
+            let straight = a.1.min(b.1).min(steps);
+            alloc::push(seams, Seam { a: a.0, b: b.0, count: straight as u32 + 1 })?;
+            (k, steps) = (k + straight, steps - straight);
+        }
+        Ok(())
+    }
+
+    /// The straight run from rim node k round the rim, or back, and the number of steps up to the
+    /// corner.
+    fn run(&self, k: usize, forwards: bool) -> (Run, usize) {
+        let (k, corners) = (k % self.len(), self.corners());
+        // Back from a corner leads along the previous side.
+        let k = if k == 0 && !forwards { corners[4] } else { k };
+        let side = (0..4).rposition(|side| if forwards { corners[side] <= k } else { corners[side] < k }).unwrap_or(0);
+        let steps = if forwards { corners[side + 1] - k } else { k - corners[side] };
+        let (i, j) = self.node(k);
+        let along = if forwards { 1 } else { -1 };
+        let (row_step, column_step) = [(0, along), (along, 0), (0, -along), (-along, 0)][side];
+        (Run { row: i as u32, column: j as u32, row_step, column_step }, steps)
+    }
+}
+
+/// A grid cell: three whole numbers, or three coordinates.
+type Cell = [f64; 3];
+
+fn by_cell(a: &Cell, b: &Cell) -> Ordering {
+    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
+}
+
+/// A map from rim nodes to their partners.
+#[derive(Clone, Copy)]
+struct Pairing {
+    /// The sum of the two places, or their difference.
+    line: usize,
+    reversed: bool,
+    n: usize,
+}
+
+impl Pairing {
+    fn partner(self, k: usize) -> usize {
+        let k = k % self.n;
+        (if self.reversed { self.line + self.n - k } else { k + self.line }) % self.n
+    }
+}
+
+/// Runs of consecutive numbers modulo n, as first number and count.
+fn cyclic_runs(line: &[(usize, usize)], n: usize) -> impl Iterator<Item = (usize, usize)> {
+    let wraps = line.len() < n && line[0].1 == 0 && line[line.len() - 1].1 == n - 1;
+    let runs = move || line.chunk_by(|a, b| a.1 + 1 == b.1).map(|run| (run[0].1, run.len()));
+    let head = if wraps { runs().next().map_or(0, |run| run.1) } else { 0 };
+    let count = runs().count();
+    let joined = move |(at, (start, len)): (usize, (usize, usize))| match at {
+        0 if wraps => None,
+        at if wraps && at + 1 == count => Some((start, len + head)),
+        _ => Some((start, len)),
+    };
+    runs().enumerate().filter_map(joined)
+}

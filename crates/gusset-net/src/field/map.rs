@@ -1,0 +1,97 @@
+//! Maps of space, and loops over points that vectorise where the map is plain arithmetic. O(1) a
+//! point.
+
+use crate::transform::Affine;
+use gusset_base::error::{Error, Result};
+use gusset_base::simd::{self, Kernel};
+
+/// Points to move: their x, y and z, slices of equal length.
+pub type Points<'a> = [&'a mut [f64]; 3];
+
+/// A map of space.
+pub trait Field: Sync {
+    /// Moves each point independently. `strength`: 1 applies the whole map; values between 0 and 1,
+    /// and beyond, are defined by each field; never 0. A point outside the field's domain becomes
+    /// NaN.
+    fn map(&self, strength: f64, points: Points<'_>);
+
+    /// True if finite points stay finite, but for overflow.
+    fn is_total(&self) -> bool {
+        true
+    }
+}
+
+/// A function of strength and points is a field that is total.
+impl<F: Fn(f64, Points<'_>) + Sync> Field for F {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        self(strength, points);
+    }
+}
+
+/// A field that is not total.
+pub(super) struct Partial<F>(pub(super) F);
+
+impl<F: Field> Field for Partial<F> {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        self.0.map(strength, points);
+    }
+
+    fn is_total(&self) -> bool {
+        false
+    }
+}
+
+/// Applies `map` to each point, for maps that call functions and so do not vectorise.
+#[inline(always)]
+pub(super) fn each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+    apply_to(x, y, z, map);
+}
+
+/// Applies `map` to each point, for maps of plain arithmetic, which vectorise.
+pub(super) fn each_point_simd(points: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+    simd::run(EachPoint { points, map });
+}
+
+struct EachPoint<'a, F> {
+    points: Points<'a>,
+    map: F,
+}
+
+impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for EachPoint<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        each_point(self.points, self.map);
+    }
+}
+
+/// A separate function, as only arguments are known not to alias.
+#[inline(always)]
+fn apply_to(x: &mut [f64], y: &mut [f64], z: &mut [f64], map: impl Fn([f64; 3]) -> [f64; 3]) {
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        [*x, *y, *z] = map([*x, *y, *z]);
+    }
+}
+
+/// The point at parameter `strength` on the line from a point to its image.
+pub(super) fn along_line(strength: f64, map: impl Fn([f64; 3]) -> [f64; 3]) -> impl Fn([f64; 3]) -> [f64; 3] {
+    move |from| {
+        let to = map(from);
+        // At 1, without further rounding.
+        if strength == 1.0 { to } else { [0, 1, 2].map(|k| from[k] + strength * (to[k] - from[k])) }
+    }
+}
+
+/// [`Error::OptionOutOfRange`] for the first parameter that is not finite.
+pub(super) fn check_finite(parameters: &[(&'static str, f64)]) -> Result<()> {
+    parameters.iter().try_for_each(|&(option, value)| Error::require(value.is_finite(), option, value))
+}
+
+/// In part: along the line to the image.
+impl Field for Affine {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        let rows = self.rows();
+        each_point_simd(points, along_line(strength, |[x, y, z]| rows.map(|[a, b, c, d]| a * x + b * y + c * z + d)));
+    }
+}

@@ -1,0 +1,63 @@
+//! Projective maps: parallel and central projection onto a plane, and every other 4 x 4 matrix. In
+//! part: along the line to the image.
+
+use super::map::{Field, Partial, Points, along_line, check_finite, each_point_simd};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+
+/// (x, y, z, 1) is multiplied by `rows`, and the first three components are divided by the fourth.
+/// Undefined where the fourth component is 0.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] if a number is not finite.
+pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
+    rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
+    Ok(Partial(move |strength: f64, points: Points<'_>| {
+        let map = move |[x, y, z]: [f64; 3]| {
+            let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
+            [x / w, y / w, z / w]
+        };
+        each_point_simd(points, along_line(strength, map));
+    }))
+}
+
+/// Onto the plane through `point` with the given `normal`, along `direction`. Neither need be a
+/// unit vector.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`], also if the direction is parallel to the plane.
+pub fn parallel_projection(point: DVec3, normal: DVec3, direction: DVec3) -> Result<impl Field> {
+    let along = normal.dot(direction);
+    check_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
+    Error::require(along != 0.0, "direction", along)?;
+    // p - d (n . (p - q)) / (n . d)
+    let slope = direction / along;
+    let mut rows = [[0.0, 0.0, 0.0, 1.0]; 4];
+    for (k, row) in rows.iter_mut().enumerate().take(3) {
+        let [a, b, c] = (DVec3::AXES[k] - slope[k] * normal).to_array();
+        *row = [a, b, c, slope[k] * normal.dot(point)];
+    }
+    projection(rows)
+}
+
+/// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points
+/// behind the eye have inverted images; those as high above the plane as the eye have none.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`], also if the eye is in the plane.
+pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result<impl Field> {
+    // The normal times the vector from the eye to the plane. In a matrix, terms as large as the
+    // squared distance from the origin would have to cancel.
+    let depth = normal.dot(point - eye);
+    Error::require(depth != 0.0, "eye", depth)?;
+    check_finite(&[("plane", depth)])?;
+    check_finite(&eye.to_array().map(|value| ("eye", value)))?;
+    check_finite(&normal.to_array().map(|value| ("normal", value)))?;
+    Ok(Partial(move |strength: f64, points: Points<'_>| {
+        let map = move |point: [f64; 3]| {
+            let ray = DVec3::from_array(point) - eye;
+            (eye + ray * (depth / normal.dot(ray))).to_array()
+        };
+        each_point_simd(points, along_line(strength, map));
+    }))
+}

@@ -1,0 +1,89 @@
+//! Twist, taper, bend and shear about a coordinate axis: Barr, "Global and Local Deformations of
+//! Solid Primitives", 1984.
+//!
+//! Conjugation by an [`Affine`](crate::transform::Affine) in the chain gives any other axis.
+//! O(1) a node.
+
+use super::map::{Field, Points, check_finite, each_point, each_point_simd};
+use crate::transform::Axis;
+use gusset_base::error::{Error, Result};
+
+/// A rotation about an axis by an angle that grows along it: by `rate` radians for each unit,
+/// right-handed, from where the axis has the coordinate `origin`. In part: by that part of the
+/// angle.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
+pub fn twist(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
+    check_finite(&[("rate", rate), ("origin", origin)])?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        let rate = strength * rate;
+        each_point(axis.last(points), |[u, v, w]| {
+            let (sine, cosine) = libm::sincos(rate * (w - origin));
+            [u * cosine - v * sine, u * sine + v * cosine, w]
+        });
+    })
+}
+
+/// A scaling across an axis that changes along it: distances from the axis grow by `rate` times
+/// themselves for each unit along it, from the coordinate `origin` on. In part: at that part of the
+/// rate.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`].
+pub fn taper(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
+    check_finite(&[("rate", rate), ("origin", origin)])?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        let rate = strength * rate;
+        each_point_simd(axis.last(points), move |[u, v, w]| {
+            let ratio = 1.0 + rate * (w - origin);
+            [u * ratio, v * ratio, w]
+        });
+    })
+}
+
+/// A bend of an axis to an arc of the given curvature, from its coordinate `from` to `to`, towards
+/// the next axis (x after z); points before stay, and the axis continues straight after. Lengths
+/// along it are kept. In part: with that part of the curvature.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
+pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field> {
+    check_finite(&[("curvature", curvature), ("from", from)])?;
+    Error::require(to >= from, "to", to)?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        let curvature = strength * curvature;
+        each_point(axis.last(points), |[u, v, w]| {
+            let bent = w.max(from).min(to) - from;
+            let (rest, half) = (w - from - bent, 0.5 * curvature * bent);
+            let (sine, cosine) = libm::sincos(2.0 * half);
+            // The chord of the arc has length 2 sin(half) / curvature and direction half.
+            let (half_sine, half_cosine) = libm::sincos(half);
+            let chord = if half == 0.0 { bent } else { bent * half_sine / half };
+            let u_new = chord * half_sine + u * cosine + rest * sine;
+            [u_new, v, from + chord * half_cosine - u * sine + rest * cosine]
+        });
+    })
+}
+
+/// A displacement along one axis in proportion to the coordinate on another: the coordinate `along`
+/// grows by `rate` times the coordinate `by`. In part: at that part of the rate.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`], also if both axes are equal.
+pub fn shear(along: Axis, by: Axis, rate: f64) -> Result<impl Field> {
+    check_finite(&[("rate", rate)])?;
+    Error::require(along != by, "axis", by.index() as f64)?;
+    Ok(move |strength: f64, [x, y, z]: Points<'_>| {
+        let rate = strength * rate;
+        let (to, from) = match (along, by) {
+            (Axis::X, Axis::Y) => (x, y),
+            (Axis::X, _) => (x, z),
+            (Axis::Y, Axis::X) => (y, x),
+            (Axis::Y, _) => (y, z),
+            (Axis::Z, Axis::X) => (z, x),
+            (Axis::Z, _) => (z, y),
+        };
+        to.iter_mut().zip(from).for_each(|(to, from)| *to += rate * *from);
+    })
+}

@@ -1,0 +1,134 @@
+//! Deformations that depend on the net: displacement along its normals, a host's function of rows,
+//! and [`snap`], which makes glued nodes equal again. O(nodes).
+
+use crate::chunks;
+use crate::normals::normals;
+use crate::topology::Groups;
+use crate::{Classes, Coordinates, Net, Planes, Real, each};
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+/// Gives all nodes of a class the position of its representative, bit for bit. Returns the number
+/// of nodes that moved.
+///
+/// O(H + W) for a net that is glued along its sides alone, else O(nodes).
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn snap(net: &mut Net<'_>) -> Result<u64> {
+    let groups = Classes::of(net.topology())?.groups()?;
+    Ok(snap_to(&groups, net))
+}
+
+/// [`snap`] of the classes that are known: it cannot fail after the nodes were moved.
+fn snap_to(groups: &Groups, net: &mut Net<'_>) -> u64 {
+    let mut moved = 0;
+    for class in groups.iter() {
+        each!(net.coordinates_mut(), planes => moved += snap_class(planes, class));
+    }
+    moved
+}
+
+fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
+    let (shape, stride) = (planes.shape(), planes.stride());
+    let at = |node: u32| {
+        let (i, j) = shape.place(node);
+        i * stride + j
+    };
+    let (mut moved, mut matrices) = (0, planes.matrices_mut());
+    for &node in &class[1..] {
+        let mut differs = false;
+        for matrix in &mut matrices {
+            let (from, to) = (matrix[at(class[0])], &mut matrix[at(node)]);
+            differs |= bytemuck::bytes_of(to) != bytemuck::bytes_of(&from);
+            *to = from;
+        }
+        moved += u64::from(differs);
+    }
+    moved
+}
+
+/// Moves every node by `distance` along its unit normal. Nodes without a normal stay. O(nodes), and
+/// as much memory as the coordinates take.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the
+/// first node whose coordinates would overflow (no node is moved), [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
+    Error::require(distance.is_finite(), "distance", distance)?;
+    let (normals, _) = normals(net, job)?;
+    let groups = Classes::of(net.topology())?.groups()?;
+    job.memory()?;
+    match (net.coordinates_mut(), &normals) {
+        (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,
+        (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
+        _ => {}
+    }
+    // Normals of a class are equal; its positions may not have been.
+    snap_to(&groups, net);
+    Ok(())
+}
+
+fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) -> Result<()> {
+    let distance = T::of(distance);
+    let shape = planes.shape();
+    for i in 0..shape.rows() {
+        for (row, normal) in planes.row(i).into_iter().zip(normals.row(i)) {
+            let overflows = |(&x, &n): (&T, &T)| x.into().is_finite() && !(x + distance * n).into().is_finite();
+            if let Some(j) = row.iter().zip(normal).position(overflows) {
+                return Err(Error::FieldUndefined { node: shape.node(i, j) });
+            }
+        }
+    }
+    for i in 0..shape.rows() {
+        for (row, normal) in planes.row_mut(i).into_iter().zip(normals.row(i)) {
+            row.iter_mut().zip(normal).for_each(|(x, &n)| *x = *x + distance * n);
+        }
+    }
+    Ok(())
+}
+
+/// Coordinates of consecutive nodes, in the net's type.
+#[derive(Debug)]
+pub enum RowsMut<'a> {
+    /// Single precision.
+    F32([&'a mut [f32]; 3]),
+    /// Double precision.
+    F64([&'a mut [f64]; 3]),
+}
+
+/// Moves the nodes by a function of the host, then [`snap`]s.
+///
+/// `map` is called on this thread with the number of the first node and the coordinates of
+/// consecutive nodes, which it changes in place, from the first node to the last. If it fails, or
+/// the host cancels, earlier changes remain.
+///
+/// # Errors
+/// Those of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn deform_rows(
+    net: &mut Net<'_>,
+    mut map: impl FnMut(usize, RowsMut<'_>) -> Result<()>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let (count, mut next_step) = (net.shape().node_count() as f64, 0);
+    let mut step = |first: usize| {
+        if first < next_step {
+            return Ok(());
+        }
+        next_step = first + (1 << 20);
+        job.report(first as f64 / count, "deform")
+    };
+    let groups = Classes::of(net.topology())?.groups()?;
+    job.memory()?;
+    match net.coordinates_mut() {
+        Coordinates::F32(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {
+            step(first).and_then(|()| map(first, RowsMut::F32(rows)))
+        })?,
+        Coordinates::F64(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {
+            step(first).and_then(|()| map(first, RowsMut::F64(rows)))
+        })?,
+    }
+    snap_to(&groups, net);
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! The central projection onto a sphere, and the rolling of sheets to cylinders, cones, tori and
+//! spheres (Deryagin, Fig. 3, "hard" deformations: they bring nodes together that the net did not
+//! glue, see [`analyse`](crate::analyse)). O(1) a node.
+//!
+//! A sheet in the plane of height 0 rolls: at the strength t it is bent to the part t of the final
+//! curvature, and arcs keep their lengths. [`roll`] is that of a line; each wrap is one or two of
+//! them and a rigid motion, which the lengths do not see.
+
+use super::map::{Field, Partial, Points, along_line, check_finite, each_point, each_point_simd};
+use crate::transform::Axis;
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// The central projection onto a sphere. In part: along the line to the image. Undefined at the
+/// centre.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] if a number is not finite, or the radius not above 0; as for all
+/// that follow.
+pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
+    check_finite(&centre.to_array().map(|value| ("centre", value)))?;
+    check_positive("radius", radius)?;
+    let centre = centre.to_array();
+    Ok(Partial(move |strength: f64, points: Points<'_>| {
+        let map = move |point: [f64; 3]| {
+            let away = [0, 1, 2].map(|k| point[k] - centre[k]);
+            // Scaled first, as squares could overflow or underflow.
+            let largest = away[0].abs().max(away[1].abs()).max(away[2].abs());
+            let [x, y, z] = away.map(|value| value / largest);
+            let ratio = radius / (x * x + y * y + z * z).sqrt();
+            [centre[0] + ratio * x, centre[1] + ratio * y, centre[2] + ratio * z]
+        };
+        each_point_simd(points, along_line(strength, map));
+    }))
+}
+
+/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the
+/// arc and the second the height above the cylinder; coordinates along the axis stay. In part, t:
+/// to the curvature t / `radius`, so that a sheet of height 0 keeps all its lengths.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`].
+pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
+    check_positive("radius", radius)?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        each_point(axis.last(points), |[u, v, w]| {
+            let [along, out] = roll_about(strength, radius, [u, v]);
+            [along, out, w]
+        });
+    })
+}
+
+/// Rolls space up to a cone about an axis. Of the two axes that follow it (x after z), the first
+/// becomes the arc of the circle of the given radius and the second the height above the cone; the
+/// coordinate w along the axis becomes the length along its generators, which lean towards the axis
+/// by `angle`: the apex is at w = radius / sin(angle), and 0 makes a cylinder. In part, t: the sheet
+/// leans by t `angle` and is bent to the curvature t / `radius`, a part of the cone of half that
+/// angle whose generators are longer. Generators keep their lengths, and so does the circle at
+/// w = 0; that at w becomes 1 - (t / radius) w sin(t angle) times as long.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`], also for an angle beyond a right one.
+pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
+    check_positive("radius", radius)?;
+    Error::require(angle.abs() <= FRAC_PI_2, "angle", angle)?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        let (sine, cosine) = libm::sincos(strength * angle);
+        each_point(axis.last(points), |[u, v, w]| {
+            let (height, axial) = (v * cosine - w * sine, w * cosine + v * sine);
+            let [along, out] = roll_about(strength, radius, [u, height]);
+            [along, out, axial]
+        });
+    })
+}
+
+/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first
+/// goes round the axis, and the second round the tube, from its outside towards the tip of the
+/// axis; the coordinate along the axis becomes the height above the torus. `major`: from the axis
+/// to the middle of the tube; `minor`: the radius of the tube. Arcs have the lengths they had at
+/// these radii.
+///
+/// In part, t, the stages of Fig. 3 b, d: up to t = 1/2 the sheet rolls up to a straight tube, to
+/// the curvature 2 t / `minor`, and keeps all its lengths. Then the middle of the tube bends to the
+/// curvature k = (2 t - 1) / `major`: the circles of the tube keep their lengths, and the lines along
+/// it become 1 + k `minor` cos(v / minor) times as long. All the while the sheet turns evenly to its
+/// place about the axis.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`].
+pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
+    check_positive("major", major)?;
+    check_positive("minor", minor)?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        let [tube, ring] = stages(strength);
+        let place = Placement::new(strength, major + minor);
+        each_point(axis.last(points), |[u, v, w]| {
+            if strength == 1.0 {
+                let (round_sine, round_cosine) = libm::sincos(u / major);
+                let (tube_sine, tube_cosine) = libm::sincos(v / minor);
+                let thickness = minor + w;
+                let distance = major + thickness * tube_cosine;
+                return [distance * round_cosine, distance * round_sine, thickness * tube_sine];
+            }
+            let [along, height] = roll(tube / minor, [v, w]);
+            // The line that keeps its length is the middle of the tube.
+            let [round, out] = roll(ring / major, [u, height + minor]);
+            place.apply([round, along, out - minor])
+        });
+    })
+}
+
+/// Rolls space up to a sphere about an axis. Of the two axes that follow it (x after z), the first
+/// goes round the equator and the second along the meridians, from the equator towards the tip of
+/// the axis; the coordinate along the axis becomes the height above the sphere. A sheet from 0 to
+/// 2 pi `radius` and from -pi / 2 `radius` to pi / 2 `radius` becomes all of the sphere.
+///
+/// In part, t, the stages of Fig. 3 a, c, e: up to t = 1/2 the sheet rolls up to a tube as long as a
+/// meridian, to the curvature 2 t / `radius`, and keeps all its lengths. Then the meridians bend to
+/// the curvature q / `radius`, q = 2 t - 1, and keep their lengths; the parallel at v becomes
+/// 1 - (1 - cos(q v / radius)) / q times as long, until the ends of the tube close to the poles. All
+/// the while the sheet turns evenly to its place about the axis.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`].
+pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
+    check_positive("radius", radius)?;
+    Ok(move |strength: f64, points: Points<'_>| {
+        let [tube, meridian] = stages(strength);
+        let place = Placement::new(strength, radius);
+        each_point(axis.last(points), |[u, v, w]| {
+            if strength == 1.0 {
+                let (round_sine, round_cosine) = libm::sincos(u / radius);
+                let (sine, cosine) = libm::sincos(v / radius);
+                let distance = (radius + w) * cosine;
+                return [distance * round_cosine, distance * round_sine, (radius + w) * sine];
+            }
+            let [along, height] = roll(meridian / radius, [v, w]);
+            let [round, out] = roll(tube / radius, [u, height]);
+            place.apply([round, along, out])
+        });
+    })
+}
+
+/// Bends the line of height 0 to an arc of the given curvature: the point at the length `along` and
+/// at the height `out` on the convex side. At 0 the line is tangent to the arc; its length is kept,
+/// and that at the height h becomes 1 + curvature h times as long.
+#[inline(always)]
+fn roll(curvature: f64, [along, out]: [f64; 2]) -> [f64; 2] {
+    // The chord of the arc has length 2 sin(half) / curvature and direction half.
+    let half = 0.5 * curvature * along;
+    let (half_sine, half_cosine) = libm::sincos(half);
+    let (sine, cosine) = libm::sincos(2.0 * half);
+    let chord = if half == 0.0 { along } else { along * (half_sine / half) };
+    [chord * half_cosine + out * sine, out * cosine - chord * half_sine]
+}
+
+/// Rolls the line of height 0 about the origin, to the part `strength` of the circle of the given
+/// radius, and moves it away from there by as much of the radius.
+#[inline(always)]
+fn roll_about(strength: f64, radius: f64, [along, out]: [f64; 2]) -> [f64; 2] {
+    if strength == 1.0 {
+        let (sine, cosine) = libm::sincos(along / radius);
+        return [(radius + out) * sine, (radius + out) * cosine];
+    }
+    let [along, out] = roll(strength / radius, [along, out]);
+    [along, out + strength * radius]
+}
+
+/// The parts that the first and the second of two stages have of their ends at a strength.
+fn stages(strength: f64) -> [f64; 2] {
+    [(2.0 * strength).min(1.0), (2.0 * strength - 1.0).max(0.0)]
+}
+
+/// The rigid motion that takes a sheet to its place about the axis, in part: the rotation by a third
+/// of a turn about (1, 1, 1), which takes each axis to the next, and a displacement along the first.
+struct Placement {
+    /// The first row of the rotation; the others are the same, one and two places on.
+    row: [f64; 3],
+    displacement: f64,
+}
+
+impl Placement {
+    fn new(strength: f64, displacement: f64) -> Self {
+        let (sine, cosine) = libm::sincos(strength * (TAU / 3.0));
+        let (rest, across) = ((1.0 - cosine) / 3.0, sine / 3.0f64.sqrt());
+        let row = [(1.0 + 2.0 * cosine) / 3.0, rest - across, rest + across];
+        Placement { row, displacement: strength * displacement }
+    }
+
+    #[inline(always)]
+    fn apply(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let [a, b, c] = self.row;
+        [a * x + b * y + c * z + self.displacement, c * x + a * y + b * z, b * x + c * y + a * z]
+    }
+}
+
+/// [`Error::OptionOutOfRange`] unless the length is finite and above 0.
+fn check_positive(option: &'static str, length: f64) -> Result<()> {
+    Error::require(length > 0.0 && length.is_finite(), option, length)
+}

@@ -1,0 +1,220 @@
+//! Detection of folds that a deformation has made in a net.
+//!
+//! A net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell
+//! two opposite sides of which cross. Coplanarity, sides of a line and crossings are affine
+//! invariants. Invariant: no invertible affine map folds anything, and bending folds only where the
+//! dihedral angle vanishes within the tolerance and the rounding error of the nodes.
+//!
+//! Folds then partition the cells into two sides by union-find with parity. O(nodes).
+
+use super::hidden_cells::HiddenCells;
+use super::{Classes, Net, Planes, Real, Shape, each};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::ParitySets;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_mesh::mesh::Scalar;
+
+/// The result of a fold test at a link or a cell.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum FoldTest {
+    Folded,
+    Unfolded,
+    /// The cell is smaller than the error, or missing.
+    Undecided,
+}
+
+/// Cells that one thread takes at a time, approximately, and that are tested between progress
+/// reports.
+const BLOCK: usize = 1 << 14;
+const STAGE: &str = "detecting folds";
+
+/// The factor on error margins before the deformation: a fold must not have been nearly one before.
+const MARGIN_BEFORE: f64 = 8.0;
+
+/// The sign of each cell, -1 where it is turned over, else 1; empty if nothing is folded.
+///
+/// Folds divide each connected component of cells into two sides, of which the smaller is turned
+/// over. Where they do not, as round the end of a fold, the cells at the fold are.
+pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
+    let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, HiddenCells::of(before)?);
+    each!(before.coordinates(), old => each!(after.coordinates(), new => {
+        let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
+        let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
+        let blocks = par::map_cancellable(&part, STAGE, par::ranges(shape.rows() - 1, lines), |mut rows| {
+            rows.any(|i| search.is_folded_in_row(i))
+        })?;
+        if blocks.contains(&true) { search.partition(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
+    }))
+}
+
+/// Two adjacent cells and their common link.
+type Pair = ([u32; 2], [(usize, usize); 2]);
+
+struct FoldSearch<'a, A, B> {
+    shape: Shape,
+    classes: &'a Classes,
+    hidden: &'a HiddenCells,
+    old: &'a Planes<'a, A>,
+    new: &'a Planes<'a, B>,
+    tolerance: f64,
+}
+
+impl<A: Real, B: Real> FoldSearch<'_, A, B> {
+    fn is_folded_in_row(&self, i: usize) -> bool {
+        (0..self.shape.columns() - 1)
+            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.test(pair) == FoldTest::Folded))
+    }
+
+    /// Cell (i, j) with its neighbours to the east and south, also across a closed side.
+    fn pairs(&self, i: usize, j: usize) -> impl Iterator<Item = Pair> + '_ {
+        let shape = self.shape;
+        let (east, south) = ((j + 1) % (shape.columns() - 1), (i + 1) % (shape.rows() - 1));
+        let pairs = [
+            ((i, east), [(i, j + 1), (i + 1, j + 1)], [(i, east), (i + 1, east)]),
+            ((south, j), [(i + 1, j), (i + 1, j + 1)], [(south, j), (south, j + 1)]),
+        ];
+        let class = move |(i, j): (usize, usize)| self.classes.representative(shape.node(i, j));
+        let is_visible = |(i, j): (usize, usize)| !self.hidden.contains(i, j);
+        pairs
+            .into_iter()
+            .filter(move |&(next, link, same)| {
+                next != (i, j) && link.map(class) == same.map(class) && is_visible((i, j)) && is_visible(next)
+            })
+            .map(move |(next, link, _)| ([shape.cell(i, j), shape.cell(next.0, next.1)], link))
+    }
+
+    /// The test of two cells: folded onto each other now, and not before.
+    fn test(&self, (cells, link): Pair) -> FoldTest {
+        let cells = cells.map(|cell| self.shape.cell_place(cell));
+        let before = || at_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
+        match at_link(self.new, link, cells, self.tolerance, 1.0) {
+            FoldTest::Folded if before() != FoldTest::Unfolded => FoldTest::Unfolded,
+            now => now,
+        }
+    }
+
+    /// True if opposite sides of cell (i, j) cross and did not before.
+    fn is_crossed(&self, i: usize, j: usize) -> bool {
+        in_cell(self.new, i, j, self.tolerance, 1.0) == FoldTest::Folded
+            && in_cell(self.old, i, j, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded
+            && !self.hidden.contains(i, j)
+    }
+
+    /// The side of the folds that each cell is on.
+    fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
+        let count = self.shape.cell_count();
+        let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
+        let mut sets = ParitySets::new(count)?;
+        let mut folded = Vec::new();
+        let step = |cell: u32, from: f64| job.part(from, from + 0.4).step_every(BLOCK, cell as usize, count, STAGE);
+        for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
+            let [a, b] = pair.0;
+            step(a, 0.0)?;
+            match self.test(pair) {
+                FoldTest::Folded => alloc::push(&mut folded, [a, b])?,
+                FoldTest::Unfolded => _ = sets.union(a, b, false),
+                FoldTest::Undecided => {}
+            }
+        }
+        let mut at_ends = Vec::new();
+        for [a, b] in folded {
+            if !sets.union(a, b, true) {
+                alloc::append(&mut at_ends, &[a, b])?;
+            }
+        }
+        // A component is represented by its first cell, whose side is 1.
+        let mut side = |cell: u32| {
+            let (root, opposed) = sets.find(cell);
+            (root as usize, if opposed { -1i8 } else { 1 })
+        };
+        let mut balance: Vec<i32> = alloc::zeroed(count)?;
+        for cell in 0..count as u32 {
+            let (component, sign) = side(cell);
+            balance[component] += i32::from(sign);
+        }
+        let mut signs = alloc::collect((0..count as u32).map(|cell| {
+            let (component, sign) = side(cell);
+            if balance[component] < 0 { -sign } else { sign }
+        }))?;
+        at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
+        for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {
+            step(cell, 0.6)?;
+            *sign = if self.is_crossed(i, j) { -1 } else { *sign };
+        }
+        Ok(signs)
+    }
+}
+
+/// The error bound of nodes: the tolerance and their rounding.
+fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
+    let epsilon = if T::SCALAR == Scalar::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
+    let largest = points.iter().fold(0.0, |largest: f64, point| largest.max(point.abs().max_element()));
+    tolerance + 8.0 * epsilon * largest
+}
+
+/// Differences of nodes and their error bound, scaled so that products neither overflow nor vanish.
+fn scaled<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
+    let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
+    (vectors.map(|vector| vector / largest), error / largest)
+}
+
+/// The test of two cells at a link: on the same side of it, in one plane.
+fn at_link<T: Real>(
+    planes: &Planes<'_, T>,
+    link: [(usize, usize); 2],
+    cells: [(usize, usize); 2],
+    tolerance: f64,
+    margin: f64,
+) -> FoldTest {
+    let [p, q] = link.map(|(i, j)| planes.get(i, j));
+    let cells = cells.map(|(i, j)| planes.corners(i, j));
+    let error = error::<T>(cells.as_flattened(), tolerance);
+    // Twice the vectors from the link to the middle of the opposite sides.
+    let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
+    let ([along, u, v], error) = scaled([q - p, u, v], error);
+    let [one, other] = [u, v].map(|away| along.cross(away));
+    let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
+    if !(is_wide(one, u) && is_wide(other, v)) {
+        return FoldTest::Undecided;
+    }
+    // The error bound of the volume.
+    let off = 2.0 * margin * error * (u.cross(v).length() + 2.0 * one.length() + 2.0 * other.length());
+    if one.dot(other) > 0.0 && one.dot(v).abs() <= off { FoldTest::Folded } else { FoldTest::Unfolded }
+}
+
+/// The test of a cell: two opposite sides cross.
+fn in_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> FoldTest {
+    let points @ [a, b, c, d] = planes.corners(i, j);
+    let error = error::<T>(&points, tolerance);
+    let found = [cross([a, b], [d, c], error, margin), cross([a, d], [b, c], error, margin)];
+    if found.contains(&FoldTest::Folded) {
+        FoldTest::Folded
+    } else if points.iter().all(|point| point.is_finite()) {
+        FoldTest::Unfolded
+    } else {
+        FoldTest::Undecided
+    }
+}
+
+/// The test of two segments, p q and r s: they cross between their ends, or miss each other by less
+/// than the margin.
+fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTest {
+    let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
+    let normal = u.cross(v);
+    let (area, size) = (normal.length(), u.length() + v.length());
+    let is_wide = area * margin > 2.0 * error * size;
+    if !is_wide {
+        return FoldTest::Undecided;
+    }
+    let unit = normal / area;
+    // The parameters of the crossing, and their error bound.
+    let [t, w] = [across.cross(v), across.cross(u)].map(|cross| cross.dot(unit) / area);
+    let slack = 4.0 * error * size / area;
+    let slack = if margin > 1.0 { -slack } else { slack };
+    let is_between = |part: f64| part > slack && part < 1.0 - slack;
+    let is_near = across.dot(unit).abs() <= 2.0 * margin * error * (1.0 + across.length() * size / area);
+    if is_near && is_between(t) && is_between(w) { FoldTest::Folded } else { FoldTest::Unfolded }
+}

@@ -1,0 +1,57 @@
+//! The cells of hidden bridges, sorted by row.
+
+use crate::{Bridge, Net};
+use gusset_base::error::Result;
+use gusset_base::sort::Buckets;
+use std::ops::Range;
+
+/// Ranges of hidden cells in each row of cells.
+pub(crate) struct HiddenCells {
+    /// By row: the first column of cells and one past the last.
+    rows: Buckets<[u32; 2]>,
+    /// Cells in a row.
+    columns: usize,
+}
+
+impl HiddenCells {
+    /// O(rows + cells of hidden bridges).
+    pub(crate) fn of(net: &Net<'_>) -> Result<Self> {
+        let rows = net.shape().rows() - 1;
+        let hidden = net.bridges().iter().filter(|bridge| bridge.is_hidden());
+        let mut sorted = Buckets::new(rows, [0; 2], hidden.flat_map(ranges))?;
+        (0..rows).for_each(|row| sorted.get_mut(row).sort_unstable());
+        Ok(HiddenCells { rows: sorted, columns: net.shape().columns() - 1 })
+    }
+
+    /// True if no cell is hidden.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.rows.items().is_empty()
+    }
+
+    /// The ranges of a row of cells, in order; they may overlap.
+    pub(crate) fn row(&self, i: usize) -> &[[u32; 2]] {
+        self.rows.get(i)
+    }
+
+    /// True if the cell at (i, j) is hidden.
+    pub(crate) fn contains(&self, i: usize, j: usize) -> bool {
+        !self.is_empty() && self.row(i).iter().any(|&[from, to]| (from as usize..to as usize).contains(&j))
+    }
+
+    /// The runs of cells of row i that are not hidden, in order.
+    pub(crate) fn runs(&self, i: usize) -> impl Iterator<Item = Range<usize>> {
+        let end = [self.columns as u32, self.columns as u32];
+        let mut next = 0;
+        self.row(i).iter().copied().chain([end]).filter_map(move |[from, to]| {
+            let run = next..from as usize;
+            next = next.max(to as usize);
+            (!run.is_empty()).then_some(run)
+        })
+    }
+}
+
+/// The rows of cells of a bridge, and its range of columns in each.
+fn ranges(bridge: &Bridge) -> impl Iterator<Item = (usize, [u32; 2])> + Clone {
+    let (rows, columns) = bridge.direction.ordered(bridge.first_side()..bridge.at, bridge.start..bridge.end - 1);
+    rows.map(move |row| (row as usize, [columns.start, columns.end]))
+}

@@ -1,0 +1,179 @@
+//! Adapting a net before it is joined, flipped, replicated and rotated in this order, and undoing
+//! it.
+//!
+//! Invariant: [`restored`] inverts [`adapted`] bit for bit. If the gluing was not edited
+//! since, the topology is the recorded one. O(nodes).
+
+use super::JoinOptions;
+use crate::arrange::{closed_rows, map_seam, merge_seams};
+use crate::bridge::Adaptation;
+use crate::reformat::{copies, starts, starts_of_copies};
+use crate::topology::{Links, Matrix};
+use crate::{Bridge, Direction, Net, Planes, Real, Replication, Topology, each};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use std::sync::Arc;
+
+/// An adapted copy of a net, and the record of what was done.
+pub(super) type AdaptedNet = (Net<'static>, Arc<Adaptation>);
+
+/// A net as it is joined: an adapted copy, or `None` for the net itself. `flipped`: its face
+/// orientation is opposite to that of the others. `along`: the nodes of the side.
+pub(super) fn adapted(
+    net: &Net<'_>,
+    flipped: bool,
+    along: usize,
+    twist: u32,
+    options: &JoinOptions,
+    job: &Job<'_>,
+) -> Result<Option<AdaptedNet>> {
+    let (direction, axis) = (options.direction, options.direction.transposed());
+    if flipped && !options.turn {
+        return Err(Error::NetsOpposed);
+    }
+    let (across, nodes) = direction.extent(net.shape());
+    if !flipped && nodes == along && twist == 0 {
+        return Ok(None);
+    }
+    // Along the side, so that the order in the direction stays.
+    let mut made = if flipped { net.flipped(axis, &job.share(0, 3))? } else { net.copied()? };
+    let mut added = Vec::new();
+    if nodes != along {
+        let replication = options.equalise.unwrap_or_default();
+        added = copies(&starts(made.topology(), axis, along, replication, "nodes of a side")?)?;
+        let (rows, columns) = axis.ordered(along, across);
+        let replications = axis.ordered(replication, Replication::Last);
+        made = made.reformatted(rows, columns, replications.into(), &job.share(1, 3))?;
+    }
+    if twist > 0 {
+        made = rotated(&made, direction, twist, &job.share(2, 3))?;
+    }
+    let bridges = alloc::collect(net.bridges().iter().cloned())?;
+    let (joined, topology) = (made.shape(), net.topology().clone());
+    let adaptation = Adaptation { joined, flipped, copies: added, twist, topology, bridges };
+    Ok(Some((made, Arc::new(adaptation))))
+}
+
+/// Undoes the adaptation of a net, if it still has the size that it was joined with. An unedited
+/// topology becomes the recorded one; an edited one is mapped back.
+pub(super) fn restored(
+    net: Net<'static>,
+    adaptation: Option<&Adaptation>,
+    direction: Direction,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
+    let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined == net.shape()) else { return Ok(net) };
+    let axis = direction.transposed();
+    // A net that was mirrored since has the same gluing in the opposite orientation.
+    let adapted = adaptation.adapted_topology(direction)?;
+    let unedited = net.topology().clone().with_reversed(adapted.is_reversed()) == adapted;
+    let mut bridges = alloc::collect(net.bridges().iter().cloned())?;
+    let mut net = net;
+    if adaptation.twist > 0 {
+        let around = axis.extent(net.shape()).0 as u32 - 1;
+        net = rotated(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
+    }
+    net = net.without_lines(axis, &adaptation.copies, &job.share(1, 3))?;
+    if adaptation.flipped {
+        net = net.flipped(axis, &job.share(2, 3))?;
+    }
+    if unedited {
+        let reversed = net.topology().is_reversed();
+        net.set_topology(adaptation.topology.clone().with_reversed(reversed));
+    }
+    if bridges.len() == adaptation.bridges.len() {
+        for (bridge, old) in bridges.iter_mut().zip(&adaptation.bridges) {
+            *bridge = Bridge { mode: bridge.mode, properties: bridge.properties, ..old.clone() };
+        }
+        *net.bridges_mut() = bridges;
+    }
+    Ok(net)
+}
+
+impl Adaptation {
+    /// The topology that the net was joined with.
+    fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
+        self.topology.along(direction.transposed(), |topology| {
+            let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
+            let along = direction.extent(self.joined).1;
+            let replicated = flipped.rows_replicated(&starts_of_copies(along, &self.copies)?)?;
+            let twist = self.twist as usize;
+            if twist > 0 { rotate_rows(&replicated, twist % (along - 1)) } else { Ok(replicated) }
+        })
+    }
+}
+
+/// The net rotated by `twist` places along its closed side.
+fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
+    let (axis, shape) = (direction.transposed(), net.shape());
+    let (count, along) = axis.extent(shape);
+    let place = twist as usize % (count - 1);
+    let closed = |k: usize| net.topology().contracts(axis.link_across(shape, count - 1, k));
+    Error::require((0..along).all(closed), "twist", twist.into())?;
+    each!(net.coordinates(), planes => check_closed(planes, axis))?;
+    let topology = net.topology().along(axis, |topology| rotate_rows(topology, place))?;
+    let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
+    let mut made = net.with_lines(axis, &lines, topology, job)?;
+    // Bridges along the side rotate with it; others would be cut.
+    for bridge in net.bridges() {
+        Error::require(bridge.direction == direction, "twist", twist.into())?;
+        alloc::push(made.bridges_mut(), bridge.clone())?;
+    }
+    Ok(made)
+}
+
+/// [`Error::SidesApart`] unless the last row (`Down`) or column has the bits of the first: a
+/// rotation loses one of the two.
+fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> {
+    let (count, along) = axis.extent(planes.shape());
+    for k in 0..along {
+        let [(p, q), (r, s)] = [axis.ordered(0, k), axis.ordered(count - 1, k)];
+        let stride = planes.stride();
+        let same =
+            |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);
+        if !planes.matrices().into_iter().all(same) {
+            let distance = planes.get(p, q).distance(planes.get(r, s));
+            return Err(Error::SidesApart { place: k as u32, distance });
+        }
+    }
+    Ok(())
+}
+
+/// The topology of a net with closed columns whose row `by` becomes the first.
+fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
+    let shape = topology.shape();
+    let around = shape.rows() - 1;
+    let place = |i: usize| (i % around + around - by) % around;
+    let mut matrix = Matrix::empty(shape)?;
+    topology.contracted().for_each(|link| {
+        let (i, j) = shape.place(link / 2);
+        match (link % 2, i == around) {
+            // The last row is the first: a link along either is one along their common image.
+            (0, _) => {
+                let i = i % around;
+                matrix.set(shape.horizontal_link(place(i), j), true);
+                if i == by {
+                    matrix.set(shape.horizontal_link(around, j), true);
+                }
+            }
+            (_, true) => matrix.set(link, true),
+            (_, false) => matrix.set(shape.vertical_link(place(i), j), true),
+        }
+    });
+    let mut seams = Vec::new();
+    for &seam in topology.seams() {
+        map_seam(seam, |(i, j)| Some((place(i as usize) as i64, j)), &mut seams)?;
+    }
+    let mut seams = merge_seams(&seams)?;
+    // A seam between the last row and the first may now close rows, which links express once the
+    // net is cut out again.
+    seams.retain(|&seam| match closed_rows(shape, seam) {
+        Some(rows) => {
+            rows.for_each(|i| matrix.set(shape.horizontal_link(i, shape.columns() - 1), true));
+            false
+        }
+        None => true,
+    });
+    Ok(Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed()))
+}

@@ -1,0 +1,99 @@
+//! Coordinates of joined nets, bit for bit. O(nodes), bound by memory.
+
+use crate::arrange::build_planes;
+use crate::reformat::sums;
+use crate::{Coordinates, Direction, Net, Planes, Real, Shape};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use std::ops::Range;
+
+/// The matrices of all nets side by side, bit for bit, with so many `inner` rows or columns of
+/// zeros between.
+pub(super) fn join(
+    nets: &[&Net<'_>],
+    (direction, inner): (Direction, u32),
+    shape: Shape,
+    job: &Job<'_>,
+) -> Result<Coordinates<'static>> {
+    macro_rules! joined {
+        ($kind:ident) => {{
+            let mut parts = alloc::with_capacity(nets.len())?;
+            for net in nets {
+                match net.coordinates() {
+                    Coordinates::$kind(planes) => parts.push(planes),
+                    _ => return Err(Error::MixedScalars),
+                }
+            }
+            Coordinates::$kind(side_by_side(&parts, (direction, inner), shape, job)?)
+        }};
+    }
+    Ok(match nets[0].coordinates() {
+        Coordinates::F32(_) => joined!(F32),
+        Coordinates::F64(_) => joined!(F64),
+    })
+}
+
+fn side_by_side<T: Real>(
+    parts: &[&Planes<'_, T>],
+    (direction, inner): (Direction, u32),
+    shape: Shape,
+    job: &Job<'_>,
+) -> Result<Planes<'static, T>> {
+    let starts = starts(parts.iter().map(|part| part.shape()), direction, inner)?;
+    let columns = shape.columns();
+    match direction {
+        Direction::Down => {
+            build_planes(shape, job, |axis, rows, to| copy_rows(parts, &starts, axis, rows, columns, to))
+        }
+        Direction::Right => build_planes(shape, job, |axis, rows, to| {
+            for (part, &start) in parts.iter().zip(&starts) {
+                let (from, stride, width) = (part.matrices()[axis], part.stride(), part.shape().columns());
+                for (i, to) in rows.clone().zip(to.chunks_exact_mut(columns)) {
+                    to[start..start + width].copy_from_slice(&from[i * stride..][..width]);
+                }
+            }
+        }),
+    }
+}
+
+/// Where each net starts in a direction, if `inner` rows or columns follow each; one entry more
+/// than there are nets.
+pub(crate) fn starts(
+    shapes: impl ExactSizeIterator<Item = Shape>,
+    direction: Direction,
+    inner: u32,
+) -> Result<Vec<usize>> {
+    sums(shapes.map(|shape| direction.extent(shape).0 + inner as usize))
+}
+
+/// Fills rows with those of the nets that lie one below the other there.
+fn copy_rows<T: Real>(
+    parts: &[&Planes<'_, T>],
+    starts: &[usize],
+    axis: usize,
+    rows: Range<usize>,
+    columns: usize,
+    to: &mut [T],
+) {
+    let mut part = starts.partition_point(|&start| start <= rows.start) - 1;
+    let (mut i, mut to) = (rows.start, to);
+    while i < rows.end {
+        let (from, stride) = (parts[part].matrices()[axis], parts[part].stride());
+        let end = rows.end.min(starts[part + 1]);
+        let (here, rest) = to.split_at_mut((end - i) * columns);
+        let first = i - starts[part];
+        let own = parts[part].shape().rows().saturating_sub(first).min(end - i);
+        let here = &mut here[..own * columns];
+        if own == 0 {
+            // Rows between two nets, of which a range may begin anywhere.
+        } else if stride == columns {
+            here.copy_from_slice(&from[first * columns..][..here.len()]);
+        } else {
+            for (i, to) in (first..).zip(here.chunks_exact_mut(columns)) {
+                to.copy_from_slice(&from[i * stride..][..columns]);
+            }
+        }
+        (i, part, to) = (end, part + 1, rest);
+    }
+}

@@ -1,0 +1,213 @@
+//! Joining nets side by side, and splitting them again (Deryagin, "Concatenation", Figs. 8 and 9).
+//!
+//! The columns, or rows, of one net follow those of another; between them lies a row of new cells,
+//! the bridge. Nets of different sizes are reformatted first. The characteristic matrix is not
+//! closed under concatenation: the closing links of a net whose rows are closed would start at the
+//! other net's last column. They become a seam, so that every net stays what it was. Invariant:
+//! [`Net::split`] restores the nets bit for bit. O(nodes).
+//!
+//! A bridge may have inner rows of nodes, laid evenly on straight lines between its sides.
+//!
+//! `adapt` fits nets to each other, `topology` joins gluings, `matrices` coordinates, `inner` lays
+//! inner rows.
+
+mod adapt;
+mod inner;
+mod matrices;
+mod options;
+mod split;
+mod topology;
+
+pub(crate) use inner::lay_inner_rows;
+pub(crate) use matrices::starts;
+pub use options::JoinOptions;
+
+use super::{Bridge, BridgeMode, Direction, Net, Shape};
+use adapt::{AdaptedNet, adapted};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::geom::scale::distance;
+use gusset_base::job::Job;
+use std::sync::Arc;
+
+/// Joins two nets. O(nodes).
+///
+/// # Errors
+/// [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`],
+/// [`Error::OptionOutOfRange`] for the tolerance, for a twist of an open side and for inner rows
+/// that are to be welded, [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do
+/// not coincide, [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
+    join_mirrored(&[a, b], &[false; 2], options, job)
+}
+
+/// Joins any number of nets in one pass; a twist rotates each but the first. O(nodes).
+///
+/// # Errors
+/// As [`concatenate`], and [`Error::EmptyScene`] for no nets; places of sides that are apart count
+/// along the side.
+pub fn concatenate_all(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
+    let mirrored = alloc::filled(false, nets.len())?;
+    join_mirrored(nets, &mirrored, options, job)
+}
+
+/// Joins nets that the caller transforms afterwards; `mirrored`: which of them by a map that
+/// mirrors.
+pub(crate) fn join_mirrored(
+    nets: &[&Net<'_>],
+    mirrored: &[bool],
+    options: &JoinOptions,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
+    let Some(first) = nets.first() else { return Err(Error::EmptyScene) };
+    Error::require(options.tolerance >= 0.0, "tolerance", options.tolerance)?;
+    let mut along = 0;
+    for net in nets {
+        if net.coordinates().scalar() != first.coordinates().scalar() {
+            return Err(Error::MixedScalars);
+        }
+        let [a, b] = [first, net].map(|net| options.direction.extent(net.shape()).1);
+        if a != b && options.equalise.is_none() {
+            return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
+        }
+        along = along.max(b);
+    }
+    Error::require(options.mode != BridgeMode::Weld || options.rows == 0, "rows", options.rows.into())?;
+    joined_shape(nets, options, along)?;
+    let (mut copies, fitting) = (alloc::with_capacity(nets.len())?, job.part(0.0, 0.3));
+    let reversed = first.topology().is_reversed() != mirrored[0];
+    for (k, (net, &mirrored)) in nets.iter().zip(mirrored).enumerate() {
+        let part = fitting.share(k, nets.len());
+        if k % 256 == 0 {
+            part.step(0.0, "fitting nets")?;
+        }
+        let flip = (net.topology().is_reversed() != mirrored) != reversed;
+        let twist = if k == 0 { 0 } else { options.twist };
+        copies.push(adapted(net, flip, along, twist, options, &part)?);
+    }
+    let fitted = nets.iter().zip(&copies).map(|(&net, copy)| copy.as_ref().map_or(net, |(copy, _)| copy));
+    let nets: Vec<&Net<'_>> = alloc::collect(fitted)?;
+    if options.mode == BridgeMode::Weld {
+        nets.windows(2)
+            .try_for_each(|pair| check_coincident(pair[0], pair[1], options.direction, options.tolerance))?;
+    }
+    let topology = topology::join(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
+    let (sides, joining) = ((options.direction, options.rows), job.part(0.3, 0.9));
+    let coordinates = matrices::join(&nets, sides, topology.shape(), &joining)?;
+    let mut net = Net::new(coordinates, topology.with_reversed(reversed));
+    add_bridges(&mut net, &nets, &copies, options)?;
+    lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
+    Ok(net)
+}
+
+/// The shape of nets joined along sides of `along` nodes.
+fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, along: usize) -> Result<Shape> {
+    let inner = (options.rows as usize).saturating_mul(nets.len() - 1);
+    let across = nets.iter().map(|net| options.direction.extent(net.shape()).0).fold(inner, usize::saturating_add);
+    let (rows, columns) = options.direction.ordered(across, along);
+    Shape::new(rows, columns)
+}
+
+/// The nets' own bridges and those between them, in the order in which joining them one by one
+/// would make them. `copies`: the nets that were adapted.
+fn add_bridges(
+    net: &mut Net<'_>,
+    nets: &[&Net<'_>],
+    copies: &[Option<AdaptedNet>],
+    options: &JoinOptions,
+) -> Result<()> {
+    let direction = options.direction;
+    let along = direction.extent(net.shape()).1 as u32;
+    let record = |k: usize| copies[k].as_ref().map(|(_, record)| Arc::clone(record));
+    let mut at = 0;
+    for (k, part) in nets.iter().enumerate() {
+        let first = if k > 0 { at + options.rows } else { at };
+        for bridge in part.bridges() {
+            let bridge = bridge.shifted(direction, first);
+            alloc::push(net.bridges_mut(), Bridge { nesting: bridge.nesting.saturating_add(1), ..bridge })?;
+        }
+        if k > 0 {
+            let kind = topology::bridge_kind(nets[k - 1].topology(), part.topology(), direction);
+            at += options.rows;
+            let mut bridge = Bridge::new(direction, at, along, kind, options.mode);
+            (bridge.properties, bridge.rows) = (options.properties, options.rows);
+            // The record of a net is with the bridge before it, that of the first net with the
+            // bridge after it.
+            bridge.adaptations = [if k == 1 { record(0) } else { None }, record(k)];
+            alloc::push(net.bridges_mut(), bridge)?;
+        }
+        at += direction.extent(part.shape()).0 as u32;
+    }
+    Ok(())
+}
+
+impl Bridge {
+    /// The bridge once its net starts `by` nodes further on.
+    pub(crate) fn shifted(&self, direction: Direction, by: u32) -> Bridge {
+        let bridge = self.clone();
+        if self.direction == direction {
+            Bridge { at: self.at + by, ..bridge }
+        } else {
+            Bridge { start: self.start + by, end: self.end + by, ..bridge }
+        }
+    }
+}
+
+/// [`Error::SidesApart`] unless the last side of one net and the first of the other coincide: each
+/// pair of nodes is within the tolerance, or both are missing.
+fn check_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64) -> Result<()> {
+    let (across, along) = direction.extent(a.shape());
+    for k in 0..along {
+        let node = |net: &Net<'_>, i: usize| {
+            let (i, j) = direction.ordered(i, k);
+            net.get(i, j)
+        };
+        check_pair(node(a, across - 1), node(b, 0), k as u32, tolerance)?;
+    }
+    Ok(())
+}
+
+/// [`Error::SidesApart`] unless two nodes are within the tolerance, or both are missing.
+fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
+    let distance = distance(p, q);
+    let coincident = distance <= tolerance || !(p.is_finite() || q.is_finite());
+    if coincident { Ok(()) } else { Err(Error::SidesApart { place, distance }) }
+}
+
+impl Net<'_> {
+    /// Changes the treatment of the cells of a bridge. One with inner rows is not welded.
+    /// `tolerance`: the largest distance of nodes that are welded. O(nodes) if welding begins or
+    /// ends, else O(1).
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance and
+    /// for inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
+    pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
+        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
+        let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
+        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+        Error::require(mode != BridgeMode::Weld || bridge.rows == 0, "rows", bridge.rows.into())?;
+        let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
+        if weld && !welded {
+            for k in bridge.start as usize..bridge.end as usize {
+                let [p, q] = self.shape().ends(bridge.link(self.shape(), k)).map(|node| self.position(node));
+                check_pair(p, q, k as u32 - bridge.start, tolerance)?;
+            }
+        }
+        if weld != welded {
+            let topology = topology::welded(self.topology(), &bridge, weld)?;
+            self.set_topology(topology);
+        }
+        self.bridges_mut()[index].mode = mode;
+        Ok(())
+    }
+}
+
+impl Bridge {
+    /// The link across it at place `k` of the side.
+    fn link(&self, shape: Shape, k: usize) -> u32 {
+        self.direction.link_across(shape, self.at as usize - 1, k)
+    }
+}

@@ -1,0 +1,141 @@
+//! Splitting joined nets: the inverse of concatenation.
+//!
+//! Invariant: coordinates, links, seams and bridges of each part are bit for bit those of the net
+//! that was joined, unless the joined net was edited. O(nodes).
+
+use super::adapt::restored;
+use crate::arrange::Rearrangement;
+use crate::{Bridge, BridgeMode, Direction, Net, Topology};
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort;
+use std::ops::Range;
+
+impl Net<'_> {
+    /// The two nets on either side of a bridge, bit for bit and with the gluing that
+    /// [`concatenate`](super::concatenate) found, unless the net was edited since. The bridge must
+    /// run from side to side of the net; in a net joined of joined ones the last bridge does, and
+    /// splitting in reverse order restores all. Gluings across the bridge are cut. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`]
+    /// if a cell is crossed without the gluings across the bridge; [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
+        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
+        let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
+        let parts = cut(self, bridge.direction, &[index], &job.part(0.0, 0.5))?;
+        let [first, second] = <[_; 2]>::try_from(parts).map_err(|_| no_such)?;
+        let [a, b] = bridge.adaptations.each_ref().map(Option::as_deref);
+        let first = restored(first, a, bridge.direction, &job.part(0.5, 0.75))?;
+        Ok([first, restored(second, b, bridge.direction, &job.part(0.75, 1.0))?])
+    }
+
+    /// The nets between the last bridges of a direction that run from side to side, all at once:
+    /// the inverse of [`concatenate_all`](super::concatenate_all). O(nodes).
+    ///
+    /// # Errors
+    /// As [`Net::split`].
+    pub fn split_all(&self, direction: Direction, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
+        let whole = |bridge: &Bridge| bridge.direction == direction && bridge.is_whole(self.shape());
+        let last = self.bridges().iter().filter(|bridge| whole(bridge)).map(|bridge| bridge.nesting).min();
+        let whole = |bridge: &Bridge| whole(bridge) && Some(bridge.nesting) == last;
+        let all = self.bridges().iter().enumerate();
+        let mut indices = alloc::gather(all.filter(|(_, bridge)| whole(bridge)).map(|(index, _)| index))?;
+        sort::stable(&mut indices, &|&i, &k| self.bridges()[i].at.cmp(&self.bridges()[k].at).then(i.cmp(&k)));
+        indices.dedup_by_key(|index| self.bridges()[*index].at);
+        let parts = cut(self, direction, &indices, &job.part(0.0, 0.5))?;
+        let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.part(0.5, 1.0));
+        for (k, part) in parts.into_iter().enumerate() {
+            // The record of a net is with the bridge before it, that of the first net with the
+            // bridge after it.
+            let adaptation = match k {
+                0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
+                _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),
+            };
+            nets.push(restored(part, adaptation, direction, &job.share(k, count))?);
+        }
+        Ok(nets)
+    }
+}
+
+/// The nets before, between and after bridges in order, which are removed with their inner rows.
+fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
+    let count = direction.extent(net.shape()).0;
+    let cuts = removed.iter().map(|&index| &net.bridges()[index]);
+    let starts = [0].into_iter().chain(cuts.clone().map(|bridge| bridge.at as usize));
+    let ends = cuts.map(|bridge| bridge.first_side() as usize + 1).chain([count]);
+    let ranges = alloc::gather(starts.zip(ends).map(|(start, end)| start..end))?;
+    let topologies = match direction {
+        Direction::Down => net.topology().rows_cut(&ranges)?,
+        Direction::Right => {
+            alloc::try_collect(net.topology().transposed()?.rows_cut(&ranges)?.iter().map(Topology::transposed))?
+        }
+    };
+    let welded = removed.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
+    let crossed = crossed(net.topology(), direction, &ranges)?;
+    let bridges = bridges_cut(net, direction, &ranges, removed)?;
+    let mut parts = alloc::with_capacity(ranges.len())?;
+    for (k, ((range, topology), bridges)) in ranges.iter().zip(topologies).zip(bridges).enumerate() {
+        if welded || crossed[k] {
+            topology.check_crossings()?;
+        }
+        let (row, column) = direction.ordered(range.start, 0);
+        let map = Rearrangement::Part { row, column };
+        let mut part = net.rearranged(&map, topology, &job.share(k, ranges.len()))?;
+        *part.bridges_mut() = bridges;
+        let innermost = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
+        part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= innermost);
+        parts.push(part);
+    }
+    Ok(parts)
+}
+
+/// For each range, whether a seam glues nodes of it to others.
+fn crossed(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -> Result<Vec<bool>> {
+    let mut crossed = alloc::filled(false, ranges.len())?;
+    for seam in topology.seams() {
+        let range = |(i, j): (i64, i64)| {
+            let (at, _) = direction.ordered(i, j);
+            ranges.partition_point(|range| range.end as i64 <= at)
+        };
+        let ends = [seam.a, seam.b].map(|run| [range(run.place(0)), range(run.place(seam.count - 1))]);
+        let ends = ends.as_flattened();
+        let (low, high) = ends.iter().fold((ends[0], ends[0]), |(low, high), &k| (low.min(k), high.max(k)));
+        if low < high {
+            crossed[low..=high].fill(true);
+        }
+    }
+    Ok(crossed)
+}
+
+/// Each range's bridges, in order.
+fn bridges_cut(
+    net: &Net<'_>,
+    direction: Direction,
+    ranges: &[Range<usize>],
+    removed: &[usize],
+) -> Result<Vec<Vec<Bridge>>> {
+    let shape = net.shape();
+    let all = 0..direction.extent(shape).1;
+    let mut cut = alloc::filled(Vec::new(), ranges.len())?;
+    let mut is_removed = alloc::filled(false, net.bridges().len())?;
+    removed.iter().for_each(|&index| is_removed[index] = true);
+    for bridge in net.bridges().iter().zip(is_removed).filter_map(|(bridge, removed)| (!removed).then_some(bridge)) {
+        let (low, high) = if bridge.direction == direction {
+            (bridge.first_side() as usize, bridge.at as usize)
+        } else {
+            (bridge.start as usize, bridge.end as usize - 1)
+        };
+        let from = ranges.partition_point(|range| range.end <= low);
+        for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
+        {
+            let (rows, columns) = direction.ordered(range, &all);
+            if let Some(bridge) = bridge.clipped_to(rows, columns) {
+                alloc::push(bridges, bridge)?;
+            }
+        }
+    }
+    Ok(cut)
+}

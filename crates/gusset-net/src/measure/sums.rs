@@ -1,0 +1,233 @@
+//! Area, volume and bounding box, row by row in vector lanes. O(nodes), no memory that depends on
+//! the net.
+
+use crate::chunks::lines_per_block;
+use crate::hidden_cells::HiddenCells;
+use crate::{Net, Planes, Real, each};
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_base::simd::{self, Kernel};
+
+/// Cells, or nodes, that are computed before they are summed.
+const CHUNK: usize = 64;
+
+/// Partial sums that are accumulated in parallel.
+const LANES: usize = 8;
+
+/// The results of [`measure`]. Cells that touch a missing node, or belong to a hidden bridge, do
+/// not count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measures {
+    /// The area of all cells.
+    pub area: f64,
+    /// The sum of the area vectors; zero for closed surfaces.
+    pub area_vector: DVec3,
+    /// The enclosed volume of a closed surface, positive if the normals point outwards. Of an open
+    /// surface: that of the cone over it with its apex at the first existing node.
+    pub volume: f64,
+    /// The smallest coordinates of existing nodes; above `high` if there are none.
+    pub low: DVec3,
+    /// The largest coordinates.
+    pub high: DVec3,
+}
+
+/// Area, volume and box. O(nodes), no memory that depends on the net.
+///
+/// # Errors
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled),
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
+    let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
+    let origin = origin(net);
+    let total = each!(net.coordinates(), planes => {
+        let hidden = HiddenCells::of(net)?;
+        let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
+        let parts = par::map_cancellable(&part, "measure", par::ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
+            rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
+        })?;
+        parts.into_iter().fold(Sums::default(), Sums::add)
+    });
+    let Aabb { low, high } = bounds(net, &job.part(0.7, 1.0))?;
+    Ok(Measures {
+        area: total.lengths / 2.0,
+        area_vector: sign * total.vector / 2.0,
+        volume: sign * total.cones / 24.0,
+        low,
+        high,
+    })
+}
+
+/// The first existing node. Volumes and moments are computed about it, as distant nets would lose
+/// digits.
+pub(super) fn origin(net: &Net<'_>) -> DVec3 {
+    let shape = net.shape();
+    let nodes = (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
+    nodes.map(|(i, j)| net.get(i, j)).find(|point| point.is_finite()).unwrap_or(DVec3::ZERO)
+}
+
+/// Twice the area and the area vector, and 24 times the volume.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    lengths: f64,
+    vector: DVec3,
+    cones: f64,
+}
+
+impl Sums {
+    fn add(self, other: Sums) -> Sums {
+        Sums {
+            lengths: self.lengths + other.lengths,
+            vector: self.vector + other.vector,
+            cones: self.cones + other.cones,
+        }
+    }
+}
+
+fn row<T: Real>(planes: &Planes<'_, T>, hidden: &HiddenCells, i: usize, origin: DVec3) -> Sums {
+    let (above, below) = (planes.row(i), planes.row(i + 1));
+    hidden.runs(i).fold(Sums::default(), |sums, run| {
+        let nodes = run.start..run.end + 1;
+        let rows = [above, below].map(|rows| rows.map(|row| &row[nodes.clone()]));
+        sums.add(simd::run(Strip { rows, origin: origin.to_array() }))
+    })
+}
+
+/// A row of cells between two rows of nodes.
+struct Strip<'a, T> {
+    rows: [[&'a [T]; 3]; 2],
+    origin: [f64; 3],
+}
+
+impl<T: Real> Kernel for Strip<'_, T> {
+    type Output = Sums;
+
+    #[inline(always)]
+    fn run(self) -> Sums {
+        let [above, below] = self.rows;
+        let mut lanes = [[0.0; LANES]; 5];
+        let mut cells = [[0.0; CHUNK]; 5];
+        for start in (0..above[0].len() - 1).step_by(CHUNK) {
+            let nodes = start..above[0].len().min(start + CHUNK + 1);
+            // The entries that the last, shorter run does not overwrite.
+            cells.iter_mut().for_each(|values| values[nodes.len() - 1..].fill(0.0));
+            fill(above.map(|row| &row[nodes.clone()]), below.map(|row| &row[nodes.clone()]), self.origin, &mut cells);
+            for (lanes, values) in lanes.iter_mut().zip(&cells) {
+                for part in values.as_chunks::<LANES>().0 {
+                    (0..LANES).for_each(|lane| lanes[lane] += part[lane]);
+                }
+            }
+        }
+        let [lengths, x, y, z, cones] = lanes.map(|lanes| lanes.into_iter().sum());
+        Sums { lengths, vector: DVec3::new(x, y, z), cones }
+    }
+}
+
+/// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for
+/// cells with a missing corner.
+#[inline(always)]
+fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &mut [[f64; CHUNK]; 5]) {
+    let [lengths, n_x, n_y, n_z, cones] = cells;
+    let count = CHUNK.min(above[0].len() - 1);
+    // Of equal length, so that the loop has no bounds checks.
+    let [a_x, a_y, a_z] = above.map(|row| &row[..=count]);
+    let [d_x, d_y, d_z] = below.map(|row| &row[..=count]);
+    for j in 0..count {
+        let a: [f64; 3] = [a_x[j].into(), a_y[j].into(), a_z[j].into()];
+        let b: [f64; 3] = [a_x[j + 1].into(), a_y[j + 1].into(), a_z[j + 1].into()];
+        let c: [f64; 3] = [d_x[j + 1].into(), d_y[j + 1].into(), d_z[j + 1].into()];
+        let d: [f64; 3] = [d_x[j].into(), d_y[j].into(), d_z[j].into()];
+        let p: [f64; 3] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+        let q: [f64; 3] = [d[0] - b[0], d[1] - b[1], d[2] - b[2]];
+        let sum = [(a[0] + c[0]) + (b[0] + d[0]), (a[1] + c[1]) + (b[1] + d[1]), (a[2] + c[2]) + (b[2] + d[2])];
+        let n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+        let r = [sum[0] - 4.0 * origin[0], sum[1] - 4.0 * origin[1], sum[2] - 4.0 * origin[2]];
+        // 0 times a coordinate is 0 unless it is NaN or infinite.
+        let exists = 0.0 * sum[0] + 0.0 * sum[1] + 0.0 * sum[2] == 0.0;
+        lengths[j] = if exists { (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt() } else { 0.0 };
+        n_x[j] = if exists { n[0] } else { 0.0 };
+        n_y[j] = if exists { n[1] } else { 0.0 };
+        n_z[j] = if exists { n[2] } else { 0.0 };
+        cones[j] = if exists { r[0] * n[0] + r[1] * n[1] + r[2] * n[2] } else { 0.0 };
+    }
+}
+
+/// The bounding box of all existing nodes.
+///
+/// # Errors
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<Aabb> {
+    each!(net.coordinates(), planes => {
+        let lines = lines_per_block(net.shape().columns());
+        let parts = par::map_cancellable(job, "measure", par::ranges(net.shape().rows(), lines), |rows| {
+            rows.fold(Aabb::EMPTY, |bounds, i| bounds.union(simd::run(RowBounds(planes.row(i)))))
+        })?;
+        Ok(parts.into_iter().fold(Aabb::EMPTY, Aabb::union))
+    })
+}
+
+/// The bounding box of a row of nodes.
+struct RowBounds<'a, T>([&'a [T]; 3]);
+
+impl<T: Real> Kernel for RowBounds<'_, T> {
+    type Output = Aabb;
+
+    #[inline(always)]
+    fn run(self) -> Aabb {
+        let mut low = [[T::of(f64::INFINITY); LANES]; 3];
+        let mut high = [[T::of(f64::NEG_INFINITY); LANES]; 3];
+        for start in (0..self.0[0].len()).step_by(CHUNK) {
+            let rows = self.0.map(|row| &row[start..row.len().min(start + CHUNK)]);
+            extend(rows, &mut low, &mut high);
+        }
+        let ends = |lanes: [[T; LANES]; 3], choose: fn(f64, f64) -> f64| {
+            DVec3::from_array(lanes.map(|lanes| lanes.into_iter().map(T::into).reduce(choose).unwrap_or(f64::NAN)))
+        };
+        Aabb { low: ends(low, f64::min), high: ends(high, f64::max) }
+    }
+}
+
+#[inline(always)]
+fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
+    let count = CHUNK.min(rows[0].len());
+    let [x, y, z] = rows.map(|row| &row[..count]);
+    // 0, and NaN for missing nodes, which compares as neither smaller nor larger. Entries after the
+    // last node are missing too.
+    let (zero, mut missing) = (T::of(0.0), [T::of(f64::NAN); CHUNK]);
+    for j in 0..count {
+        missing[j] = zero * x[j] + zero * y[j] + zero * z[j];
+    }
+    for (axis, row) in [x, y, z].into_iter().enumerate() {
+        let mut values = missing;
+        for j in 0..count {
+            values[j] = row[j] + values[j];
+        }
+        let (mut min, mut max) = (low[axis], high[axis]);
+        for part in values.as_chunks::<LANES>().0 {
+            for lane in 0..LANES {
+                min[lane] = if part[lane] < min[lane] { part[lane] } else { min[lane] };
+                max[lane] = if part[lane] > max[lane] { part[lane] } else { max[lane] };
+            }
+        }
+        (low[axis], high[axis]) = (min, max);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        let numbers = |k: usize| (0..2 * CHUNK + 13).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows: [Vec<f32>; 6] = std::array::from_fn(|k| numbers(2 * k + 3));
+        let rows = [0, 3].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
+        let strip = || Strip { rows, origin: [0.5, -1.0, 2.0] };
+        let bits =
+            |sums: Sums| [sums.lengths, sums.vector.x, sums.vector.y, sums.vector.z, sums.cones].map(f64::to_bits);
+        assert_eq!(bits(simd::run(strip())), bits(strip().run()));
+        assert_eq!(simd::run(RowBounds(rows[0])), RowBounds(rows[0]).run());
+    }
+}

@@ -1,0 +1,209 @@
+//! The net: coordinates, topology and bridges (Deryagin, "Model").
+//!
+//! Invariant: coordinates and topology have one shape. Accessors are O(1).
+
+use super::{Bridge, Planes, Real, Shape, Topology};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_mesh::mesh::Scalar;
+
+/// The coordinate matrices of a net, in one of two types.
+#[derive(Debug)]
+pub enum Coordinates<'a> {
+    /// Single precision: 12 bytes a node.
+    F32(Planes<'a, f32>),
+    /// Double precision: 24 bytes a node.
+    F64(Planes<'a, f64>),
+}
+
+/// Evaluates one body for coordinates of either type: `each!(&net.coordinates, planes => body)`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! each {
+    ($coordinates:expr, $planes:ident => $body:expr) => {
+        match $coordinates {
+            $crate::Coordinates::F32($planes) => $body,
+            $crate::Coordinates::F64($planes) => $body,
+        }
+    };
+}
+
+impl<'a> From<Planes<'a, f32>> for Coordinates<'a> {
+    fn from(planes: Planes<'a, f32>) -> Self {
+        Coordinates::F32(planes)
+    }
+}
+
+impl<'a> From<Planes<'a, f64>> for Coordinates<'a> {
+    fn from(planes: Planes<'a, f64>) -> Self {
+        Coordinates::F64(planes)
+    }
+}
+
+impl Coordinates<'_> {
+    /// Owned zeros.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn zeroed(shape: Shape, scalar: Scalar) -> Result<Coordinates<'static>> {
+        Ok(match scalar {
+            Scalar::F32 => Coordinates::F32(Planes::zeroed(shape)?),
+            Scalar::F64 => Coordinates::F64(Planes::zeroed(shape)?),
+        })
+    }
+
+    /// The type.
+    pub fn scalar(&self) -> Scalar {
+        match self {
+            Coordinates::F32(_) => Scalar::F32,
+            Coordinates::F64(_) => Scalar::F64,
+        }
+    }
+
+    /// The size of the matrices.
+    pub fn shape(&self) -> Shape {
+        each!(self, planes => planes.shape())
+    }
+
+    /// Node (i, j) in double precision, which is exact.
+    pub fn get(&self, i: usize, j: usize) -> DVec3 {
+        each!(self, planes => planes.get(i, j))
+    }
+
+    /// Moves node (i, j), rounding to the type of the coordinates.
+    pub fn set(&mut self, i: usize, j: usize, position: DVec3) {
+        each!(self, planes => planes.set(i, j, position));
+    }
+
+    /// True for borrowed memory.
+    pub fn is_borrowed(&self) -> bool {
+        each!(self, planes => planes.is_borrowed())
+    }
+
+    /// An owned copy, bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn copied(&self) -> Result<Coordinates<'static>> {
+        each!(self, planes => planes.copied().map(Coordinates::from))
+    }
+}
+
+/// A tetragonal regular network: H x W nodes in space, their gluing, and the bridges between the
+/// nets that it was joined from.
+///
+/// A node with a coordinate that is NaN or infinite is missing. A cell exists if its four nodes are
+/// not missing, and it belongs to no hidden bridge. A missing node does not affect the nodes that
+/// are glued to it: their cells exist, and the vertex lies at the first of its nodes that is not
+/// missing. [`Complex::of`](super::complex::Complex::of) and [`Net::to_mesh`] follow this rule.
+#[derive(Debug)]
+pub struct Net<'a> {
+    coordinates: Coordinates<'a>,
+    topology: Topology,
+    bridges: Vec<Bridge>,
+}
+
+impl<'a> Net<'a> {
+    /// A net of coordinates and a topology of the same size.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn new(coordinates: Coordinates<'a>, topology: Topology) -> Self {
+        assert_eq!(coordinates.shape(), topology.shape(), "coordinates and topology of one size");
+        Net { coordinates, topology, bridges: Vec::new() }
+    }
+
+    /// A net from a function of row and column.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn from_fn(
+        topology: Topology,
+        scalar: Scalar,
+        mut position: impl FnMut(usize, usize) -> DVec3,
+    ) -> Result<Net<'static>> {
+        let shape = topology.shape();
+        let mut coordinates = Coordinates::zeroed(shape, scalar)?;
+        for i in 0..shape.rows() {
+            (0..shape.columns()).for_each(|j| coordinates.set(i, j, position(i, j)));
+        }
+        Ok(Net::new(coordinates, topology))
+    }
+
+    /// The size.
+    pub fn shape(&self) -> Shape {
+        self.topology.shape()
+    }
+
+    /// The coordinate matrices.
+    pub fn coordinates(&self) -> &Coordinates<'a> {
+        &self.coordinates
+    }
+
+    /// The coordinate matrices, mutable.
+    pub fn coordinates_mut(&mut self) -> &mut Coordinates<'a> {
+        &mut self.coordinates
+    }
+
+    /// The gluing.
+    pub fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    /// Replaces the gluing. Positions stay.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn set_topology(&mut self, topology: Topology) {
+        assert_eq!(self.shape(), topology.shape(), "coordinates and topology of one size");
+        self.topology = topology;
+    }
+
+    /// The bridges between the nets that this one was joined from.
+    pub fn bridges(&self) -> &[Bridge] {
+        &self.bridges
+    }
+
+    /// The bridges, mutable.
+    pub fn bridges_mut(&mut self) -> &mut Vec<Bridge> {
+        &mut self.bridges
+    }
+
+    /// Node (i, j) in double precision.
+    pub fn get(&self, i: usize, j: usize) -> DVec3 {
+        self.coordinates.get(i, j)
+    }
+
+    /// The position of a node in double precision.
+    pub(crate) fn position(&self, node: u32) -> DVec3 {
+        let (i, j) = self.shape().place(node);
+        self.get(i, j)
+    }
+
+    /// A copy with coordinates of the given type. Rounding to single precision keeps glued nodes
+    /// equal; a coordinate that overflows becomes infinite, and the node missing.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
+        fn planes<A: Real, B: Real>(from: &Planes<'_, A>) -> Result<Planes<'static, B>> {
+            from.converted(|to, from| to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::of(from.into())))
+        }
+        let coordinates = match scalar {
+            _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,
+            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => planes(from)?)),
+            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => planes(from)?)),
+        };
+        let bridges = alloc::collect(self.bridges.iter().cloned())?;
+        Ok(Net { coordinates, topology: self.topology.copied()?, bridges })
+    }
+
+    /// An owned copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn copied(&self) -> Result<Net<'static>> {
+        self.converted(self.coordinates.scalar())
+    }
+}

@@ -1,0 +1,170 @@
+//! The constraints that cells are plane, and their linear equations. O(cells) each.
+
+use super::order::order;
+use super::surface::Surface;
+use crate::hidden_cells::HiddenCells;
+use crate::{Net, Sides};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::{self, Buckets};
+use gusset_base::sparse::Symmetric;
+
+/// Cells between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 14;
+
+/// The cells with four different corners, in an order of elimination.
+pub(super) struct Constraints {
+    /// The vertices that are their corners, a, b, c, d.
+    corners: Vec<[u32; 4]>,
+    /// Their numbers in the net.
+    numbers: Vec<u32>,
+    /// Of each vertex its cells, in order.
+    cells: Buckets<u32>,
+    /// True of vertices that stay.
+    fixed: Vec<bool>,
+}
+
+/// A constraint near some positions: its value there, and its gradient, which is the normal times a
+/// weight at each corner. All are divided by the length of the gradient.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Row {
+    normal: DVec3,
+    weights: [f64; 4],
+    value: f64,
+    /// What was divided by; infinite if the gradient is 0.
+    length: f64,
+}
+
+impl Constraints {
+    pub(super) fn new(net: &Net<'_>, surface: &Surface, job: &Job<'_>) -> Result<Self> {
+        let (shape, hidden) = (net.shape(), HiddenCells::of(net)?);
+        let (mut corners, mut numbers) = (Vec::new(), Vec::new());
+        let is_glued = net.topology().sides() != Some(Sides::SHEET) || !net.topology().seams().is_empty();
+        let mut done = 0;
+        order([shape.rows() - 1, shape.columns() - 1], is_glued, &mut |i, j| {
+            job.step_every(REPORT_INTERVAL, done, shape.cell_count(), "planarise")?;
+            done += 1;
+            let [a, b, c, d] = surface.classes.corners(i, j);
+            let is_quad = a != b && a != c && a != d && b != c && b != d && c != d;
+            if is_quad && !hidden.contains(i, j) && shape.corners(i, j).into_iter().all(|n| net.position(n).is_finite())
+            {
+                alloc::push(&mut corners, [a, b, c, d])?;
+                alloc::push(&mut numbers, (i * (shape.columns() - 1) + j) as u32)?;
+            }
+            Ok(())
+        })?;
+        let entries = corners.iter().zip(0u32..).flat_map(|(corners, k)| corners.map(|v| (v as usize, k)));
+        let cells = Buckets::new(shape.node_count(), 0, entries)?;
+        Ok(Constraints { corners, numbers, cells, fixed: alloc::copied(&surface.fixed)? })
+    }
+
+    /// The vertices of the cells.
+    pub(super) fn vertices(&self) -> impl Iterator<Item = usize> {
+        (0..self.fixed.len()).filter(|&v| !self.cells.get(v).is_empty())
+    }
+
+    /// The largest distance of the corners of a cell from its mean plane, and the number of the cell.
+    pub(super) fn deviation(&self, positions: &[DVec3]) -> (f64, Option<u32>) {
+        let mut worst = (0.0, self.numbers.first().copied());
+        for (corners, &number) in self.corners.iter().zip(&self.numbers) {
+            let [a, b, c, d] = corners.map(|v| positions[v as usize]);
+            let normal = (c - a).cross(d - b).normalize_or_zero();
+            let distance = ((a - b) + (c - d)).dot(normal).abs() / 4.0;
+            if distance > worst.0 {
+                worst = (distance, Some(number));
+            }
+        }
+        worst
+    }
+
+    /// The constraints near some positions.
+    ///
+    /// The value is the signed distance of the lines through a and c and through b and d. It changes
+    /// as the points of the lines where they are nearest are displaced along the normal of both: if
+    /// they are a + s (c - a) and b + t (d - b), by -(1 - s), 1 - t, -s and t times the displacements
+    /// of a, b, c and d.
+    pub(super) fn linearise(&self, positions: &[DVec3]) -> Result<Vec<Row>> {
+        alloc::collect(self.corners.iter().map(|corners| {
+            let [a, b, c, d] = corners.map(|v| positions[v as usize]);
+            let (p, q, r) = (c - a, d - b, b - a);
+            let cross = p.cross(q);
+            let (normal, square) = (cross.normalize_or_zero(), cross.length_squared());
+            let (s, t) = (r.cross(q).dot(cross) / square, r.cross(p).dot(cross) / square);
+            let weights = [s - 1.0, 1.0 - t, -s, t];
+            let free = [0, 1, 2, 3].map(|k| if self.fixed[corners[k] as usize] { 0.0 } else { weights[k] });
+            let length = free.iter().map(|w| w * w).sum::<f64>().sqrt();
+            if !(length > 0.0 && length.is_finite()) {
+                return Row { length: f64::INFINITY, ..Row::default() };
+            }
+            Row { normal, weights: free.map(|w| w / length), value: r.dot(normal) / length, length }
+        }))
+    }
+
+    /// The sum of the squares of the constraints at other positions, each divided by the length of
+    /// its row.
+    pub(super) fn squares(&self, rows: &[Row], positions: &[DVec3]) -> f64 {
+        let square = |(corners, row): (&[u32; 4], &Row)| {
+            let [a, b, c, d] = corners.map(|v| positions[v as usize]);
+            ((b - a).dot((c - a).cross(d - b).normalize_or_zero()) / row.length).powi(2)
+        };
+        self.corners.iter().zip(rows).map(square).sum()
+    }
+
+    /// The displacements -J^T y from `base`, y being the solution of (J J^T + penalty) y = g + J
+    /// (base - positions).
+    pub(super) fn step(
+        &self,
+        rows: &[Row],
+        [base, positions]: [&[DVec3]; 2],
+        penalty: f64,
+        job: &Job<'_>,
+    ) -> Result<Vec<DVec3>> {
+        let matrix = self.matrix(rows, penalty, &job.part(0.0, 0.2))?;
+        let mut solution = alloc::collect(self.corners.iter().zip(rows).map(|(corners, row)| {
+            let change =
+                |k: usize| row.weights[k] * row.normal.dot(base[corners[k] as usize] - positions[corners[k] as usize]);
+            DVec3::new(
+                row.value + (0..4).map(|k| if row.weights[k] == 0.0 { 0.0 } else { change(k) }).sum::<f64>(),
+                0.0,
+                0.0,
+            )
+        }))?;
+        matrix.factor(&job.part(0.2, 0.9))?.solve(&mut solution, &job.part(0.9, 1.0))?;
+        let mut moved = alloc::copied(base)?;
+        for ((corners, row), y) in self.corners.iter().zip(rows).zip(solution) {
+            for (&v, weight) in corners.iter().zip(row.weights).filter(|&(_, weight)| weight != 0.0) {
+                moved[v as usize] -= weight * y.x * row.normal;
+            }
+        }
+        Ok(moved)
+    }
+
+    /// J J^T + penalty: cells that share a vertex are coupled.
+    fn matrix(&self, rows: &[Row], penalty: f64, job: &Job<'_>) -> Result<Symmetric> {
+        let n = rows.len();
+        let (mut start, mut entries) = (alloc::with_capacity(n + 1)?, alloc::with_capacity(4 * n)?);
+        start.push(0);
+        let mut column: Vec<(u32, f64)> = Vec::new();
+        for k in 0..n {
+            job.step_every(REPORT_INTERVAL, k, n, "planarise")?;
+            column.clear();
+            for (slot, &v) in self.corners[k].iter().enumerate().filter(|&(slot, _)| rows[k].weights[slot] != 0.0) {
+                for &other in self.cells.get(v as usize).iter().take_while(|&&other| (other as usize) < k) {
+                    let row = &rows[other as usize];
+                    let place = self.corners[other as usize].iter().position(|&corner| corner == v).unwrap_or(0);
+                    let value = rows[k].weights[slot] * row.weights[place] * rows[k].normal.dot(row.normal);
+                    alloc::push(&mut column, (other, value))?;
+                }
+            }
+            sort::stable(&mut column, &|a: &(u32, f64), b| a.0.cmp(&b.0));
+            for same in column.chunk_by(|a, b| a.0 == b.0) {
+                alloc::push(&mut entries, (same[0].0, same.iter().map(|&(_, value)| value).sum()))?;
+            }
+            start.push(entries.len());
+        }
+        let diagonal = rows.iter().map(|row| if row.length.is_finite() { 1.0 + penalty } else { 0.0 });
+        Ok(Symmetric { start, entries, diagonal: alloc::collect(diagonal)? })
+    }
+}

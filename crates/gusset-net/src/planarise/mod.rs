@@ -1,0 +1,131 @@
+//! Nets whose cells are made plane (Deryagin, "Soft deformations": plane trapezoid cells, the
+//! facing of smooth surfaces by quadrangular tiles).
+//!
+//! A cell with corners a, b, c, d is plane if its diagonals meet: g = n . (b - a) = 0, n being the
+//! unit normal of both. Of the nets with plane cells the one nearest to the net is sought:
+//!
+//! ```text
+//! minimise |x - x0|^2 / 2  subject to  g_k(x) = 0 for each cell k,
+//! ```
+//!
+//! x being the positions of the vertices, the points that glued nodes are. Its stationary points
+//! have x - x0 = -J^T y, J being the Jacobian of g. With a penalty |g|^2 / (2 m) in place of the
+//! constraints, Gauss's and Newton's step solves (J J^T + m) y = g + J (x0 - x), a sparse system of
+//! one unknown a cell, and goes to x0 - J^T y; m falls from step to step, and lengths of steps are
+//! halved until the penalised sum falls. What is left of g is then taken away by Newton's steps of
+//! least length, x - J^T (J J^T)^-1 g, which converge quadratically. The problem is that of
+//! Y. Liu et al., *Geometric modeling with conical meshes and developable surfaces* (2006), section
+//! 2, without their terms of fairness.
+//!
+//! Cost of a step: the factor of a matrix with nine entries a row, O(n^1.5) operations and
+//! O(n log n) memory for n cells. One thread: the same bits always.
+
+mod constraints;
+mod options;
+pub(crate) mod order;
+mod search;
+pub(crate) mod surface;
+
+use super::Net;
+use constraints::Constraints;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_mesh::mesh::Scalar;
+pub use options::PlanariseOptions;
+use search::Search;
+use surface::Surface;
+
+/// What was done to a net.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Planarised {
+    /// The diagonal of the net's bounding box, before.
+    pub size: f64,
+    /// The distance up to which a cell is plane: the tolerance times the size.
+    pub tolerance: f64,
+    /// The largest distance of the corners of a cell from its mean plane, before.
+    pub deviation_before: f64,
+    /// The same of the net as it is stored now.
+    pub deviation_after: f64,
+    /// The cell that has it; `None` without cells of four corners.
+    pub worst_cell: Option<u32>,
+    /// The largest displacement of a vertex.
+    pub max_displacement: f64,
+    /// The root of the mean square of the displacements of all vertices of such cells.
+    pub rms_displacement: f64,
+    /// The steps taken; 0 if all cells were plane.
+    pub iterations: u32,
+    /// True if `deviation_after` is within the tolerance.
+    pub converged: bool,
+}
+
+/// The steps unless options say otherwise.
+const DEFAULT_ITERATIONS: u32 = 100;
+
+/// Moves the nodes of a net as little as possible so that its cells are plane.
+///
+/// Cells that glue or missing nodes leave with three corners or less are plane already, and hidden
+/// ones do not count. If no cell is farther from its plane than the tolerance, no bit changes; that
+/// the steps did not converge is told by the result, and the net is then as near as they came.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
+/// [`Error::ArrayTooShort`] for flags of some nodes only, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`]. The net is then unchanged.
+pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Planarised> {
+    let relative = tolerance(net, options)?;
+    job.step(0.0, "planarise")?;
+    let surface = Surface::of(net, options, &job.part(0.0, 0.05))?;
+    let constraints = Constraints::new(net, &surface, &job.part(0.05, 0.1))?;
+    let (deviation_before, worst_cell) = constraints.deviation(&surface.positions);
+    let tolerance = relative * surface.size;
+    let unit = surface.unit;
+    let mut report = Planarised {
+        size: surface.size * unit,
+        tolerance: tolerance * unit,
+        deviation_before: deviation_before * unit,
+        deviation_after: deviation_before * unit,
+        worst_cell,
+        max_displacement: 0.0,
+        rms_displacement: 0.0,
+        iterations: 0,
+        converged: deviation_before <= tolerance,
+    };
+    if report.converged {
+        return Ok(report);
+    }
+    let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
+    // Rounding to the net's type needs some room below the tolerance.
+    let mut search = Search::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.part(0.1, 0.98));
+    let mut stored = search.run()?;
+    report.iterations = search.done;
+    surface.round(&mut stored, net.coordinates().scalar());
+    let (deviation_after, worst_cell) = constraints.deviation(&stored);
+    (report.deviation_after, report.worst_cell) = (deviation_after * unit, worst_cell);
+    report.converged = deviation_after <= tolerance;
+    job.step(1.0, "planarise")?;
+    // Nothing can fail any more.
+    surface.write(net, &stored);
+    let (mut squares, mut count) = (0.0, 0);
+    for v in constraints.vertices() {
+        let displacement = stored[v].distance(surface.positions[v]);
+        report.max_displacement = report.max_displacement.max(displacement * unit);
+        squares += displacement * displacement;
+        count += 1;
+    }
+    report.rms_displacement = (squares / f64::from(count)).sqrt() * unit;
+    Ok(report)
+}
+
+/// The tolerance in diagonals of the box, and checks of the options.
+fn tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f64> {
+    Error::require(options.tolerance >= 0.0 && options.tolerance.is_finite(), "tolerance", options.tolerance)?;
+    let (needed, given) = (net.shape().node_count() as u64, options.fixed.len() as u64);
+    if given != 0 && given < needed {
+        return Err(Error::ArrayTooShort { what: "fixed", needed, given });
+    }
+    Ok(match (options.tolerance, net.coordinates().scalar()) {
+        (0.0, Scalar::F64) => 1e-10,
+        (0.0, Scalar::F32) => 4e-7,
+        (given, _) => given,
+    })
+}

@@ -1,0 +1,44 @@
+//! An order of the cells of a net that keeps the factor of their equations sparse: nested dissection
+//! (A. George, 1973) of the rectangle that they are. Cells are coupled if they share a node, so that
+//! a row or a column of cells separates what is beside it.
+
+use std::ops::Range;
+
+/// Rectangles of at most this many cells are not halved.
+const MAX_LEAF_CELLS: usize = 16;
+
+/// Calls `visit` with all cells of a rectangle, halves before what separates them. O(cells).
+pub(super) fn dissect(
+    rows: Range<usize>,
+    columns: Range<usize>,
+    visit: &mut dyn FnMut(usize, usize) -> gusset_base::error::Result<()>,
+) -> gusset_base::error::Result<()> {
+    let (h, w) = (rows.len(), columns.len());
+    if h * w <= MAX_LEAF_CELLS || h.max(w) < 3 {
+        return rows.into_iter().try_for_each(|i| columns.clone().try_for_each(|j| visit(i, j)));
+    }
+    if h > w {
+        let middle = rows.start + h / 2;
+        dissect(rows.start..middle, columns.clone(), visit)?;
+        dissect(middle + 1..rows.end, columns.clone(), visit)?;
+        dissect(middle..middle + 1, columns, visit)
+    } else {
+        let middle = columns.start + w / 2;
+        dissect(rows.clone(), columns.start..middle, visit)?;
+        dissect(rows.clone(), middle + 1..columns.end, visit)?;
+        dissect(rows, middle..middle + 1, visit)
+    }
+}
+
+/// All cells of a net of so many rows and columns of cells: if sides are glued, the last row and
+/// column come last, as they separate the first from those before them.
+pub(crate) fn order(
+    [rows, columns]: [usize; 2],
+    is_glued: bool,
+    visit: &mut dyn FnMut(usize, usize) -> gusset_base::error::Result<()>,
+) -> gusset_base::error::Result<()> {
+    let last = usize::from(is_glued);
+    dissect(0..rows - last, 0..columns - last, visit)?;
+    dissect(rows - last..rows, 0..columns, visit)?;
+    dissect(0..rows - last, columns - last..columns, visit)
+}

@@ -1,0 +1,147 @@
+//! The search for the nearest net of plane cells: steps with falling penalties, then steps of least
+//! length to where the constraints hold.
+
+use super::constraints::Constraints;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// The penalties, and the largest number of steps with each: with smaller ones, steps are too short
+/// that follow the curved valley of the sum.
+const PENALTIES: [f64; 3] = [1e-1, 1e-2, 1e-3];
+const STEPS_PER_PENALTY: u32 = 4;
+/// What keeps the matrix positive definite where constraints depend on each other.
+const REGULARISATION: f64 = 1e-13;
+/// Halvings of a step.
+const MAX_HALVINGS: u32 = 6;
+/// Steps end when one is this small a part of the largest displacement.
+const STATIONARY: f64 = 1e-3;
+/// Improvements end when the sum of squares falls by less than this part.
+const MIN_IMPROVEMENT: f64 = 1e-3;
+
+pub(super) struct Search<'a> {
+    constraints: &'a Constraints,
+    /// The positions that are given.
+    start: &'a [DVec3],
+    /// The deviation that is small enough.
+    tolerance: f64,
+    /// The largest number of steps.
+    max: u32,
+    /// The steps so far.
+    pub(super) done: u32,
+    job: Job<'a>,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        constraints: &'a Constraints,
+        start: &'a [DVec3],
+        tolerance: f64,
+        max: u32,
+        job: &Job<'a>,
+    ) -> Self {
+        Search { constraints, start, tolerance, max, done: 0, job: *job }
+    }
+
+    /// The positions that were reached.
+    pub(super) fn run(&mut self) -> Result<Vec<DVec3>> {
+        let mut positions = alloc::copied(self.start)?;
+        self.approach(&mut positions)?;
+        self.restore(&mut positions)?;
+        self.improve(&mut positions)?;
+        Ok(positions)
+    }
+
+    /// The part of the job of the next step. As the number of steps is not known, each has a share of
+    /// what is left.
+    fn next_job(&mut self) -> Job<'a> {
+        let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
+        self.done += 1;
+        self.job.part(at(self.done - 1), at(self.done))
+    }
+
+    /// Goes towards where the penalised sum |x - x0|^2 + |g|^2 / penalty is least, for falling
+    /// penalties.
+    fn approach(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+        let (constraints, start) = (self.constraints, self.start);
+        for penalty in PENALTIES {
+            for _ in 0..STEPS_PER_PENALTY.min(self.max - self.done) {
+                let rows = constraints.linearise(positions)?;
+                let towards = constraints.step(&rows, [start, positions], penalty, &self.next_job())?;
+                let sum = |at: &[DVec3]| self.distance(at) + constraints.squares(&rows, at) / penalty;
+                let before = sum(positions);
+                let Some(next) = self.halved(positions, towards, |at| sum(at) < before) else {
+                    break;
+                };
+                let is_small = self.largest(&next, positions) <= STATIONARY * self.largest(&next, start);
+                *positions = next;
+                if is_small {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Among the positions where the constraints hold, goes nearer to those that are given: steps to
+    /// x0 - J^T y, the nearest of the linear constraints, each followed by steps back.
+    fn improve(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+        let constraints = self.constraints;
+        let (mut part, mut distance) = (1.0, self.distance(positions));
+        while part > 0.01 && self.done < self.max && constraints.deviation(positions).0 <= self.tolerance {
+            let rows = constraints.linearise(positions)?;
+            let mut next = constraints.step(&rows, [self.start, positions], REGULARISATION, &self.next_job())?;
+            constraints.vertices().for_each(|v| next[v] = positions[v].lerp(next[v], part));
+            self.restore(&mut next)?;
+            let is_plane = constraints.deviation(&next).0 <= self.tolerance;
+            if !(is_plane && self.distance(&next) < distance) {
+                part /= 4.0;
+                continue;
+            }
+            let before = std::mem::replace(&mut distance, self.distance(&next));
+            *positions = next;
+            if distance > (1.0 - MIN_IMPROVEMENT * part) * before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// |x - x0|^2.
+    fn distance(&self, at: &[DVec3]) -> f64 {
+        self.constraints.vertices().map(|v| at[v].distance_squared(self.start[v])).sum()
+    }
+
+    /// Newton's steps to where the constraints hold, each of least length, while they come nearer.
+    fn restore(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+        let constraints = self.constraints;
+        let (mut deviation, _) = constraints.deviation(positions);
+        while self.done < self.max && deviation > self.tolerance {
+            let rows = constraints.linearise(positions)?;
+            let towards = constraints.step(&rows, [&*positions; 2], REGULARISATION, &self.next_job())?;
+            let Some(next) = self.halved(positions, towards, |at| constraints.deviation(at).0 < deviation) else {
+                return Ok(());
+            };
+            *positions = next;
+            deviation = constraints.deviation(positions).0;
+        }
+        Ok(())
+    }
+
+    /// The first of all, a half, a quarter, ... of the way that is better.
+    fn halved(&self, from: &[DVec3], mut to: Vec<DVec3>, is_better: impl Fn(&[DVec3]) -> bool) -> Option<Vec<DVec3>> {
+        for _ in 0..=MAX_HALVINGS {
+            if is_better(&to) {
+                return Some(to);
+            }
+            self.constraints.vertices().for_each(|v| to[v] = to[v].midpoint(from[v]));
+        }
+        None
+    }
+
+    /// The largest distance of a vertex in one place from that in another.
+    fn largest(&self, a: &[DVec3], b: &[DVec3]) -> f64 {
+        self.constraints.vertices().map(|v| a[v].distance(b[v])).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,105 @@
+//! The vertices of a net: the points that glued nodes are. O(nodes).
+
+use super::options::PlanariseOptions;
+use crate::complex::Complex;
+use crate::{Classes, Net};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_mesh::mesh::Scalar;
+
+/// Nodes between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+/// Of each class of nodes what its representative has; entries of other nodes are not read.
+pub(crate) struct Surface {
+    pub(crate) classes: Classes,
+    /// The position, in the unit and from the origin on, of the first node of the class that
+    /// exists.
+    pub(crate) positions: Vec<DVec3>,
+    /// True of vertices that stay.
+    pub(crate) fixed: Vec<bool>,
+    /// The diagonal of the box of all existing nodes, in the unit.
+    pub(crate) size: f64,
+    /// A power of two: products of coordinates neither overflow nor vanish.
+    pub(crate) unit: f64,
+    /// In the unit, the middle of the box: distant nets would lose digits.
+    origin: DVec3,
+}
+
+impl Surface {
+    pub(crate) fn of(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
+        let nodes = 0..net.shape().node_count() as u32;
+        let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
+        let mut fixed = alloc::filled(false, nodes.len())?;
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for node in nodes {
+            let position = net.position(node);
+            if position.is_finite() {
+                (low, high) = (low.min(position), high.max(position));
+            }
+            let stays = options.fixed.get(node as usize).is_some_and(|&stays| stays);
+            fixed[classes.representative(node) as usize] |= stays;
+        }
+        if options.keep_boundary {
+            let boundary = Complex::of(net, &job.part(0.3, 0.8))?.boundary;
+            boundary.nodes().iter().for_each(|&node| fixed[classes.representative(node) as usize] = true);
+        }
+        let (mut unit, mut origin, mut size) = (1.0, DVec3::ZERO, 0.0);
+        if low.x <= high.x {
+            // Of the size, not of the distance from 0, which may be far larger.
+            let coarse = common_unit([&low, &high]);
+            let extent = high / coarse - low / coarse;
+            unit = (coarse * common_unit([&extent])).max(f64::MIN_POSITIVE);
+            (origin, size) = ((low / unit).midpoint(high / unit), (low / unit).distance(high / unit));
+        }
+        let mut surface = Surface { classes, positions: Vec::new(), fixed, size, unit, origin };
+        surface.positions = surface.positions_of(net, &job.part(0.8, 1.0))?;
+        Ok(surface)
+    }
+
+    /// The positions of the vertices of a net of the same topology.
+    pub(crate) fn positions_of(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
+        let count = net.shape().node_count();
+        let mut positions = alloc::filled(DVec3::NAN, count)?;
+        for node in 0..count as u32 {
+            job.step_every(REPORT_INTERVAL, node as usize, count, "planarise")?;
+            let (class, position) = (self.classes.representative(node) as usize, net.position(node));
+            if positions[class].is_nan() && position.is_finite() {
+                positions[class] = self.scaled(position);
+            }
+        }
+        Ok(positions)
+    }
+
+    /// A position in the unit, from the origin on.
+    pub(crate) fn scaled(&self, position: DVec3) -> DVec3 {
+        position / self.unit - self.origin
+    }
+
+    /// Rounds the new positions of vertices that move to what a net of the type will hold.
+    pub(crate) fn round(&self, moved: &mut [DVec3], scalar: Scalar) {
+        for (moved, &before) in moved.iter_mut().zip(&self.positions) {
+            if moved.is_finite() && *moved != before {
+                let mut there = (*moved + self.origin) * self.unit;
+                if scalar == Scalar::F32 {
+                    there = there.as_vec3().as_dvec3();
+                }
+                *moved = there / self.unit - self.origin;
+            }
+        }
+    }
+
+    /// Gives all existing nodes of the vertices that moved their new positions.
+    pub(crate) fn write(&self, net: &mut Net<'_>, moved: &[DVec3]) {
+        for node in 0..net.shape().node_count() as u32 {
+            let class = self.classes.representative(node) as usize;
+            if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {
+                let (i, j) = net.shape().place(node);
+                net.coordinates_mut().set(i, j, (moved[class] + self.origin) * self.unit);
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The construction of each shape: its profile, swept round the z axis along a circle or a polygon,
+//! or its topology and formula. Coordinates are written row by row in double precision and rounded
+//! once. O(nodes).
+
+use super::formula::{across, boy, bulge, figure_eight, on_box, one_pole, strip};
+use super::profile::{Point, circle, half_circle, polygon, polyline, unit_circle};
+use super::solid::Primitive;
+use crate::topology::{Links, Matrix};
+use crate::{Coordinates, Net, Real, Shape, Sides, Topology, closure, each};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::mesh::Scalar;
+
+/// The net of a shape whose dimensions are checked.
+pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
+    let (h, w) = (shape.rows(), shape.columns());
+    let turn = |profile: &[Point], section: &[Point]| swept(shape, profile, section, scalar, job);
+    match *primitive {
+        Primitive::Sphere { radius } => turn(&half_circle(radius, h)?, &unit_circle(w)?),
+        Primitive::Torus { radius, minor_radius } => turn(&circle(radius, minor_radius, h)?, &unit_circle(w)?),
+        Primitive::Tube { radius, height } => turn(&polyline(&wall(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Cylinder { radius, height } => turn(&polyline(&capped(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Cone { radius, height } => turn(&polyline(&pointed(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Prism { sides, radius, height } => {
+            turn(&polyline(&capped(radius, height), h)?, &polygon(sides as usize, w)?)
+        }
+        Primitive::Pyramid { sides, radius, height } => {
+            turn(&polyline(&pointed(radius, height), h)?, &polygon(sides as usize, w)?)
+        }
+        Primitive::Lathe { profile } => turn(profile, &unit_circle(w)?),
+        Primitive::Plane { size: [x, y] } => {
+            let sheet = Topology::of_sides(shape, Sides::SHEET);
+            nodes(sheet, scalar, job, |i, j| [x / 2.0 * across(j, w), y / 2.0 * across(i, h), 0.0])
+        }
+        Primitive::OnePoleSphere { radius } => {
+            let topology = Topology::of_sides(shape, Sides::ONE_POLE);
+            nodes(topology, scalar, job, |i, j| one_pole([across(j, w), across(i, h)]).map(|x| radius * x))
+        }
+        Primitive::Cuboid { cuboid, size } => {
+            nodes(cuboid.topology()?, scalar, job, |i, j| on_box(&cuboid, size, i, j))
+        }
+        Primitive::Moebius { radius, width } => nodes(closure::moebius(shape)?, scalar, job, |i, j| {
+            let (i, j) = first_column(shape, i, j);
+            strip(radius, width / 2.0 * across(i, h), j, w - 1)
+        }),
+        Primitive::Klein { radius, minor_radius } => nodes(closure::klein(shape)?, scalar, job, |i, j| {
+            let (i, j) = first_column(shape, i, j);
+            figure_eight(radius, minor_radius, [i, h - 1], [j, w - 1])
+        }),
+        Primitive::ProjectivePlane { radius } => nodes(closure::projective_plane(shape)?, scalar, job, |i, j| {
+            let (i, j) = half_rim(shape, i, j);
+            boy([across(j, w), across(i, h)]).map(|x| radius * x)
+        }),
+        Primitive::Pillow { size, thickness } => nodes(closure::pillow(shape)?, scalar, job, |i, j| {
+            let (column, upper) = (j.min(w - 1 - j), 2 * j < w);
+            bulge(size, if upper { thickness } else { -thickness }, [across(column, w.div_ceil(2)), across(i, h)])
+        }),
+    }
+}
+
+/// The node in the first column of the class of a node of a Möbius strip or a Klein bottle.
+fn first_column(shape: Shape, i: usize, j: usize) -> (usize, usize) {
+    if j + 1 == shape.columns() { (shape.rows() - 1 - i, 0) } else { (i, j) }
+}
+
+/// The node in the first row or column of the class of a node of a projective plane.
+fn half_rim(shape: Shape, i: usize, j: usize) -> (usize, usize) {
+    let (h, w) = (shape.rows(), shape.columns());
+    let second = i + 1 == h || (j + 1 == w && i > 0);
+    if second { (h - 1 - i, w - 1 - j) } else { (i, j) }
+}
+
+/// The profile of a tube.
+fn wall(radius: f64, height: f64) -> [Point; 2] {
+    [[radius, -height / 2.0], [radius, height / 2.0]]
+}
+
+/// The profile of a cylinder.
+fn capped(radius: f64, height: f64) -> [Point; 4] {
+    let [low, high] = wall(radius, height);
+    [[0.0, low[1]], low, high, [0.0, high[1]]]
+}
+
+/// The profile of a cone.
+fn pointed(radius: f64, height: f64) -> [Point; 3] {
+    let [low, high] = wall(radius, height);
+    [[0.0, low[1]], low, [0.0, high[1]]]
+}
+
+/// Row i is point i of the profile, column j in the direction of point j of the section.
+fn swept(shape: Shape, profile: &[Point], section: &[Point], scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
+    rows(swept_topology(shape, profile)?, scalar, job, |i, [x, y, z]| {
+        let [distance, height] = profile[i];
+        for ((x, y), &[u, v]) in x.iter_mut().zip(y).zip(section) {
+            (*x, *y) = (distance * u, distance * v);
+        }
+        z.fill(height);
+    })
+}
+
+/// Rows are closed, those on the axis contracted, and columns closed if the profile is. A closed
+/// surface is oriented so that its volume is positive.
+fn swept_topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
+    let last = profile.len() - 1;
+    let ring = last >= 3 && profile[0] == profile[last];
+    let on_axis = |i: usize| profile[i][0] == 0.0;
+    let sides = Sides { columns_closed: ring, pole_top: on_axis(0), pole_bottom: on_axis(last), ..Sides::TUBE };
+    let topology = if (1..last).any(on_axis) {
+        let mut matrix = Matrix::of_sides(shape, sides)?;
+        for i in (1..last).filter(|&i| on_axis(i)) {
+            (0..shape.columns() - 1).for_each(|j| matrix.set(shape.horizontal_link(i, j), true));
+        }
+        // A contracted row reduces its cells to triangles, or wires between two such rows: none is
+        // crossed.
+        Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)
+    } else {
+        Topology::of_sides(shape, sides)
+    };
+    let closed = ring || (on_axis(0) && on_axis(last));
+    Ok(topology.with_reversed(closed && volume(profile) < 0.0))
+}
+
+/// The volume that the profile encloses, up to a positive factor: truncated cones, signed by their
+/// heights.
+fn volume(profile: &[Point]) -> f64 {
+    // Scaled, so that products stay in range.
+    let scale = profile.iter().flatten().fold(f64::MIN_POSITIVE, |max, value| max.max(value.abs()));
+    let cone = |ends: &[Point]| {
+        let [[a, low], [b, high]] = [ends[0], ends[1]].map(|point| point.map(|value| value / scale));
+        (a * a + a * b + b * b) * (high - low)
+    };
+    profile.windows(2).map(cone).sum()
+}
+
+/// Nodes between two progress reports.
+const NODES_PER_REPORT: usize = 1 << 16;
+
+/// The net whose row i `row` writes to three buffers. Zeros are positive.
+fn rows(
+    topology: Topology,
+    scalar: Scalar,
+    job: &Job<'_>,
+    mut row: impl FnMut(usize, [&mut [f64]; 3]),
+) -> Result<Net<'static>> {
+    let shape = topology.shape();
+    let mut coordinates = Coordinates::zeroed(shape, scalar)?;
+    let mut buffer: Vec<f64> = alloc::zeroed(3 * shape.columns())?;
+    let often = (NODES_PER_REPORT / shape.columns()).max(1);
+    for i in 0..shape.rows() {
+        job.step_every(often, i, shape.rows(), "primitive")?;
+        let (x, yz) = buffer.split_at_mut(shape.columns());
+        let (y, z) = yz.split_at_mut(shape.columns());
+        row(i, [x, y, z]);
+        each!(&mut coordinates, planes => copy(&buffer, planes.row_mut(i)));
+    }
+    Ok(Net::new(coordinates, topology))
+}
+
+/// The net whose nodes `node` gives.
+fn nodes(
+    topology: Topology,
+    scalar: Scalar,
+    job: &Job<'_>,
+    node: impl Fn(usize, usize) -> [f64; 3],
+) -> Result<Net<'static>> {
+    rows(topology, scalar, job, |i, [x, y, z]| {
+        for (j, ((x, y), z)) in x.iter_mut().zip(y).zip(z).enumerate() {
+            [*x, *y, *z] = node(i, j);
+        }
+    })
+}
+
+fn copy<T: Real>(buffer: &[f64], row: [&mut [T]; 3]) {
+    let columns = row[0].len();
+    for (to, from) in row.into_iter().zip(buffer.chunks_exact(columns)) {
+        // Adding 0 makes negative zeros positive, those that rounding makes included.
+        to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::of(value) + T::of(0.0));
+    }
+}

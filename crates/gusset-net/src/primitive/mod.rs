@@ -1,0 +1,76 @@
+//! Nets of standard shapes: coordinates and topology (Deryagin, Figs. 5 and 6).
+//!
+//! Solids of revolution, prisms and pyramids sweep a profile round the z axis; the others each have
+//! a formula. All are centred at the origin. Invariant: glued nodes have the same bits, as their
+//! coordinates are computed from reduced indices; closed surfaces have faces counter-clockwise seen
+//! from outside, and so a positive volume. O(nodes).
+
+mod construct;
+mod formula;
+mod profile;
+mod solid;
+mod unit_circle;
+
+pub use solid::Primitive;
+
+use super::{Net, Shape};
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_mesh::mesh::Scalar;
+
+/// A request for the net of a shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request<'a> {
+    /// The shape.
+    pub primitive: Primitive<'a>,
+    /// Rows of nodes; 0 for [`Request::ROWS`]. Not read for boxes and lathes.
+    pub rows: usize,
+    /// Columns of nodes; 0 for [`Request::COLUMNS`]. Not read for boxes.
+    pub columns: usize,
+    /// The type of the coordinates.
+    pub scalar: Scalar,
+}
+
+impl<'a> Request<'a> {
+    /// The default number of rows.
+    pub const ROWS: usize = 33;
+    /// The default number of columns.
+    pub const COLUMNS: usize = 65;
+
+    /// A shape with default rows and columns, in double precision.
+    pub fn new(primitive: Primitive<'a>) -> Self {
+        Request { primitive, rows: 0, columns: 0, scalar: Scalar::F64 }
+    }
+
+    /// The size that the net will have.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for too few rows or columns, [`Error::NetTooSmall`],
+    /// [`Error::TooLarge`].
+    pub fn shape(&self) -> Result<Shape> {
+        let or_default = |given: usize, default: usize| if given == 0 { default } else { given };
+        let (mut rows, columns) = (or_default(self.rows, Self::ROWS), or_default(self.columns, Self::COLUMNS));
+        match self.primitive {
+            Primitive::Cuboid { cuboid, .. } => return cuboid.shape(),
+            Primitive::Lathe { profile } => rows = profile.len(),
+            _ => {}
+        }
+        let (min_rows, min_columns) = self.primitive.min_size();
+        let is_even_pillow = matches!(self.primitive, Primitive::Pillow { .. }) && columns % 2 == 0;
+        Error::require(rows >= min_rows, "rows", rows as f64)?;
+        Error::require(columns >= min_columns && !is_even_pillow, "columns", columns as f64)?;
+        Shape::new(rows, columns)
+    }
+
+    /// The net. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for measures that are not positive, or too large or too small
+    /// for the type of the coordinates, and for too few rows or columns; [`Error::NetTooSmall`],
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
+        let shape = self.shape()?;
+        self.primitive.check(self.scalar)?;
+        construct::net(&self.primitive, shape, self.scalar, job)
+    }
+}

@@ -1,0 +1,64 @@
+//! The two scalar types of coordinates.
+
+use gusset_mesh::mesh::Scalar;
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `f32` or `f64`.
+///
+/// Computations on single nodes are in the nodes' own type, by IEEE 754 operations without
+/// contraction: the same bits on every machine, whatever its vector width.
+pub trait Real:
+    bytemuck::Pod
+    + Debug
+    + PartialOrd
+    + Send
+    + Sync
+    + Into<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + sealed::Sealed
+{
+    /// The tag of the type.
+    const SCALAR: Scalar;
+
+    /// The largest finite number.
+    const MAX: f64;
+
+    /// Rounds to this type.
+    fn of(value: f64) -> Self;
+
+    /// The square root, correctly rounded.
+    #[must_use]
+    fn sqrt(self) -> Self;
+}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+macro_rules! real {
+    ($($scalar:ident: $tag:ident),+) => {$(
+        impl sealed::Sealed for $scalar {}
+
+        impl Real for $scalar {
+            const SCALAR: Scalar = Scalar::$tag;
+            const MAX: f64 = $scalar::MAX as f64;
+
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                value as $scalar
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+        }
+    )+};
+}
+
+real! { f32: F32, f64: F64 }

@@ -1,0 +1,140 @@
+//! Decimation: rows and columns are removed greedily, in the order of the deviation that each
+//! causes.
+//!
+//! Invariant: the deviation of removed nodes from the segments that replace them stays within half
+//! the tolerance for rows, and for columns. O(nodes log rows) approximately.
+
+use super::sides::{min_size, require_sides, selected, with_sides};
+use crate::{Net, each};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::par;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
+/// The result of [`decimate`].
+#[derive(Debug)]
+pub struct Decimated {
+    /// The net of the rows and columns that were kept, bit for bit.
+    pub net: Net<'static>,
+    /// The rows that were kept.
+    pub rows: Vec<usize>,
+    /// The columns that were kept.
+    pub columns: Vec<usize>,
+    /// The largest distance of removed nodes from the segments that replace them, that of rows plus
+    /// that of columns; at most the tolerance.
+    pub deviation: f64,
+}
+
+/// Removes rows, then columns, one at a time, always the one of least cost.
+///
+/// The cost of a row: the largest distance of its nodes, and of those of removed rows beside it,
+/// from the segments that join the nodes of their columns in the kept rows on both sides. Rows may
+/// cost up to half the tolerance, and so may columns, evaluated at the kept rows. First and last
+/// ones are kept, three distinct rows of closed columns, and one or two between poles, so that the
+/// surface stays the same. Rows with some missing nodes are kept.
+///
+/// O(nodes log rows) approximately.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::GluedInside`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimated> {
+    Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+    let (sides, limit) = (require_sides(net)?, tolerance / 2.0);
+    let (h, w) = (net.shape().rows(), net.shape().columns());
+    each!(net.coordinates(), planes => {
+        let all = alloc::collect(0..w)?;
+        let [min_rows, min_columns] = min_size(sides, 4);
+        let row = |k: usize, j: usize| planes.get(k, j);
+        let (rows, by_rows) = kept(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
+        let column = |k: usize, i: usize| planes.get(i, k);
+        let (columns, by_columns) = kept(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
+        let net = with_sides(selected(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
+        Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
+    })
+}
+
+/// The largest distance of nodes in a gap, between two kept lines, from the segments across it.
+/// `node(k, j)`: node j of line k.
+fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
+    let mut max = 0.0f64;
+    for &j in places {
+        let (a, b) = (node(gap.start, j), node(gap.end, j));
+        for k in gap.start + 1..gap.end {
+            let point = node(k, j);
+            let ends = a.is_finite() && b.is_finite();
+            match (point.is_finite(), ends) {
+                (true, true) => max = max.max(squared_distance(point, a, b)),
+                // A hole across the gap stays a hole.
+                (false, false) if !a.is_finite() && !b.is_finite() => {}
+                _ => return f64::INFINITY,
+            }
+        }
+    }
+    max.sqrt()
+}
+
+/// The squared distance of a point from a segment.
+fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let (along, to) = (b - a, point - a);
+    let square = along.length_squared();
+    let t = if square > 0.0 { (to.dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (to - t * along).length_squared()
+}
+
+/// The kept lines of `count`, and the largest cost of the removed ones.
+fn kept(
+    count: usize,
+    min_lines: usize,
+    limit: f64,
+    job: &Job<'_>,
+    cost: impl Fn(Range<usize>) -> f64 + Sync,
+) -> Result<(Vec<usize>, f64)> {
+    job.step(0.0, "decimate")?;
+    // A doubly linked list of the kept lines.
+    let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
+    let mut after = alloc::collect(1..count + 1)?;
+    let mut queue: BinaryHeap<Candidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
+    let costs = par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::ranges(count - 2, 16), |lines| {
+        lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
+    })?;
+    let job = job.part(0.5, 1.0);
+    queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, k..k + 2, k + 1)));
+    let (mut left, mut max) = (count, 0.0f64);
+    while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {
+        if f64::from_bits(bits) > limit || bits == f64::INFINITY.to_bits() || left <= min_lines {
+            break;
+        }
+        if (before[line], after[line]) != (from, to) {
+            // Out of date: a neighbour was removed.
+            continue;
+        }
+        (max, left) = (max.max(f64::from_bits(bits)), left - 1);
+        (after[from], before[to]) = (to, from);
+        after[line] = line;
+        for neighbour in [from, to] {
+            if neighbour != 0 && neighbour != count - 1 {
+                let gap = before[neighbour]..after[neighbour];
+                queue.push(candidate(cost(gap.clone()), gap, neighbour));
+            }
+        }
+        if left % 16 == 0 {
+            job.step(1.0 - left as f64 / count as f64, "decimate")?;
+        }
+    }
+    let lines = alloc::gather(std::iter::successors(Some(0), |&line| Some(after[line]).filter(|&next| next < count)))?;
+    Ok((lines, max))
+}
+
+/// Least cost first, among equal ones the narrowest gap, so that gaps grow evenly and all costs
+/// take O(n log n).
+type Candidate = Reverse<(u64, usize, usize, usize, usize)>;
+
+fn candidate(cost: f64, gap: Range<usize>, line: usize) -> Candidate {
+    // Bit patterns of non-negative numbers are in their order.
+    Reverse((cost.to_bits(), gap.len(), line, gap.start, gap.end))
+}

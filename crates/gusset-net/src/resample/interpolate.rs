@@ -1,0 +1,187 @@
+//! Resampling by bilinear and Catmull-Rom interpolation, a separable filter of four taps, and
+//! pyramids of nets. O(nodes of both).
+
+use super::sides::{min_size, require_sides, selected, with_sides};
+use crate::chunks::zip3;
+use crate::{Coordinates, Net, Planes, Real, Shape, each};
+use gusset_base::alloc;
+use gusset_base::choices;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+
+/// Nodes that one thread takes at a time, approximately.
+const BLOCK: usize = 1 << 14;
+
+/// The interpolation between nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Interpolation {
+    /// Bilinear patches.
+    Bilinear,
+    /// Catmull-Rom splines along rows and columns, which interpolate the nodes with continuous
+    /// tangents, across the seam where a row or column is closed.
+    #[default]
+    Bicubic,
+}
+
+choices! { for Interpolation:
+    Bicubic => "Cubic", "Cubic splines along rows and columns, which pass through all vertices.";
+    Bilinear => "Bilinear", "The bilinear patches of the quads.";
+}
+
+/// A net of another size, with nodes evenly spaced in the parameters of this one. First and last
+/// rows and columns stay.
+///
+/// Nodes that coincide with old ones have their bits. New nodes that depend on missing ones are
+/// missing. O(nodes of both).
+///
+/// # Errors
+/// Of [`Error`](gusset_base::Error): `GluedInside`, `NetTooSmall`, `TooLarge`, `OutOfMemory`,
+/// `Cancelled`.
+pub fn resample(
+    net: &Net<'_>,
+    rows: usize,
+    columns: usize,
+    interpolation: Interpolation,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
+    let (sides, shape) = (require_sides(net)?, Shape::new(rows, columns)?);
+    let along = taps(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
+    let across = taps(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
+    let coordinates =
+        each!(net.coordinates(), planes => Coordinates::from(interpolated(planes, shape, &along, &across, job)?));
+    with_sides(coordinates, net, sides)
+}
+
+/// Nets of 2^k + 1 rows and columns. The first has at least the rows and columns of the given net,
+/// and each of the others every second row and column of the one before, bit for bit.
+///
+/// A net of sizes 2^k + 1 is itself the first; others are resampled. Closed rows and columns keep
+/// five nodes, others two; between poles three, or five where other sides are poles too, so that
+/// the surface stays the same. The nodes of each level are nodes of the finer one, and a host can
+/// morph between levels in place. The memory is 4/3 of the first.
+///
+/// # Errors
+/// As for [`resample`].
+pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
+    let sides = require_sides(net)?;
+    let (h, w) = (net.shape().rows(), net.shape().columns());
+    let [rows, columns] = [h, w].map(|n| (n - 1).next_power_of_two() + 1);
+    let mut levels = Vec::new();
+    let first =
+        if (rows, columns) == (h, w) { net.copied()? } else { resample(net, rows, columns, interpolation, job)? };
+    alloc::push(&mut levels, first)?;
+    let [min_rows, min_columns] = min_size(sides, 5);
+    while let Some(fine) = levels.last() {
+        let step = |n: usize, min: usize| if n.div_ceil(2) >= min { 2 } else { 1 };
+        let row_step = step(fine.shape().rows(), min_rows);
+        let column_step = step(fine.shape().columns(), min_columns);
+        if (row_step, column_step) == (1, 1) {
+            break;
+        }
+        let rows = alloc::collect((0..fine.shape().rows()).step_by(row_step))?;
+        let columns = alloc::collect((0..fine.shape().columns()).step_by(column_step))?;
+        let coarse = with_sides(selected(fine, &rows, &columns, &job.part(1.0, 1.0))?, fine, sides)?;
+        alloc::push(&mut levels, coarse)?;
+    }
+    Ok(levels)
+}
+
+/// The taps of `new` nodes evenly spaced over `old` ones, along one direction.
+fn taps(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Vec<Tap>> {
+    alloc::collect((0..new).map(|k| {
+        // k (old - 1) / (new - 1), exactly.
+        let (at, steps) = (k as u64 * (old as u64 - 1), new as u64 - 1);
+        let before = ((at / steps) as usize).min(old - 2);
+        let t = (at - before as u64 * steps) as f64 / steps as f64;
+        match interpolation {
+            Interpolation::Bilinear => {
+                Tap { nodes: [before, before, before + 1, before], weights: [0.0, 1.0 - t, t, 0.0] }
+            }
+            Interpolation::Bicubic => Tap::cubic(before, old, closed, t),
+        }
+    }))
+}
+
+/// The nodes that a new node depends on, along one direction, and their weights.
+#[derive(Clone, Copy)]
+struct Tap {
+    nodes: [usize; 4],
+    weights: [f64; 4],
+}
+
+impl Tap {
+    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
+    /// linearly: the missing node is twice the last less the one before.
+    fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
+        let (s, square) = (1.0 - t, t * t);
+        let mut weights =
+            [-0.5 * t * s * s, 1.0 + square * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5), -0.5 * s * square];
+        if k == 0 && !closed {
+            let w = std::mem::take(&mut weights[0]);
+            (weights[1], weights[2]) = (weights[1] + 2.0 * w, weights[2] - w);
+        }
+        if k + 2 == count && !closed {
+            let w = std::mem::take(&mut weights[3]);
+            (weights[1], weights[2]) = (weights[1] - w, weights[2] + 2.0 * w);
+        }
+        // The last node of a closed row repeats its first; beyond open ends the weight is 0.
+        let before = if k == 0 { count - 2 } else { k - 1 };
+        let after = if k + 2 == count { 1 } else { k + 2 };
+        Tap { nodes: [before, k, k + 1, after], weights }
+    }
+
+    /// The nodes that count. Those of weight 0 are skipped, as missing ones would spread.
+    fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.nodes.into_iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0)
+    }
+
+    /// The node of weight 1, if all other weights are 0.
+    fn single(&self) -> Option<usize> {
+        let mut parts = self.parts();
+        let (node, weight) = parts.next()?;
+        (weight == 1.0 && parts.next().is_none()).then_some(node)
+    }
+
+    /// The weighted sum of rows.
+    fn blend_rows<T: Real>(&self, from: &Planes<'_, T>, axis: usize, line: &mut [f64]) {
+        if let Some(i) = self.single() {
+            return line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());
+        }
+        line.fill(0.0);
+        for (i, weight) in self.parts() {
+            line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to += weight * from.into());
+        }
+    }
+
+    /// The weighted sum of numbers of a row.
+    fn along(&self, line: &[f64]) -> f64 {
+        let sum = || self.parts().map(|(j, weight)| weight * line[j]).sum();
+        self.single().map_or_else(sum, |j| line[j])
+    }
+}
+
+/// Interpolates across rows, a row at a time, then along the row.
+fn interpolated<T: Real>(
+    from: &Planes<'_, T>,
+    shape: Shape,
+    along: &[Tap],
+    across: &[Tap],
+    job: &Job<'_>,
+) -> Result<Planes<'static, T>> {
+    let mut to = Planes::zeroed(shape)?;
+    let lines = (BLOCK / shape.columns()).max(1);
+    let blocks = zip3(to.matrices_mut().map(|matrix| matrix.chunks_mut(lines * shape.columns())));
+    let results = par::map_cancellable(job, "resample", blocks.enumerate(), |(block, matrices)| {
+        let mut line = alloc::filled(0.0, from.shape().columns())?;
+        for (axis, matrix) in matrices.into_iter().enumerate() {
+            for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
+                across[block * lines + k].blend_rows(from, axis, &mut line);
+                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::of(tap.along(&line)));
+            }
+        }
+        Ok(())
+    })?;
+    results.into_iter().collect::<Result<()>>()?;
+    Ok(to)
+}

@@ -1,0 +1,49 @@
+//! Nets glued along whole sides: their requirements, and results with the same sides. O(nodes).
+
+use crate::arrange::{Rearrangement, rearrange};
+use crate::field::snap;
+use crate::{Coordinates, Net, Shape, Sides, Topology};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+/// The sides of a net with no other gluing and no bridges; else [`Error::GluedInside`].
+pub(super) fn require_sides(net: &Net<'_>) -> Result<Sides> {
+    let plain = net.topology().seams().is_empty() && net.bridges().is_empty();
+    net.topology().sides().filter(|_| plain).ok_or(Error::GluedInside)
+}
+
+/// The smallest numbers of rows and columns that preserve the surface, if closed ones keep `closed`
+/// nodes: a face between two poles must not become an edge, or the same face twice.
+pub(super) fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
+    let min = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
+        _ if is_closed => closed,
+        ([true, true], [false, false]) => 3,
+        ([true, true], _) => 4,
+        ([true, _] | [_, true], [true, _] | [_, true]) => 3,
+        _ => 2,
+    };
+    let (rows, columns) = ([sides.pole_top, sides.pole_bottom], [sides.pole_left, sides.pole_right]);
+    [min(sides.columns_closed, rows, columns), min(sides.rows_closed, columns, rows)]
+}
+
+/// A net with the given sides and the orientation of another, its glued nodes made equal.
+pub(super) fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -> Result<Net<'static>> {
+    let topology = Topology::of_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());
+    let mut net = Net::new(coordinates, topology);
+    snap(&mut net)?;
+    Ok(net)
+}
+
+/// The nodes of selected rows and columns, bit for bit.
+pub(super) fn selected(
+    net: &Net<'_>,
+    rows: &[usize],
+    columns: &[usize],
+    job: &Job<'_>,
+) -> Result<Coordinates<'static>> {
+    let indices = |list: &[usize]| alloc::collect(list.iter().map(|&k| k as u32));
+    let shape = Shape::new(rows.len(), columns.len())?;
+    let map = Rearrangement::Selection { rows: &indices(rows)?, columns: &indices(columns)? };
+    rearrange(net.coordinates(), shape, &map, job)
+}

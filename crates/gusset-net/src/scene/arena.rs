@@ -1,0 +1,250 @@
+//! The arena of a scene: entries with stable indices, and the groups that contain them.
+//!
+//! Invariant: an entry lists its groups as often as these list it. Edits cost O(children + groups)
+//! of the entry.
+
+use super::reachability::Marks;
+use crate::Net;
+use glam::DAffine3;
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::mesh::NONE;
+use std::sync::Arc;
+
+/// Nets and groups of them.
+#[derive(Debug, Default)]
+pub struct Scene {
+    pub(super) entries: Vec<Option<Entry>>,
+    marks: Marks,
+}
+
+#[derive(Debug)]
+pub(super) struct Entry {
+    pub(super) content: Content,
+    /// The transform into the space of its group.
+    pub(super) local: DAffine3,
+    pub(super) visible: bool,
+    /// The groups that contain it, with repetitions, in no order.
+    pub(super) parents: Vec<u32>,
+}
+
+/// The content of an entry.
+#[derive(Debug, Clone)]
+pub enum Content {
+    /// A net.
+    Net(Arc<Net<'static>>),
+    /// A group of entries.
+    Group(Vec<u32>),
+}
+
+/// The numbers of elements of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counts {
+    /// Entries that are nets.
+    pub nets: u32,
+    /// Entries that are groups.
+    pub groups: u32,
+    /// Instances of both, saturating at `u64::MAX`.
+    pub instances: u64,
+    /// Instances of nets, saturating at `u64::MAX`.
+    pub net_instances: u64,
+    /// The longest path from an entry in no group, in entries: 1 without children.
+    pub levels: u32,
+}
+
+impl Scene {
+    /// An empty scene.
+    pub fn new() -> Self {
+        Scene::default()
+    }
+
+    /// Adds a net, in no group yet. Returns its index, which is never reused.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub fn add_net(&mut self, net: Arc<Net<'static>>) -> Result<u32> {
+        self.add(Content::Net(net))
+    }
+
+    /// Adds an empty group.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub fn add_group(&mut self) -> Result<u32> {
+        self.add(Content::Group(Vec::new()))
+    }
+
+    fn add(&mut self, content: Content) -> Result<u32> {
+        let index = self.entries.len();
+        Error::check_count("entries", index as u64 + 1, NONE.into())?;
+        self.marks.grow()?;
+        let entry = Entry { content, local: DAffine3::IDENTITY, visible: true, parents: Vec::new() };
+        alloc::push(&mut self.entries, Some(entry))?;
+        Ok(index as u32)
+    }
+
+    /// Appends an entry to a group, possibly again. O(1) for an entry without descendants or a
+    /// group in no group; at most O(entries below the one or above the other, whichever are fewer).
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], [`Error::SceneCycle`], [`Error::OutOfMemory`].
+    pub fn add_child(&mut self, group: u32, child: u32) -> Result<()> {
+        self.children(group)?;
+        self.entry(child)?;
+        let Scene { entries, marks } = self;
+        let entry = |index: u32| entries[index as usize].as_ref();
+        let child_of = |index: u32, k: usize| match &entry(index)?.content {
+            Content::Group(children) => children.get(k).copied(),
+            Content::Net(_) => None,
+        };
+        if marks.is_reachable(child, group, child_of, |index, k| entry(index)?.parents.get(k).copied())? {
+            return Err(Error::SceneCycle { entry: child });
+        }
+        alloc::reserve(&mut self.entry_mut(child)?.parents, 1)?;
+        if let Content::Group(children) = &mut self.entry_mut(group)?.content {
+            alloc::push(children, child)?;
+        }
+        self.entry_mut(child)?.parents.push(group);
+        Ok(())
+    }
+
+    /// Removes the first occurrence of an entry from a group. O(children + groups that contain it).
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], also if the group does not contain it.
+    pub fn remove_child(&mut self, group: u32, child: u32) -> Result<()> {
+        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such(child))?;
+        if let Content::Group(children) = &mut self.entry_mut(group)?.content {
+            children.remove(at);
+        }
+        let parents = &mut self.entry_mut(child)?.parents;
+        if let Some(at) = parents.iter().position(|&other| other == group) {
+            parents.swap_remove(at);
+        }
+        Ok(())
+    }
+
+    /// Removes an entry from the scene and from all groups; the children of a removed group remain.
+    /// O(children of its groups + groups of its children).
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`].
+    pub fn remove(&mut self, index: u32) -> Result<()> {
+        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such(index))?;
+        let mut groups = entry.parents;
+        sort_distinct(&mut groups);
+        for group in groups {
+            if let Content::Group(children) = &mut self.entry_mut(group)?.content {
+                children.retain(|&child| child != index);
+            }
+        }
+        let Content::Group(mut children) = entry.content else { return Ok(()) };
+        sort_distinct(&mut children);
+        for child in children {
+            self.entry_mut(child)?.parents.retain(|&group| group != index);
+        }
+        Ok(())
+    }
+
+    /// Sets the transform of an entry into the space of its groups, which must be finite.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], [`Error::OptionOutOfRange`].
+    pub fn set_transform(&mut self, index: u32, local: DAffine3) -> Result<()> {
+        let entry = self.entry_mut(index)?;
+        local
+            .to_cols_array()
+            .into_iter()
+            .try_for_each(|value| Error::require(value.is_finite(), "transform", value))?;
+        entry.local = local;
+        Ok(())
+    }
+
+    /// Replaces a net. The index, groups and transform of the entry stay.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], also for a group.
+    pub fn set_net(&mut self, index: u32, net: Arc<Net<'static>>) -> Result<()> {
+        self.net(index)?;
+        self.entry_mut(index)?.content = Content::Net(net);
+        Ok(())
+    }
+
+    /// Shows or hides an entry and its descendants.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`].
+    pub fn set_visible(&mut self, index: u32, visible: bool) -> Result<()> {
+        self.entry_mut(index)?.visible = visible;
+        Ok(())
+    }
+
+    /// The transform of an entry into the space of its groups.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`].
+    pub fn transform(&self, index: u32) -> Result<DAffine3> {
+        Ok(self.entry(index)?.local)
+    }
+
+    /// True if the entry itself is visible; a group that contains it may still hide it.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`].
+    pub fn is_visible(&self, index: u32) -> Result<bool> {
+        Ok(self.entry(index)?.visible)
+    }
+
+    /// The content of an entry.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`].
+    pub fn content(&self, index: u32) -> Result<&Content> {
+        Ok(&self.entry(index)?.content)
+    }
+
+    /// A net.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], also for a group.
+    pub fn net(&self, index: u32) -> Result<&Arc<Net<'static>>> {
+        match self.content(index)? {
+            Content::Net(net) => Ok(net),
+            Content::Group(_) => Err(no_such(index)),
+        }
+    }
+
+    /// The children of a group, in order.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], also for a net.
+    pub fn children(&self, index: u32) -> Result<&[u32]> {
+        match self.content(index)? {
+            Content::Group(children) => Ok(children),
+            Content::Net(_) => Err(no_such(index)),
+        }
+    }
+
+    /// One more than the largest index ever given.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// True if no entry was ever added.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    pub(super) fn entry(&self, index: u32) -> Result<&Entry> {
+        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such(index))
+    }
+
+    fn entry_mut(&mut self, index: u32) -> Result<&mut Entry> {
+        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such(index))
+    }
+}
+
+fn no_such(index: u32) -> Error {
+    Error::NoSuch { element: Element::Entry, index: index.into() }
+}

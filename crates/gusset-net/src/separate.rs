@@ -1,0 +1,114 @@
+//! Ungluing with a gap: the components of a vertex that falls apart retreat from each other.
+//!
+//! All nodes of a component move to one place. O(nodes), and a sort of the unglued nodes.
+
+use super::topology::{Classes, Gluing};
+use super::{Net, Shape};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+
+impl Net<'_> {
+    /// Glues nodes; see [`Topology::glued`](super::Topology::glued). Positions stay.
+    ///
+    /// # Errors
+    /// As there; the net is then unchanged.
+    pub fn glue(&mut self, gluings: &[Gluing]) -> Result<()> {
+        let topology = self.topology().glued(gluings)?;
+        self.set_topology(topology);
+        Ok(())
+    }
+
+    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: the gap
+    /// between the components of a vertex; 0 leaves positions unchanged.
+    ///
+    /// Each component moves by half the separation, all its nodes to one place, towards the mean of
+    /// its neighbours: the other ends of its links that exist and did not belong to the vertex.
+    /// Neighbours that do not fall apart themselves take precedence, so that the rims of a cut move
+    /// away from the cut and not along it. A component without neighbours, or at their mean, stays.
+    /// Returns the number of components that moved. O(nodes).
+    ///
+    /// # Errors
+    /// As there, and [`Error::OptionOutOfRange`] for a separation that is negative or not finite;
+    /// the net is then unchanged.
+    pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
+        Error::require(separation.is_finite() && separation >= 0.0, "separation", separation)?;
+        let topology = self.topology().unglued(gluings)?;
+        let mut moves = Vec::new();
+        if separation > 0.0 {
+            let (before, after) = (Classes::of(self.topology())?, Classes::of(&topology)?);
+            moves = SplitVertices::new(&before, &after)?.moves(self, &before, separation / 2.0)?;
+        }
+        let shape = self.shape();
+        for (component, position) in &moves {
+            for &node in component {
+                let (i, j) = shape.place(node);
+                self.coordinates_mut().set(i, j, *position);
+            }
+        }
+        self.set_topology(topology);
+        Ok(moves.len())
+    }
+}
+
+/// The vertices that fall apart into components.
+struct SplitVertices {
+    /// (representative of the vertex, representative of the component, node), in order.
+    nodes: Vec<[u32; 3]>,
+    /// All these nodes in order.
+    split: Vec<u32>,
+}
+
+impl SplitVertices {
+    fn new(before: &Classes, after: &Classes) -> Result<Self> {
+        let component = |node: u32| after.representative(node);
+        let (mut nodes, mut split) = (Vec::new(), Vec::new());
+        for class in before.groups()?.iter() {
+            if class.iter().any(|&node| component(node) != component(class[0])) {
+                alloc::extend(&mut nodes, class.iter().map(|&node| [class[0], component(node), node]))?;
+                alloc::append(&mut split, class)?;
+            }
+        }
+        nodes.sort_unstable();
+        split.sort_unstable();
+        Ok(SplitVertices { nodes, split })
+    }
+
+    /// The components that move, and their new positions.
+    fn moves(&self, net: &Net<'_>, before: &Classes, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
+        let mut moves = Vec::new();
+        for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
+            let links = [true, false].map(|whole| self.sum_of_links(net, before, component, whole));
+            if let Some(direction) = links.into_iter().find_map(DVec3::try_normalize) {
+                let nodes = alloc::collect(component.iter().map(|&[.., node]| node))?;
+                alloc::push(&mut moves, (nodes, net.position(component[0][2]) + direction * step))?;
+            }
+        }
+        Ok(moves)
+    }
+
+    /// The sum of the links that lead out of the vertex of a component; `whole`: only those to
+    /// vertices that stay whole.
+    fn sum_of_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
+        let out = |&(node, neighbour): &(u32, u32)| {
+            before.representative(neighbour) != before.representative(node)
+                && !(whole && self.split.binary_search(&neighbour).is_ok())
+        };
+        let links =
+            component.iter().flat_map(|&[.., node]| neighbours(net.shape(), node).map(move |other| (node, other)));
+        let vectors = links.filter(out).map(|(node, neighbour)| net.position(neighbour) - net.position(node));
+        vectors.filter(|vector| vector.is_finite()).sum()
+    }
+}
+
+/// The nodes next to a node, without closing links.
+fn neighbours(shape: Shape, node: u32) -> impl Iterator<Item = u32> {
+    let ((i, j), w) = (shape.place(node), shape.columns() as u32);
+    let around = [
+        (i > 0).then(|| node - w),
+        (j > 0).then(|| node - 1),
+        (j + 1 < shape.columns()).then(|| node + 1),
+        (i + 1 < shape.rows()).then(|| node + w),
+    ];
+    around.into_iter().flatten()
+}

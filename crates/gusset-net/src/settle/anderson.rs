@@ -1,0 +1,80 @@
+//! Anderson's acceleration of steps: D. G. Anderson, *Iterative procedures for nonlinear integral
+//! equations* (1965), as Y. Peng et al. use it (*Anderson acceleration for geometry optimization
+//! and physics simulation*, 2018): the combination of the last steps of which the displacement is
+//! least. Whoever takes it sees that the energy falls. O(unknowns), for a window of some steps.
+
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// The steps that are combined.
+const WINDOW: usize = 6;
+/// The share of the diagonal added to the normal equations, so that like steps do not cancel.
+const REGULARISATION: f64 = 1e-12;
+
+/// The last steps: changes of the displacement and of where it led to.
+#[derive(Default)]
+pub(super) struct Anderson {
+    /// The displacement of the last step, from where it began.
+    last: Option<[Vec<DVec3>; 2]>,
+    /// Differences of displacements, and of starts, of steps in turn.
+    changes: Vec<[Vec<DVec3>; 2]>,
+}
+
+fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
+}
+
+fn difference(a: &[DVec3], b: &[DVec3]) -> Result<Vec<DVec3>> {
+    alloc::collect(a.iter().zip(b).map(|(a, b)| *a - *b))
+}
+
+impl Anderson {
+    /// A displacement that may lead farther than the step at these unknowns does; `None` at first.
+    pub(super) fn accelerated(&mut self, at: &[DVec3], step: &[DVec3]) -> Result<Option<Vec<DVec3>>> {
+        if let Some([before, start]) = &self.last {
+            if self.changes.len() == WINDOW {
+                self.changes.remove(0);
+            }
+            alloc::push(&mut self.changes, [difference(step, before)?, difference(at, start)?])?;
+        }
+        self.last = Some([alloc::copied(step)?, alloc::copied(at)?]);
+        let m = self.changes.len();
+        if m == 0 {
+            return Ok(None);
+        }
+        let weights = self.weights(step);
+        let mut accelerated = alloc::copied(step)?;
+        for (weight, [change, shift]) in weights.iter().zip(&self.changes) {
+            for ((to, change), shift) in accelerated.iter_mut().zip(change).zip(shift) {
+                *to -= *weight * (*change + *shift);
+            }
+        }
+        Ok(accelerated.iter().all(|p| p.is_finite()).then_some(accelerated))
+    }
+
+    /// The combination of changes nearest to a step: its normal equations, by elimination.
+    fn weights(&self, step: &[DVec3]) -> [f64; WINDOW] {
+        let m = self.changes.len();
+        let (mut matrix, mut weights) = ([[0.0; WINDOW]; WINDOW], [0.0; WINDOW]);
+        for i in 0..m {
+            weights[i] = dot(&self.changes[i][0], step);
+            (0..m).for_each(|k| matrix[i][k] = dot(&self.changes[i][0], &self.changes[k][0]));
+        }
+        let trace: f64 = (0..m).map(|i| matrix[i][i]).sum();
+        (0..m).for_each(|i| matrix[i][i] += REGULARISATION * trace);
+        for i in 0..m {
+            for k in i + 1..m {
+                let factor = matrix[k][i] / matrix[i][i];
+                let row = matrix[i];
+                (i..m).for_each(|j| matrix[k][j] -= factor * row[j]);
+                weights[k] -= factor * weights[i];
+            }
+        }
+        for i in (0..m).rev() {
+            let known: f64 = (i + 1..m).map(|k| matrix[i][k] * weights[k]).sum();
+            weights[i] = (weights[i] - known) / matrix[i][i];
+        }
+        weights
+    }
+}

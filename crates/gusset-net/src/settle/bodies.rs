@@ -1,0 +1,62 @@
+//! Rigid bodies: rotations that bring them nearer to rest.
+
+use super::model::Model;
+use super::motion::{Motion, outer};
+use super::parts::{BODY, NOWHERE};
+use super::term::Term;
+use glam::{DMat3, DVec3};
+use gusset_base::geom::rotation::best_rotation;
+
+/// The share of a body's inertia that keeps it as it turns: rotations that change nothing are 0.
+const INERTIA: f64 = 1e-9;
+
+/// What a body's terms say of its rotation about a pivot.
+#[derive(Clone, Copy, Default)]
+struct Lever {
+    /// Sums of w c^2 and w c A.
+    weight: f64,
+    moment: DVec3,
+    /// The sum of w (r - B) A^T, of which the rotation is best.
+    covariance: DMat3,
+    inertia: f64,
+}
+
+/// The share of one body in a term: its coefficient c, and A, the sum of c_j x_j.
+fn share(model: &Model, term: &Term, x: &[DVec3], body: u32) -> (f64, DVec3) {
+    let mut share = (0.0, DVec3::ZERO);
+    for (&point, &c) in term.points.iter().zip(&term.factors) {
+        if c != 0.0 && model.slots[point as usize] == BODY + body {
+            share = (share.0 + c, share.1 + c * x[point as usize]);
+        }
+    }
+    share
+}
+
+/// Rotates each free body, the others as they are, to where the terms' sum is least.
+pub(super) fn rotate(model: &Model, terms: &[Term], x: &mut [DVec3], motions: &mut [Motion]) {
+    for body in 0..motions.len() as u32 {
+        if model.translations[body as usize] == NOWHERE {
+            continue;
+        }
+        let own = || terms.iter().filter(|term| (0..3).any(|j| model.slots[term.points[j] as usize] == BODY + body));
+        let mut lever = Lever::default();
+        for term in own() {
+            let (c, a) = share(model, term, x, body);
+            lever.weight += term.weight * c * c;
+            lever.moment += term.weight * c * a;
+        }
+        let about = if lever.weight > 0.0 { lever.moment / lever.weight } else { DVec3::ZERO };
+        for term in own() {
+            let (c, a) = share(model, term, x, body);
+            let a = a - c * about;
+            let rest = a - term.residual(x);
+            lever.covariance += outer(term.weight * rest, a);
+            lever.inertia += term.weight.abs() * a.length_squared();
+        }
+        if lever.inertia > 0.0 {
+            let turn = best_rotation(lever.covariance + DMat3::from_diagonal(DVec3::splat(INERTIA * lever.inertia)));
+            motions[body as usize] = motions[body as usize].turned(turn, about);
+        }
+    }
+    model.place(motions, x);
+}

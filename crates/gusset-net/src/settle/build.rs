@@ -1,0 +1,420 @@
+//! The model of a composite: its lines, films, clamps and unknowns. O(nodes).
+
+use super::SettleOptions;
+use super::energy::{Law, Line, MIN_LENGTH, Quad};
+use super::model::Model;
+use super::motion::Motion;
+use super::parts::{BODY, NOWHERE, Parts, forces, is_rigid};
+use crate::planarise::order::order;
+use crate::planarise::surface::Surface;
+use crate::{Bridge, BridgeKind, Net};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use std::ops::Range;
+
+/// Lines made between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 10;
+
+/// A composite on its way to rest.
+pub(super) struct Composite {
+    pub(super) model: Model,
+    /// The points of the model before, rigid bodies in their shape.
+    pub(super) start: Vec<DVec3>,
+    /// The points of the model.
+    pub(super) points: Vec<DVec3>,
+    pub(super) motions: Vec<Motion>,
+    /// What energies in the unit are multiplied by, and forces.
+    pub(super) energy_unit: [f64; 2],
+    pub(super) settled: u32,
+    pub(super) idle: u32,
+    /// The films: their quads, and their area before.
+    pub(super) films: Vec<(Range<usize>, f64)>,
+    /// What each bridge that has forces has of the model.
+    pub(super) shares: Vec<Share>,
+}
+
+/// The unknowns, lines and quads of a bridge.
+#[derive(Clone)]
+pub(super) struct Share {
+    pub(super) unknowns: Range<usize>,
+    pub(super) lines: Range<usize>,
+    pub(super) quads: Range<usize>,
+}
+
+struct Builder<'a> {
+    net: &'a Net<'a>,
+    reference: &'a Net<'a>,
+    rest_ratio: f64,
+    parts: &'a Parts,
+    surface: &'a Surface,
+    scale: ForceScale,
+    composite: Composite,
+}
+
+/// The force that properties are relative to.
+#[derive(Clone, Copy)]
+enum ForceScale {
+    /// The largest finite property.
+    Largest(f64),
+    /// The largest stiffness over the square of the unit, which itself may be too small or too large
+    /// a number: in units in which no other force comes near to it.
+    Stiffness(f64),
+}
+
+/// Stiffness over the square of the unit and the largest property: beyond that squares of forces
+/// would overflow, or vanish.
+const PLAIN_STIFFNESS: [f64; 2] = [1e-100, 1e100];
+
+impl ForceScale {
+    fn of(parts: &Parts, net: &Net<'_>, unit: f64) -> ForceScale {
+        let forces = || parts.bridges.iter().map(|&index| &net.bridges()[index]).filter_map(|b| Some((b, forces(b)?)));
+        let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
+        let largest =
+            forces().fold(0.0, |most: f64, (_, p)| most.max(p.tension).max(p.elasticity).max(finite(p.stiffness)));
+        let largest = if largest > 0.0 { largest } else { 1.0 };
+        let stiffest = forces().fold(0.0, |most: f64, (_, p)| most.max(finite(p.stiffness)));
+        let [least, most] = PLAIN_STIFFNESS;
+        if stiffest == 0.0 || (least..=most).contains(&(stiffest / largest / unit / unit)) {
+            return ForceScale::Largest(largest);
+        }
+        let scale = ForceScale::Stiffness(stiffest);
+        let is_weaker = |x: f64| scale.relative(x, unit) <= 1.0;
+        let others_are = forces().all(|(b, p)| is_weaker(p.tension * film_unit(b, unit)) && is_weaker(p.elasticity));
+        if others_are { scale } else { ForceScale::Largest(largest) }
+    }
+
+    /// A force relative to it.
+    fn relative(self, force: f64, unit: f64) -> f64 {
+        match self {
+            ForceScale::Largest(largest) => force / largest,
+            ForceScale::Stiffness(stiffest) => force * unit / stiffest * unit,
+        }
+    }
+
+    /// A stiffness relative to it, in the unit.
+    fn relative_stiffness(self, stiffness: f64, unit: f64) -> f64 {
+        match self {
+            ForceScale::Largest(largest) => stiffness / largest / unit / unit,
+            ForceScale::Stiffness(stiffest) => stiffness / stiffest,
+        }
+    }
+
+    /// What energies are multiplied by, and forces.
+    fn units(self, unit: f64) -> [f64; 2] {
+        match self {
+            ForceScale::Largest(largest) => [largest * unit, largest],
+            ForceScale::Stiffness(stiffest) => [stiffest / unit, stiffest / unit / unit],
+        }
+    }
+}
+
+/// The length that a tension is multiplied by to be a force: of films it is that of a line.
+fn film_unit(bridge: &Bridge, unit: f64) -> f64 {
+    if bridge.kind == BridgeKind::Tube { unit } else { 1.0 }
+}
+
+/// The composite of a net: `slots` are the bodies of its vertices.
+pub(super) fn build<'a>(
+    net: &'a Net<'a>,
+    options: &SettleOptions<'a>,
+    (parts, surface, slots): (&'a Parts, &'a Surface, Vec<u32>),
+    job: &Job<'_>,
+) -> Result<Composite> {
+    let scale = ForceScale::of(parts, net, surface.unit);
+    let (translations, motions) = (Vec::new(), alloc::filled(Motion::NONE, parts.ranges.len())?);
+    let (carried, lines, quads) = (Vec::new(), Vec::new(), Vec::new());
+    let model = Model { slots, translations, carried, unknowns: 0, lines, quads };
+    let energy_unit = scale.units(surface.unit);
+    let points = alloc::copied(&surface.positions)?;
+    let composite = Composite {
+        model,
+        points,
+        start: Vec::new(),
+        motions,
+        energy_unit,
+        settled: 0,
+        idle: 0,
+        films: Vec::new(),
+        shares: Vec::new(),
+    };
+    let rest_ratio = if options.rest_ratio == 0.0 { 1.0 } else { options.rest_ratio };
+    let reference = options.reference.unwrap_or(net);
+    let mut builder = Builder { net, reference, rest_ratio, parts, surface, scale, composite };
+    builder.shape_bodies(options)?;
+    for (k, &index) in parts.bridges.iter().enumerate() {
+        builder.add_bridge(k, index, &job.share(k, parts.bridges.len()))?;
+    }
+    builder.finish()
+}
+
+impl Builder<'_> {
+    fn add_bridge(&mut self, place: usize, index: usize, job: &Job<'_>) -> Result<()> {
+        job.step(0.0, "settle")?;
+        let bridge = &self.net.bridges()[index];
+        if forces(bridge).is_none() {
+            self.composite.idle += 1;
+            return Ok(());
+        }
+        self.composite.settled += 1;
+        if is_rigid(bridge) {
+            return Ok(());
+        }
+        let law = self.law(index)?;
+        let before = self.composite.model.counts();
+        self.number_unknowns(bridge)?;
+        let is_film = bridge.kind == BridgeKind::Tube;
+        let line_law = if is_film { Law { tension: 0.0, ..law } } else { law };
+        let centres = if bridge.kind == BridgeKind::Thread { self.centres(place) } else { [None; 2] };
+        let columns = bridge.end as usize;
+        for k in 0..columns {
+            job.step_every(REPORT_INTERVAL, k, columns, "settle")?;
+            let points = self.line(bridge, k)?;
+            let is_copy =
+                (k > 0 && points == self.line(bridge, 0)?) || (k > 1 && points == self.line(bridge, k - 1)?);
+            let exists = points.iter().all(|&p| self.surface.positions[p as usize].is_finite());
+            if exists && !is_copy && points.iter().any(|&p| p != points[0]) {
+                self.add_line((place, bridge, k), points, line_law, centres)?;
+            }
+        }
+        if is_film && law.tension > 0.0 {
+            self.add_film(bridge, law.tension)?;
+        }
+        let [unknowns, lines, quads] = [0, 1, 2].map(|k| before[k]..self.composite.model.counts()[k]);
+        alloc::push(&mut self.composite.shares, Share { unknowns, lines, quads })
+    }
+
+    /// The properties in the unit and relative to the largest.
+    fn law(&self, index: usize) -> Result<Law> {
+        let bridge = &self.net.bridges()[index];
+        let (p, unit) = (bridge.properties, self.surface.unit);
+        let film = film_unit(bridge, unit);
+        let tension = match self.scale {
+            ForceScale::Largest(largest) => p.tension / largest * film,
+            ForceScale::Stiffness(_) => self.scale.relative(p.tension * film, unit),
+        };
+        let elasticity = self.scale.relative(p.elasticity, unit);
+        let stiffness = self.scale.relative_stiffness(p.stiffness, unit);
+        for (property, scaled, value) in [("tension", tension, p.tension), ("stiffness", stiffness, p.stiffness)] {
+            if !scaled.is_finite() {
+                return Err(Error::BadProperty { bridge: index as u32, property, value });
+            }
+        }
+        Ok(Law { tension, elasticity, stiffness })
+    }
+
+    /// The vertices of a rigid bridge belong to the body on both its sides.
+    fn add_rigid(&mut self, place: usize, bridge: &Bridge) {
+        let body = BODY + self.parts.bodies[place];
+        for i in bridge.first_side() + 1..bridge.at {
+            for k in 0..bridge.end {
+                let v = self.vertex(i as usize, k as usize) as usize;
+                let slot = &mut self.composite.model.slots[v];
+                if *slot == NOWHERE {
+                    *slot = body;
+                }
+            }
+        }
+    }
+
+    fn vertex(&self, i: usize, k: usize) -> u32 {
+        self.parts.vertex(&self.surface.classes, i, k)
+    }
+
+    /// Numbers the inner vertices in an order of elimination.
+    fn number_unknowns(&mut self, bridge: &Bridge) -> Result<()> {
+        if bridge.rows == 0 {
+            return Ok(());
+        }
+        let first = bridge.first_side() as usize + 1;
+        let size = [bridge.rows as usize, bridge.end as usize];
+        order(size, bridge.kind != BridgeKind::Ribbon, &mut |i, k| {
+            let v = self.vertex(first + i, k);
+            let model = &mut self.composite.model;
+            if model.slots[v as usize] == NOWHERE && self.surface.positions[v as usize].is_finite() {
+                model.slots[v as usize] = model.unknowns as u32;
+                model.unknowns += 1;
+            }
+            Ok(())
+        })
+    }
+
+    /// The vertices from side to side.
+    fn line(&self, bridge: &Bridge, k: usize) -> Result<Vec<u32>> {
+        alloc::collect((bridge.first_side() as usize..bridge.at as usize + 1).map(|i| self.vertex(i, k)))
+    }
+
+    fn add_line(
+        &mut self,
+        (place, bridge, k): (usize, &Bridge, usize),
+        points: Vec<u32>,
+        law: Law,
+        centres: [Option<DVec3>; 2],
+    ) -> Result<()> {
+        let at = |i: u32| {
+            let (i, j) = self.parts.direction.ordered(i as usize, k);
+            self.reference.get(i, j) / self.surface.unit
+        };
+        let links = bridge.first_side()..bridge.at;
+        let rests = links.map(|i| self.rest_ratio * at(i).distance(at(i + 1)));
+        let mut rests: Vec<f64> = alloc::collect(rests)?;
+        let known = rests.iter().filter(|rest| rest.is_finite());
+        let count = known.clone().count();
+        let h = if count > 0 { known.sum::<f64>() / count as f64 } else { 0.0 };
+        rests.iter_mut().filter(|rest| !rest.is_finite()).for_each(|rest| *rest = 0.0);
+        let mut aims = [None; 2];
+        if law.stiffness > 0.0 && h > MIN_LENGTH {
+            for end in 0..2 {
+                let side = points[end * (points.len() - 1)];
+                let before = centres[end].or_else(|| self.before(place, end, k));
+                aims[end] = before.map(|before| self.add_aim(side, before, h)).transpose()?.flatten();
+            }
+        }
+        alloc::push(&mut self.composite.model.lines, Line { points, rests, spacing: h, aims, law })
+    }
+
+    /// The row or column of a part next to the side of a bridge that is its end.
+    fn row_before(&self, place: usize, end: usize) -> Option<usize> {
+        let rows = &self.parts.ranges[place + end];
+        (rows.len() > 1).then(|| if end == 0 { rows.end - 2 } else { rows.start + 1 })
+    }
+
+    /// The node that a line comes from.
+    fn before(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
+        let before = self.composite.points[self.vertex(self.row_before(place, end)?, k) as usize];
+        before.is_finite().then_some(before)
+    }
+
+    /// For a thread, the mean of the vertices that lie next to each of its ends.
+    fn centres(&self, place: usize) -> [Option<DVec3>; 2] {
+        let along = self.parts.direction.extent(self.net.shape()).1;
+        [0, 1].map(|end| {
+            let row = self.row_before(place, end)?;
+            let (mut sum, mut count) = (DVec3::ZERO, 0.0);
+            for k in 0..along {
+                let v = self.vertex(row, k);
+                let is_copy = k > 0 && (v == self.vertex(row, k - 1) || v == self.vertex(row, 0));
+                let position = self.composite.points[v as usize];
+                if !is_copy && position.is_finite() {
+                    (sum, count) = (sum + position, count + 1.0);
+                }
+            }
+            (count > 0.0).then(|| sum / count)
+        })
+    }
+
+    /// A point of the side's body a link away, in the direction from what lies before; `None` if it
+    /// has none.
+    fn add_aim(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
+        let composite = &mut self.composite;
+        let (at, slot) = (composite.points[side as usize], composite.model.slots[side as usize]);
+        if at.distance(before) <= MIN_LENGTH {
+            return Ok(None);
+        }
+        alloc::push(&mut composite.points, at + h * (at - before).normalize())?;
+        alloc::push(&mut composite.model.slots, slot)?;
+        Ok(Some(composite.points.len() as u32 - 1))
+    }
+
+    fn add_film(&mut self, bridge: &Bridge, tension: f64) -> Result<()> {
+        let first = self.composite.model.quads.len();
+        for i in bridge.first_side() as usize..bridge.at as usize {
+            for k in 0..bridge.end as usize - 1 {
+                let corners = [(i, k), (i, k + 1), (i + 1, k + 1), (i + 1, k)].map(|(i, k)| self.vertex(i, k));
+                if corners.iter().all(|&p| self.surface.positions[p as usize].is_finite()) {
+                    alloc::push(&mut self.composite.model.quads, Quad { corners, tension })?;
+                }
+            }
+        }
+        let quads = first..self.composite.model.quads.len();
+        let area = self.composite.film_area(&quads);
+        alloc::push(&mut self.composite.films, (quads, area))
+    }
+
+    /// Gives rigid bodies their inner vertices and their shape at rest.
+    fn shape_bodies(&mut self, options: &SettleOptions<'_>) -> Result<()> {
+        let parts = self.parts;
+        let mut is_rigid_body = alloc::filled(false, parts.ranges.len())?;
+        for (place, &index) in parts.bridges.iter().enumerate() {
+            let bridge = &self.net.bridges()[index];
+            if is_rigid(bridge) {
+                self.add_rigid(place, bridge);
+                is_rigid_body[parts.bodies[place] as usize] = true;
+            }
+        }
+        if let Some(reference) = options.reference {
+            let bodies = (0u32..).zip(is_rigid_body).filter(|&(_, is_rigid)| is_rigid);
+            bodies.for_each(|(body, _)| self.reshape(body, reference));
+        }
+        Ok(())
+    }
+
+    /// Gives moving bodies their unknowns.
+    fn finish(mut self) -> Result<Composite> {
+        let count = self.parts.ranges.len();
+        let (parts, model) = (self.parts, &mut self.composite.model);
+        model.translations = alloc::filled(NOWHERE, count)?;
+        for body in 0..count {
+            if parts.bodies[body] as usize == body && !parts.held[body] {
+                model.translations[body] = model.unknowns as u32;
+                model.unknowns += 1;
+            }
+        }
+        let mut is_carried = alloc::filled(false, model.slots.len())?;
+        let lines = model.lines.iter().flat_map(|line| line.points.iter().chain(line.aims.iter().flatten()));
+        for &point in lines.chain(model.quads.iter().flat_map(|quad| &quad.corners)) {
+            is_carried[point as usize] = true;
+        }
+        for (point, carried) in (0u32..).zip(is_carried) {
+            let slot = model.slots[point as usize];
+            let moves = (BODY..NOWHERE).contains(&slot) && model.translations[(slot - BODY) as usize] != NOWHERE;
+            if carried && moves {
+                alloc::push(&mut model.carried, (point, self.composite.points[point as usize]))?;
+            }
+        }
+        self.composite.start = alloc::copied(&self.composite.points)?;
+        Ok(self.composite)
+    }
+
+    /// Moves what is not held of a body, and the bridges within it, to where they are in the
+    /// reference beside what is held.
+    fn reshape(&mut self, body: u32, reference: &Net<'_>) {
+        let (parts, surface, net) = (self.parts, self.surface, self.net);
+        let own = |part: &usize| parts.bodies[*part] == body;
+        let has_held = (0..parts.ranges.len()).any(|part| own(&part) && parts.held_parts[part]);
+        let leads = |part: &usize| own(part) && (parts.held_parts[*part] || !has_held);
+        let along = parts.direction.extent(net.shape()).1;
+        let scaled = |net: &Net<'_>, (i, k): (usize, usize)| {
+            let (i, j) = parts.direction.ordered(i, k);
+            surface.scaled(net.get(i, j))
+        };
+        let nodes = |part: usize| parts.ranges[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
+        let pairs = (0..parts.ranges.len()).filter(leads).flat_map(nodes);
+        let pairs = pairs.map(|place| [scaled(reference, place), scaled(net, place)]);
+        let motion = Motion::fitted(pairs.filter(|[p, q]| p.is_finite() && q.is_finite()));
+        let mut place_node = |i: usize, k: usize| {
+            let v = parts.vertex(&surface.classes, i, k) as usize;
+            let at = scaled(reference, (i, k));
+            if self.composite.model.slots[v] == BODY + body && at.is_finite() && surface.positions[v].is_finite() {
+                self.composite.points[v] = motion.apply(at);
+            }
+        };
+        for part in (0..parts.ranges.len()).filter(own) {
+            if has_held && !parts.held_parts[part] {
+                nodes(part).for_each(|(i, k)| place_node(i, k));
+            }
+            if let Some(&index) = parts.bridges.get(part).filter(|&&index| is_rigid(&net.bridges()[index])) {
+                let bridge = &net.bridges()[index];
+                let inner = bridge.first_side() as usize + 1..bridge.at as usize;
+                inner.for_each(|i| (0..along).for_each(|k| place_node(i, k)));
+            }
+        }
+    }
+}
+
+impl Composite {
+    pub(super) fn film_area(&self, quads: &Range<usize>) -> f64 {
+        self.model.quads[quads.clone()].iter().map(|quad| quad.area(&self.points)).sum()
+    }
+}

@@ -1,0 +1,174 @@
+//! The energies of a line across a bridge and of a cell of a film, and sums of squares above them.
+//!
+//! Above a length |e| lies |e|^2 / (2 l) + l / 2 with the present length l, and the force density
+//! 1 / l in it (Schek 1974); above the area of a triangle the Dirichlet energy of the map from the
+//! present one, with its cotangents (Pinkall and Polthier 1993; Pauletti and Pimenta 2008); above
+//! the energy of a spring that of one between points, its rest at its length in the present
+//! direction.
+
+use super::term::Term;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// Lengths below this are 0 to weights, in the unit, which the net's size is about.
+pub(super) const MIN_LENGTH: f64 = 1e-12;
+/// The least double area of a triangle in squares of its longest side: no cotangent is infinite.
+const MIN_SLENDERNESS: f64 = 1e-12;
+
+/// The parts of the energy.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Energies {
+    pub(super) tension: f64,
+    pub(super) elastic: f64,
+    pub(super) bending: f64,
+}
+
+impl Energies {
+    pub(super) fn sum(&self) -> f64 {
+        self.tension + self.elastic + self.bending
+    }
+}
+
+/// The properties of a line, in the unit.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Law {
+    pub(super) tension: f64,
+    pub(super) elasticity: f64,
+    pub(super) stiffness: f64,
+}
+
+/// A line of links across a bridge.
+pub(super) struct Line {
+    /// The points from side to side.
+    pub(super) points: Vec<u32>,
+    /// The rest lengths of the links; 0 where none is known.
+    pub(super) rests: Vec<f64>,
+    /// The mean of those that are known.
+    pub(super) spacing: f64,
+    /// The points that it aims at from its ends, one link away.
+    pub(super) aims: [Option<u32>; 2],
+    pub(super) law: Law,
+}
+
+impl Line {
+    fn edges<'a>(&'a self, x: &'a [DVec3]) -> impl Iterator<Item = DVec3> + 'a {
+        self.points.windows(2).map(|ends| x[ends[1] as usize] - x[ends[0] as usize])
+    }
+
+    /// The root of the number of links times the sum of their squares: the length of the line once
+    /// its nodes are evenly spaced, which they become.
+    fn length(&self, x: &[DVec3]) -> f64 {
+        (self.rests.len() as f64 * self.edges(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
+    }
+
+    /// The weight of a squared second difference: stiffness / h^3, h being the rest length of a
+    /// link; 0 if there is none.
+    fn bending_weight(&self) -> f64 {
+        let h = self.spacing;
+        if self.law.stiffness > 0.0 && h > MIN_LENGTH { self.law.stiffness / (h * h * h) } else { 0.0 }
+    }
+
+    /// The rest lengths of the links that are springs.
+    fn springs(&self) -> impl Iterator<Item = Option<f64>> + '_ {
+        self.rests.iter().map(|&rest| (self.law.elasticity > 0.0 && rest > MIN_LENGTH).then_some(rest))
+    }
+
+    /// The ends: the point next to each, and what it is aimed at.
+    fn clamps(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        let next = [1, self.points.len() - 2];
+        (0..2).filter_map(move |end| Some([self.points[next[end]], self.aims[end]?]))
+    }
+
+    /// The energy of its springs if each were as long again as at rest, about: what rounding of
+    /// their energy is relative to where it is nearly 0.
+    pub(super) fn spring_scale(&self) -> f64 {
+        self.law.elasticity * self.rests.iter().sum::<f64>()
+    }
+
+    pub(super) fn add_energies(&self, x: &[DVec3], sum: &mut Energies) {
+        if self.law.tension > 0.0 {
+            sum.tension += self.law.tension * self.length(x);
+        }
+        for (e, rest) in self.edges(x).zip(self.springs()) {
+            if let Some(rest) = rest {
+                sum.elastic += self.law.elasticity / 2.0 * (e.length() - rest).powi(2) / rest;
+            }
+        }
+        let weight = self.bending_weight();
+        if weight > 0.0 {
+            let at = |k: u32| x[k as usize];
+            let bends = self.points.windows(3).map(|p| (at(p[0]) - 2.0 * at(p[1]) + at(p[2])).length_squared());
+            let clamps = self.clamps().map(|[p, q]| 2.0 * at(p).distance_squared(at(q)));
+            sum.bending += weight / 2.0 * (bends.sum::<f64>() + clamps.sum::<f64>());
+        }
+    }
+
+    pub(super) fn push_terms(&self, x: &[DVec3], terms: &mut Vec<Term>) -> Result<()> {
+        let links = self.rests.len() as f64;
+        let tension =
+            if self.law.tension > 0.0 { self.law.tension * links / self.length(x).max(MIN_LENGTH) } else { 0.0 };
+        for ((ends, e), rest) in self.points.windows(2).zip(self.edges(x)).zip(self.springs()) {
+            if tension > 0.0 {
+                alloc::push(terms, Term::edge(ends[1], ends[0], tension, DVec3::ZERO))?;
+            }
+            if let Some(rest) = rest {
+                let weight = self.law.elasticity / rest;
+                alloc::push(terms, Term::edge(ends[1], ends[0], weight, rest * e.normalize_or_zero()))?;
+            }
+        }
+        let weight = self.bending_weight();
+        if weight > 0.0 {
+            for p in self.points.windows(3) {
+                let (points, factors) = ([p[0], p[1], p[2]], [1.0, -2.0, 1.0]);
+                alloc::push(terms, Term { points, factors, weight, rest: DVec3::ZERO })?;
+            }
+            for [p, q] in self.clamps() {
+                alloc::push(terms, Term::edge(p, q, 2.0 * weight, DVec3::ZERO))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A cell of a film under surface tension.
+pub(super) struct Quad {
+    pub(super) corners: [u32; 4],
+    pub(super) tension: f64,
+}
+
+impl Quad {
+    /// The four triangles of its corners: both ways in which a diagonal halves it.
+    fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        let [a, b, c, d] = self.corners;
+        let all = [[a, b, c], [a, c, d], [a, b, d], [b, c, d]];
+        all.into_iter().filter(|[a, b, c]| a != b && b != c && c != a)
+    }
+
+    /// The mean area of both ways.
+    pub(super) fn area(&self, x: &[DVec3]) -> f64 {
+        let double =
+            |[a, b, c]: [u32; 3]| (x[b as usize] - x[a as usize]).cross(x[c as usize] - x[a as usize]).length();
+        self.triangles().map(double).sum::<f64>() / 4.0
+    }
+
+    pub(super) fn energy(&self, x: &[DVec3]) -> f64 {
+        self.tension * self.area(x)
+    }
+
+    pub(super) fn push_terms(&self, x: &[DVec3], terms: &mut Vec<Term>) -> Result<()> {
+        for triangle in self.triangles() {
+            let at = |k: usize| x[triangle[k % 3] as usize];
+            let sides = [0, 1, 2].map(|k| at(k + 2) - at(k + 1));
+            let longest = sides.iter().map(|side| side.length_squared()).fold(MIN_LENGTH * MIN_LENGTH, f64::max);
+            let double = sides[0].cross(sides[1]).length().max(MIN_SLENDERNESS * longest);
+            for k in 0..3 {
+                let cotangent = -sides[(k + 1) % 3].dot(sides[(k + 2) % 3]) / double;
+                let (p, q) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+                // Half the cotangent, and half of each of the two ways.
+                alloc::push(terms, Term::edge(p, q, self.tension * cotangent / 4.0, DVec3::ZERO))?;
+            }
+        }
+        Ok(())
+    }
+}

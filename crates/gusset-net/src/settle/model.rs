@@ -1,0 +1,153 @@
+//! The energy of a composite as sums over lines across its bridges and cells of films, and the
+//! quadratic sums that lie above it. O(nodes of bridges).
+
+use super::energy::{Energies, Line, Quad};
+use super::motion::Motion;
+use super::parts::{BODY, NOWHERE};
+use super::term::Term;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use gusset_base::sparse::Symmetric;
+
+/// The share of the diagonal that is added to it, so that what no force holds stays.
+const DAMPING: f64 = 1e-11;
+
+/// All that has forces, in the unit. Points are the classes of nodes, and after them the points
+/// that clamps aim at, which move with the bodies.
+pub(super) struct Model {
+    /// Of each point the number of its unknown, or its body above [`BODY`].
+    pub(super) slots: Vec<u32>,
+    /// The unknown that is the translation of each body; [`NOWHERE`] of those that stay.
+    pub(super) translations: Vec<u32>,
+    /// The points of moving bodies that terms have, and where they were.
+    pub(super) carried: Vec<(u32, DVec3)>,
+    pub(super) unknowns: usize,
+    pub(super) lines: Vec<Line>,
+    pub(super) quads: Vec<Quad>,
+}
+
+impl Model {
+    /// The unknown that moves a point, if any does.
+    fn unknown(&self, point: u32) -> Option<usize> {
+        let slot = self.slots[point as usize];
+        let unknown = match slot {
+            NOWHERE => NOWHERE,
+            body if body >= BODY => self.translations[(body - BODY) as usize],
+            own => own,
+        };
+        (unknown != NOWHERE).then_some(unknown as usize)
+    }
+
+    /// The numbers of unknowns, lines and quads.
+    pub(super) fn counts(&self) -> [usize; 3] {
+        [self.unknowns, self.lines.len(), self.quads.len()]
+    }
+
+    /// Puts the points of moving bodies where these are.
+    pub(super) fn place(&self, motions: &[Motion], x: &mut [DVec3]) {
+        for &(point, start) in &self.carried {
+            x[point as usize] = motions[(self.slots[point as usize] - BODY) as usize].apply(start);
+        }
+    }
+
+    pub(super) fn energies(&self, x: &[DVec3]) -> Energies {
+        let mut sum = Energies::default();
+        self.lines.iter().for_each(|line| line.add_energies(x, &mut sum));
+        self.quads.iter().for_each(|quad| sum.tension += quad.energy(x));
+        sum
+    }
+
+    /// The terms of a sum of squares that is nowhere below the energy but for a constant, and
+    /// touches it at x.
+    pub(super) fn terms(&self, x: &[DVec3]) -> Result<Vec<Term>> {
+        let mut terms = Vec::new();
+        for line in &self.lines {
+            line.push_terms(x, &mut terms)?;
+        }
+        for quad in &self.quads {
+            quad.push_terms(x, &mut terms)?;
+        }
+        Ok(terms)
+    }
+
+    /// The gradient of the sum for each unknown.
+    pub(super) fn gradient(&self, terms: &[Term], x: &[DVec3]) -> Result<Vec<DVec3>> {
+        let mut gradient = alloc::filled(DVec3::ZERO, self.unknowns)?;
+        for term in terms {
+            let force = term.weight * term.residual(x);
+            for (&point, &c) in term.points.iter().zip(&term.factors).filter(|&(_, &c)| c != 0.0) {
+                if let Some(unknown) = self.unknown(point) {
+                    gradient[unknown] += c * force;
+                }
+            }
+        }
+        Ok(gradient)
+    }
+
+    /// The displacements of the unknowns to where the sum is least, bodies not turning.
+    pub(super) fn step(&self, terms: &[Term], gradient: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
+        let matrix = self.matrix(terms, &job.part(0.0, 0.2))?;
+        let mut solution = alloc::collect(gradient.iter().map(|&g| -g))?;
+        matrix.factor(&job.part(0.2, 0.9))?.solve(&mut solution, &job.part(0.9, 1.0))?;
+        Ok(solution)
+    }
+
+    fn matrix(&self, terms: &[Term], job: &Job<'_>) -> Result<Symmetric> {
+        let pairs = |term: &Term| {
+            let unknowns = term.points.map(|point| self.unknown(point));
+            let (factors, weight) = (term.factors, term.weight);
+            let entry = move |(i, j): (usize, usize)| {
+                let (Some(p), Some(q)) = (unknowns[i], unknowns[j]) else { return None };
+                let value = weight * factors[i] * factors[j];
+                (p <= q && value != 0.0).then_some((q, (p as u32, value)))
+            };
+            (0..9).filter_map(move |k| entry((k / 3, k % 3)))
+        };
+        job.step(0.0, "settle")?;
+        let mut columns = Buckets::new(self.unknowns, (0, 0.0), terms.iter().flat_map(pairs))?;
+        let (mut start, mut entries) = (alloc::with_capacity(self.unknowns + 1)?, Vec::new());
+        let mut diagonal = alloc::filled(0.0, self.unknowns)?;
+        start.push(0);
+        for (k, diagonal) in diagonal.iter_mut().enumerate() {
+            job.step_every(1 << 14, k, self.unknowns, "settle")?;
+            let column = columns.get_mut(k);
+            column.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            for same in column.chunk_by(|a, b| a.0 == b.0) {
+                let sum: f64 = same.iter().map(|&(_, value)| value).sum();
+                if same[0].0 as usize == k {
+                    *diagonal = sum * (1.0 + DAMPING);
+                } else {
+                    alloc::push(&mut entries, (same[0].0, sum))?;
+                }
+            }
+            start.push(entries.len());
+        }
+        Ok(Symmetric { start, entries, diagonal })
+    }
+
+    /// The points and the motions after displacements, or a part of them.
+    pub(super) fn moved(
+        &self,
+        x: &[DVec3],
+        motions: &[Motion],
+        step: &[DVec3],
+        part: f64,
+    ) -> Result<(Vec<DVec3>, Vec<Motion>)> {
+        let (mut x, mut motions) = (alloc::copied(x)?, alloc::copied(motions)?);
+        for (point, &slot) in x.iter_mut().zip(&self.slots) {
+            if slot < BODY {
+                *point += part * step[slot as usize];
+            }
+        }
+        for (motion, &unknown) in motions.iter_mut().zip(&self.translations) {
+            if unknown != NOWHERE {
+                motion.translation += part * step[unknown as usize];
+            }
+        }
+        self.place(&motions, &mut x);
+        Ok((x, motions))
+    }
+}

@@ -1,0 +1,45 @@
+//! Rigid motions.
+
+use glam::{DMat3, DQuat, DVec3};
+use gusset_base::geom::rotation::best_rotation;
+
+/// A rigid motion, p -> rotation p + translation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Motion {
+    pub(super) rotation: DQuat,
+    pub(super) translation: DVec3,
+}
+
+impl Motion {
+    pub(super) const NONE: Motion = Motion { rotation: DQuat::IDENTITY, translation: DVec3::ZERO };
+
+    pub(super) fn apply(&self, p: DVec3) -> DVec3 {
+        self.rotation * p + self.translation
+    }
+
+    /// This motion, and then a rotation about a point.
+    pub(super) fn turned(&self, rotation: DQuat, about: DVec3) -> Motion {
+        let translation = rotation * (self.translation - about) + about;
+        Motion { rotation: (rotation * self.rotation).normalize(), translation }
+    }
+
+    /// The motion that brings points nearest to others, in the sum of squares: B. K. P. Horn
+    /// (1987).
+    pub(super) fn fitted(pairs: impl Iterator<Item = [DVec3; 2]> + Clone) -> Motion {
+        let (mut sums, mut count) = ([DVec3::ZERO; 2], 0.0);
+        pairs.clone().for_each(|[p, q]| (sums, count) = ([sums[0] + p, sums[1] + q], count + 1.0));
+        if count == 0.0 {
+            return Motion::NONE;
+        }
+        let means = sums.map(|sum| sum / count);
+        let mut covariance = DMat3::ZERO;
+        pairs.for_each(|[p, q]| covariance += outer(q - means[1], p - means[0]));
+        let rotation = best_rotation(covariance);
+        Motion { rotation, translation: means[1] - rotation * means[0] }
+    }
+}
+
+/// a b^T.
+pub(super) fn outer(a: DVec3, b: DVec3) -> DMat3 {
+    DMat3::from_cols(b.x * a, b.y * a, b.z * a)
+}

@@ -1,0 +1,162 @@
+//! The parts between whole bridges, and the rigid bodies that they make. O(nodes).
+
+use super::SettleOptions;
+use crate::{Bridge, BridgeMode, BridgeProperties, Classes, Direction, Net};
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_base::sort;
+use std::ops::Range;
+
+/// Nodes between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+/// Of a vertex that no bridge and no part has.
+pub(super) const NOWHERE: u32 = u32::MAX;
+/// Of vertices of bodies: the number of the body above this.
+pub(super) const BODY: u32 = 1 << 31;
+
+/// What a composite net consists of, along one direction.
+pub(super) struct Parts {
+    pub(super) direction: Direction,
+    /// The numbers of the whole bridges, in order of place.
+    pub(super) bridges: Vec<usize>,
+    /// The rows (`Down`) or columns of each part: one more than bridges.
+    pub(super) ranges: Vec<Range<usize>>,
+    /// The body of each part.
+    pub(super) bodies: Vec<u32>,
+    /// True of bodies that stay, by number; entries of parts that are not the first of a body are
+    /// not read.
+    pub(super) held: Vec<bool>,
+    /// The parts that the caller holds.
+    pub(super) held_parts: Vec<bool>,
+}
+
+/// The properties under which a bridge has a force; `None` if it has none.
+pub(super) fn forces(bridge: &Bridge) -> Option<BridgeProperties> {
+    let p = bridge.properties;
+    let pulls = p.tension > 0.0 || p.elasticity > 0.0 || p.stiffness > 0.0;
+    (bridge.mode == BridgeMode::Keep && pulls).then_some(p)
+}
+
+/// True if a bridge and its sides move as one body.
+pub(super) fn is_rigid(bridge: &Bridge) -> bool {
+    forces(bridge).is_some_and(|p| p.stiffness == f64::INFINITY)
+}
+
+/// [`Error::BadProperty`] for a property that is negative or NaN, or infinite but for stiffness.
+fn check(index: usize, p: BridgeProperties) -> Result<()> {
+    for (property, value) in [("tension", p.tension), ("elasticity", p.elasticity), ("stiffness", p.stiffness)] {
+        let is_valid = value >= 0.0 && (value.is_finite() || property == "stiffness");
+        if !is_valid {
+            return Err(Error::BadProperty { bridge: index as u32, property, value });
+        }
+    }
+    Ok(())
+}
+
+impl Parts {
+    /// The parts between the whole bridges in the direction of the last of them.
+    pub(super) fn of(net: &Net<'_>, options: &SettleOptions<'_>) -> Result<Self> {
+        let all = net.bridges();
+        let whole = |bridge: &Bridge| bridge.is_whole(net.shape());
+        let direction = all.iter().rfind(|bridge| whole(bridge)).map_or(Direction::Down, |bridge| bridge.direction);
+        let indices = (0..all.len()).filter(|&index| whole(&all[index]) && all[index].direction == direction);
+        let mut bridges = alloc::gather(indices)?;
+        sort::stable(&mut bridges, &|&i, &k| all[i].at.cmp(&all[k].at).then(i.cmp(&k)));
+        let (mut ranges, mut start) = (alloc::with_capacity(bridges.len() + 1)?, 0);
+        for &index in &bridges {
+            check(index, all[index].properties)?;
+            let (at, rows) = (all[index].at, all[index].rows);
+            let is_inside = rows < at && (at as usize) < direction.extent(net.shape()).0;
+            if !is_inside || (all[index].first_side() as usize) < start {
+                // It is no bridge of this net, or lies within another.
+                return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
+            }
+            ranges.push(start..all[index].first_side() as usize + 1);
+            start = all[index].at as usize;
+        }
+        ranges.push(start..direction.extent(net.shape()).0);
+        let (needed, given) = (ranges.len(), options.free.len());
+        if given != 0 && given < needed {
+            return Err(Error::ArrayTooShort { what: "free", needed: needed as u64, given: given as u64 });
+        }
+        let is_held = |part: usize| !options.free.get(part).is_some_and(|&free| free);
+        let held_parts = alloc::collect((0..needed).map(is_held))?;
+        let (bodies, held) = (alloc::collect(0..needed as u32)?, Vec::new());
+        Ok(Parts { direction, bridges, ranges, bodies, held, held_parts })
+    }
+
+    /// The class of the node at place `k` of row or column `i`.
+    pub(super) fn vertex(&self, classes: &Classes, i: usize, k: usize) -> u32 {
+        let (i, j) = self.direction.ordered(i, k);
+        classes.representative(classes.shape().node(i, j))
+    }
+
+    /// Unites parts that are glued or joined by rigid bridges to bodies, and returns for each class
+    /// of nodes its body above [`BODY`], or [`NOWHERE`] for what only bridges have.
+    pub(super) fn unite(&mut self, net: &Net<'_>, classes: &Classes, job: &Job<'_>) -> Result<Vec<u32>> {
+        let shape = net.shape();
+        let along = self.direction.extent(shape).1;
+        let mut slots = alloc::filled(NOWHERE, shape.node_count())?;
+        let mut sets = DisjointSets::new(self.ranges.len())?;
+        let mut join = |a: u32, b: u32| {
+            let (a, b) = (sets.find(a), sets.find(b));
+            sets.attach(a.max(b), a.min(b));
+        };
+        let mut done = 0;
+        for (part, rows) in (0u32..).zip(&self.ranges) {
+            for i in rows.clone() {
+                for k in 0..along {
+                    job.step_every(REPORT_INTERVAL, done, shape.node_count(), "settle")?;
+                    done += 1;
+                    let slot = &mut slots[self.vertex(classes, i, k) as usize];
+                    if *slot == NOWHERE {
+                        *slot = BODY + part;
+                    } else if *slot != BODY + part {
+                        join(*slot - BODY, part);
+                    }
+                }
+            }
+        }
+        for (part, &index) in (0u32..).zip(&self.bridges) {
+            if is_rigid(&net.bridges()[index]) {
+                join(part, part + 1);
+            }
+        }
+        (0u32..).zip(&mut self.bodies).for_each(|(part, body)| *body = sets.find(part));
+        slots
+            .iter_mut()
+            .filter(|slot| **slot != NOWHERE)
+            .for_each(|slot| *slot = BODY + self.bodies[(*slot - BODY) as usize]);
+        self.hold(net)?;
+        Ok(slots)
+    }
+
+    /// Finds which bodies stay: those with a part that is held, and of bodies that bridges join,
+    /// none of which is held, the first.
+    fn hold(&mut self, net: &Net<'_>) -> Result<()> {
+        let count = self.ranges.len();
+        self.held = alloc::filled(false, count)?;
+        let mut sets = DisjointSets::new(count)?;
+        for (part, &body) in self.bodies.iter().enumerate() {
+            self.held[body as usize] |= self.held_parts[part];
+        }
+        for (part, &index) in self.bridges.iter().enumerate() {
+            if forces(&net.bridges()[index]).is_some() {
+                let (a, b) = (sets.find(self.bodies[part]), sets.find(self.bodies[part + 1]));
+                sets.attach(a.max(b), a.min(b));
+            }
+        }
+        let mut has_held = alloc::filled(false, count)?;
+        for &body in &self.bodies {
+            has_held[sets.find(body) as usize] |= self.held[body as usize];
+        }
+        for &body in &self.bodies {
+            let whole = sets.find(body) as usize;
+            self.held[body as usize] |= !has_held[whole];
+            has_held[whole] = true;
+        }
+        Ok(())
+    }
+}

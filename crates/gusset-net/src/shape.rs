@@ -1,0 +1,150 @@
+//! The size of a net and the numbering of its nodes, links and cells (Deryagin, "Model": H rows, W
+//! columns, and the characteristic matrix, whose elements are numbered as links are here).
+//!
+//! Connectivity is implicit: every question is answered by arithmetic on indices, in O(1).
+
+use gusset_base::error::{Element, Error, Result};
+
+/// The largest number of nodes of a net: links, of which there are two a node, are counted in 32
+/// bits.
+pub const MAX_NODES: u64 = (1 << 31) - 1;
+
+/// `rows` x `columns` nodes (the paper's H and W), joined by links to cells.
+///
+/// Numbers start at 0, row by row: node (i, j) is `i * columns + j`; cell (i, j), whose corners are
+/// the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j), is `i * (columns - 1) + j`. Every node
+/// has two links, one to the next node of its row and one to the next of its column: link `2 *
+/// node` is horizontal, `2 * node + 1` vertical. Those of the last column and row lead back to the
+/// first; these closing links exist only where they are contracted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Shape {
+    rows: u32,
+    columns: u32,
+}
+
+impl Shape {
+    /// # Errors
+    /// [`Error::NetTooSmall`] below 2 x 2, [`Error::TooLarge`] above [`MAX_NODES`].
+    pub fn new(rows: usize, columns: usize) -> Result<Self> {
+        let (h, w) = (rows as u64, columns as u64);
+        if h < 2 || w < 2 {
+            return Err(Error::NetTooSmall { rows: h, columns: w });
+        }
+        let count = h.saturating_mul(w);
+        Error::check_count("nodes", count, MAX_NODES)?;
+        Ok(Shape { rows: h as u32, columns: w as u32 })
+    }
+
+    /// The number of rows, H.
+    pub fn rows(self) -> usize {
+        self.rows as usize
+    }
+
+    /// The number of columns, W.
+    pub fn columns(self) -> usize {
+        self.columns as usize
+    }
+
+    /// H x W.
+    pub fn node_count(self) -> usize {
+        self.rows() * self.columns()
+    }
+
+    /// (H - 1) x (W - 1).
+    pub fn cell_count(self) -> usize {
+        (self.rows() - 1) * (self.columns() - 1)
+    }
+
+    /// Node (i, j).
+    pub fn node(self, i: usize, j: usize) -> u32 {
+        (i * self.columns() + j) as u32
+    }
+
+    /// Row and column of a node.
+    pub fn place(self, node: u32) -> (usize, usize) {
+        ((node / self.columns) as usize, (node % self.columns) as usize)
+    }
+
+    /// Cell (i, j).
+    pub fn cell(self, i: usize, j: usize) -> u32 {
+        (i * (self.columns() - 1) + j) as u32
+    }
+
+    /// Row and column of the first corner of a cell.
+    pub fn cell_place(self, cell: u32) -> (usize, usize) {
+        let columns = self.columns - 1;
+        ((cell / columns) as usize, (cell % columns) as usize)
+    }
+
+    /// The corners of the cell at (i, j): the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j).
+    pub fn corners(self, i: usize, j: usize) -> [u32; 4] {
+        let a = self.node(i, j);
+        [a, a + 1, a + self.columns + 1, a + self.columns]
+    }
+
+    /// The link from node (i, j) to the next node of its row.
+    pub fn horizontal_link(self, i: usize, j: usize) -> u32 {
+        2 * self.node(i, j)
+    }
+
+    /// The link from node (i, j) to the next node of its column.
+    pub fn vertical_link(self, i: usize, j: usize) -> u32 {
+        2 * self.node(i, j) + 1
+    }
+
+    /// The two nodes of a link; closing links end in the first column or row.
+    pub fn ends(self, link: u32) -> [u32; 2] {
+        let node = link / 2;
+        let (i, j) = self.place(node);
+        let end = match (link & 1 == 0, j + 1 == self.columns(), i + 1 == self.rows()) {
+            (true, true, _) => self.node(i, 0),
+            (true, false, _) => node + 1,
+            (false, _, true) => j as u32,
+            (false, _, false) => node + self.columns,
+        };
+        [node, end]
+    }
+
+    /// The links between two nodes: at most one, or two in a net of two rows or columns.
+    pub(crate) fn links_between(self, [a, b]: [u32; 2]) -> impl Iterator<Item = u32> {
+        [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().filter(move |&link| {
+            let ends = self.ends(link);
+            ends == [a, b] || ends == [b, a]
+        })
+    }
+
+    /// True for a link between neighbours, false for a closing link.
+    pub fn is_inner(self, link: u32) -> bool {
+        let (i, j) = self.place(link / 2);
+        if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
+    }
+
+    /// Rows and columns exchanged.
+    #[must_use]
+    pub fn transposed(self) -> Self {
+        Shape { rows: self.columns, columns: self.rows }
+    }
+
+    /// [`Error::NoSuch`] unless the node exists.
+    pub(crate) fn check_node(self, node: u32) -> Result<()> {
+        let exists = (node as usize) < self.node_count();
+        exists.then_some(()).ok_or(Error::NoSuch { element: Element::Node, index: node.into() })
+    }
+
+    /// [`Shape::cell_place`], or [`Error::NoSuch`].
+    pub(crate) fn checked_cell_place(self, cell: u32) -> Result<(usize, usize)> {
+        let exists = (cell as usize) < self.cell_count();
+        exists.then(|| self.cell_place(cell)).ok_or(Error::NoSuch { element: Element::Cell, index: cell.into() })
+    }
+}
+
+/// Row and column of the corners of the cell at (i, j), in the order of [`Shape::corners`].
+#[inline]
+pub(crate) fn corner_places(i: usize, j: usize) -> [(usize, usize); 4] {
+    [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
+}
+
+/// A pair of nodes or classes without regard to order: the smaller first.
+pub(crate) fn sorted_pair([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}

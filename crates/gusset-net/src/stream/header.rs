@@ -1,0 +1,191 @@
+//! The header of a stream: 128 bytes, checked field by field.
+
+use super::bytes::{Reader, Writer, bad, checksum};
+use crate::Shape;
+use gusset_base::error::Result;
+use gusset_mesh::mesh::Scalar;
+
+/// The bytes of a header.
+pub const HEADER_SIZE: usize = 128;
+/// A non-text byte, a name, and line ends that a transfer as text would alter.
+const MAGIC: [u8; 8] = *b"\x8bTRN\r\n\x1a\n";
+/// The version of the format.
+const VERSION: u32 = 1;
+/// The largest number of nodes per byte. Encoders pad shorter streams, so that a short stream
+/// cannot demand much memory.
+pub(super) const MAX_NODES_PER_BYTE: u64 = 4096;
+/// The alignment of blocks in a raw stream.
+pub(super) const ALIGNMENT: usize = 64;
+
+/// The storage of coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mode {
+    /// Uncompressed, aligned to 64 bytes.
+    Raw,
+    /// Compressed, bit for bit.
+    Lossless,
+    /// Compressed, rounded to the levels `origin + k * step` of each axis.
+    Quantised {
+        /// Levels go from 0 to 2^bits - 1.
+        bits: u32,
+    },
+}
+
+/// The contents of the header.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StreamInfo {
+    /// The size of the net.
+    pub shape: Shape,
+    /// The type of its coordinates.
+    pub scalar: Scalar,
+    /// Their storage.
+    pub mode: Mode,
+    /// Rows in each block; the last one may have fewer.
+    pub rows_per_block: usize,
+    /// For [`Mode::Quantised`], the coordinates of level 0.
+    pub origin: [f64; 3],
+    /// For [`Mode::Quantised`], the distance of levels. The error of a coordinate is at most half
+    /// of it and half a unit in the last place.
+    pub step: [f64; 3],
+    /// Bytes before the first block.
+    pub prelude_size: u64,
+    /// True if of each class of glued nodes only the first is stored.
+    pub(super) folded: bool,
+    /// For [`Mode::Lossless`], the bits of the coordinates of missing nodes.
+    pub(super) missing: [u64; 3],
+    /// The order of coordinates, one of six.
+    pub(super) order: u8,
+    /// Bytes of topology and bridges, and the checksum of these and the table of blocks.
+    pub(super) structure_size: u64,
+    pub(super) checksum: u32,
+}
+
+impl StreamInfo {
+    /// The header of a stream without any content yet.
+    pub(super) fn new(shape: Shape, scalar: Scalar, mode: Mode, rows_per_block: usize) -> Self {
+        StreamInfo {
+            shape,
+            scalar,
+            mode,
+            rows_per_block,
+            origin: [0.0; 3],
+            step: [0.0; 3],
+            prelude_size: 0,
+            folded: false,
+            missing: [0; 3],
+            order: 0,
+            structure_size: 0,
+            checksum: 0,
+        }
+    }
+
+    /// Reads the first [`HEADER_SIZE`] bytes of a stream. O(1).
+    ///
+    /// # Errors
+    /// [`Error::BadStream`](gusset_base::Error::BadStream).
+    pub fn read(bytes: &[u8]) -> Result<Self> {
+        // Whatever else is wrong, of other bytes that is said first.
+        if bytes.iter().zip(&MAGIC).any(|(byte, own)| byte != own) {
+            return Err(bad("it does not begin as a stream of a net does", 0));
+        }
+        let header = bytes.get(..HEADER_SIZE).ok_or(bad("it is cut off", bytes.len() as u64))?;
+        let mut from = Reader::new(header, 0);
+        from.raw(MAGIC.len())?;
+        let last = HEADER_SIZE - 4;
+        if header[last..] != checksum(&header[..last]).to_le_bytes() {
+            return Err(bad("the checksum of the header is wrong", last as u64));
+        }
+        if from.u32()? != VERSION {
+            return Err(from.bad("another version of the library wrote it"));
+        }
+        Self::read_fields(&mut from)
+    }
+
+    fn read_fields(from: &mut Reader<'_>) -> Result<Self> {
+        let (mode, scalar, bits, flags) = (from.u8()?, from.u8()?, from.u8()?, from.u8()?);
+        let (rows, columns, rows_per_block) = (from.u32()?, from.u32()?, from.u32()?);
+        let order = from.u8()?;
+        let reserved = from.raw(3)?;
+        let structure_size = from.u64()?;
+        let checksum = from.u32()?;
+        let zero = from.u32()?;
+        let mode = match (mode, bits) {
+            (0, 0) => Mode::Raw,
+            (1, 0) => Mode::Lossless,
+            (2, 8..=24) => Mode::Quantised { bits: bits.into() },
+            _ => return Err(from.bad("the mode is unknown")),
+        };
+        let scalar = match scalar {
+            0 => Scalar::F32,
+            1 => Scalar::F64,
+            _ => return Err(from.bad("the type of the coordinates is unknown")),
+        };
+        let shape = Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("no net has this size"))?;
+        if flags > 1 || order > 5 || reserved != [0; 3] || zero != 0 || !(1..=rows).contains(&rows_per_block) {
+            return Err(from.bad("a field has no such value"));
+        }
+        let numbers = [from.u64()?, from.u64()?, from.u64()?];
+        let step = [from.f64()?, from.f64()?, from.f64()?];
+        let quantised = matches!(mode, Mode::Quantised { .. });
+        let (origin, missing) = if quantised { (numbers.map(f64::from_bits), [0; 3]) } else { ([0.0; 3], numbers) };
+        let is_grid = |axis: usize| step[axis] > 0.0 && step[axis].is_finite() && origin[axis].abs() <= f64::MAX / 4.0;
+        if quantised && !(0..3).all(is_grid) {
+            return Err(from.bad("a step or an origin is no number that it can be"));
+        }
+        if !quantised && step != [0.0; 3] {
+            return Err(from.bad("a field has no such value"));
+        }
+        let plain = StreamInfo::new(shape, scalar, mode, rows_per_block as usize);
+        let mut info =
+            StreamInfo { origin, step, folded: flags == 1, missing, order, structure_size, checksum, ..plain };
+        info.prelude_size = info.prelude().ok_or_else(|| from.bad("a size is too large"))?;
+        Ok(info)
+    }
+
+    /// The bytes of the header.
+    pub(super) fn write(&self, to: &mut Writer) -> Result<()> {
+        let start = to.bytes.len();
+        to.raw(&MAGIC)?;
+        to.u32(VERSION)?;
+        let (mode, bits) = match self.mode {
+            Mode::Raw => (0, 0),
+            Mode::Lossless => (1, 0),
+            Mode::Quantised { bits } => (2, bits as u8),
+        };
+        to.raw(&[mode, u8::from(self.scalar == Scalar::F64), bits, u8::from(self.folded)])?;
+        to.u32(self.shape.rows() as u32)?;
+        to.u32(self.shape.columns() as u32)?;
+        to.u32(self.rows_per_block as u32)?;
+        to.raw(&[self.order, 0, 0, 0])?;
+        to.u64(self.structure_size)?;
+        to.u32(self.checksum)?;
+        to.u32(0)?;
+        let quantised = matches!(self.mode, Mode::Quantised { .. });
+        (0..3).try_for_each(|k| to.u64(if quantised { self.origin[k].to_bits() } else { self.missing[k] }))?;
+        self.step.iter().try_for_each(|&step| to.f64(step))?;
+        to.zeros(start + HEADER_SIZE - 4 - to.bytes.len())?;
+        to.u32(checksum(&to.bytes[start..]))
+    }
+
+    /// The number of blocks.
+    pub fn block_count(&self) -> usize {
+        self.shape.rows().div_ceil(self.rows_per_block)
+    }
+
+    /// The rows of a block.
+    pub fn block_rows(&self, block: usize) -> std::ops::Range<usize> {
+        let start = block * self.rows_per_block;
+        start..self.shape.rows().min(start + self.rows_per_block)
+    }
+
+    /// Bytes of the table of blocks, which has the size and checksum of each.
+    pub(super) fn table_size(&self) -> u64 {
+        12 * self.block_count() as u64
+    }
+
+    /// Bytes of header, structure, table and padding before the first block.
+    pub(super) fn prelude(&self) -> Option<u64> {
+        let size = self.structure_size.checked_add(HEADER_SIZE as u64 + self.table_size())?;
+        if self.mode == Mode::Raw { size.checked_next_multiple_of(ALIGNMENT as u64) } else { Some(size) }
+    }
+}

@@ -1,0 +1,171 @@
+//! Levels: coordinates as whole numbers, so that residuals are differences of integers.
+//!
+//! Lossless levels are bit patterns in numerical order; quantised ones count equal steps. O(1) a
+//! number.
+
+use crate::Real;
+
+/// A coordinate type with access to its bits.
+pub(super) trait Bits: Real {
+    /// Bytes of a number.
+    const SIZE: usize = size_of::<Self>();
+    /// The number as an integer in numerical order, from -infinity to infinity, -0 before 0; NaN
+    /// beyond both.
+    fn level(self) -> i64;
+    /// The number of a level, if it is in range.
+    fn of_level(level: i64) -> Option<Self>;
+    /// Little-endian bytes.
+    fn write(self, to: &mut [u8]);
+    /// From little-endian bytes, exactly [`Bits::SIZE`] of them.
+    fn read(from: &[u8]) -> Self;
+    /// A quiet NaN.
+    const MISSING: Self;
+}
+
+macro_rules! bits {
+    ($($scalar:ident: $whole:ident),+) => {$(
+        impl Bits for $scalar {
+            const MISSING: Self = $scalar::NAN;
+
+            #[inline(always)]
+            fn level(self) -> i64 {
+                let bits = self.to_bits() as $whole;
+                (bits ^ ((bits >> ($whole::BITS - 1)) & $whole::MAX)).into()
+            }
+
+            #[inline(always)]
+            fn of_level(level: i64) -> Option<Self> {
+                let level = $whole::try_from(level).ok()?;
+                Some($scalar::from_bits((level ^ ((level >> ($whole::BITS - 1)) & $whole::MAX)) as _))
+            }
+
+            #[inline(always)]
+            fn write(self, to: &mut [u8]) {
+                to.copy_from_slice(&self.to_le_bytes());
+            }
+
+            #[inline(always)]
+            fn read(from: &[u8]) -> Self {
+                let mut bytes = [0; Self::SIZE];
+                bytes.copy_from_slice(from);
+                $scalar::from_le_bytes(bytes)
+            }
+        }
+    )+};
+}
+
+bits! { f32: i32, f64: i64 }
+
+/// A map between numbers and levels.
+pub(super) trait Levels<T>: Sync {
+    /// The level of a number.
+    fn level(&self, axis: usize, number: T) -> i64;
+    /// The number of a level, if it is in range.
+    fn number(&self, axis: usize, level: i64) -> Option<T>;
+    /// The value of a level for predictors, nearly linear in the number; not finite for NaN and
+    /// infinities.
+    fn value(&self, level: i64) -> f64;
+    /// The level nearest to a finite value.
+    fn nearest(&self, axis: usize, value: f64) -> i64;
+    /// The spacing of values near this one.
+    fn resolution(&self, value: f64) -> f64;
+    /// True for a node that is marked as missing and not coded.
+    fn is_missing(&self, node: [T; 3]) -> bool;
+    /// The coordinates that missing nodes get.
+    fn missing(&self) -> [T; 3];
+}
+
+/// Levels of bit patterns: lossless.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LosslessLevels<T> {
+    /// The coordinates of missing nodes.
+    pub(super) missing: [T; 3],
+}
+
+impl<T: Bits> Levels<T> for LosslessLevels<T> {
+    #[inline(always)]
+    fn level(&self, _: usize, number: T) -> i64 {
+        number.level()
+    }
+
+    #[inline(always)]
+    fn number(&self, _: usize, level: i64) -> Option<T> {
+        T::of_level(level)
+    }
+
+    #[inline(always)]
+    fn value(&self, level: i64) -> f64 {
+        T::of_level(level).map_or(0.0, Into::into)
+    }
+
+    #[inline(always)]
+    fn nearest(&self, _: usize, value: f64) -> i64 {
+        T::of(value).level()
+    }
+
+    fn resolution(&self, value: f64) -> f64 {
+        if value.abs() > 1e-290 { value.abs() * if T::SIZE == 4 { 6e-8 } else { 1.1e-16 } } else { 1e-300 }
+    }
+
+    #[inline(always)]
+    fn is_missing(&self, node: [T; 3]) -> bool {
+        let levels = self.missing.map(T::level);
+        node.map(T::level) == levels && !node.iter().all(|&number| number.into().is_finite())
+    }
+
+    #[inline(always)]
+    fn missing(&self) -> [T; 3] {
+        self.missing
+    }
+}
+
+/// The levels 0 to `last` in equal steps: level k is `origin + k * step`, computed in double
+/// precision and rounded to the scalar type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct UniformLevels {
+    pub(super) origin: [f64; 3],
+    pub(super) step: [f64; 3],
+    pub(super) last: i64,
+}
+
+impl<T: Bits> Levels<T> for UniformLevels {
+    #[inline(always)]
+    fn level(&self, axis: usize, number: T) -> i64 {
+        let value: f64 = number.into();
+        let steps = (value - self.origin[axis]) / self.step[axis];
+        Levels::<T>::nearest(self, axis, steps)
+    }
+
+    #[inline(always)]
+    fn number(&self, axis: usize, level: i64) -> Option<T> {
+        let in_range = (0..=self.last).contains(&level);
+        in_range.then(|| T::of(self.origin[axis] + level as f64 * self.step[axis]))
+    }
+
+    #[inline(always)]
+    fn value(&self, level: i64) -> f64 {
+        level as f64
+    }
+
+    #[inline(always)]
+    fn nearest(&self, _: usize, value: f64) -> i64 {
+        let last = self.last as f64;
+        let value = if value > 0.0 { value } else { 0.0 };
+        let value = if value < last { value } else { last };
+        (value + 0.5) as i64
+    }
+
+    fn resolution(&self, _: f64) -> f64 {
+        1.0
+    }
+
+    #[inline(always)]
+    fn is_missing(&self, node: [T; 3]) -> bool {
+        !node.iter().all(|&number| number.into().is_finite())
+    }
+
+    #[inline(always)]
+    fn missing(&self) -> [T; 3] {
+        [T::MISSING; 3]
+    }
+}

@@ -1,0 +1,102 @@
+//! The choice of quantisation levels.
+//!
+//! The step follows from the number of bits and the bounding box. Scanners often have an intrinsic
+//! step: if the coordinates of an axis already lie in equal steps larger than the requested one,
+//! theirs is used, which is more exact and takes fewer bits. O(nodes).
+
+use super::levels::{Bits, Levels, UniformLevels};
+use crate::Planes;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+
+/// Coordinates in the sample for the intrinsic step.
+const MAX_SAMPLES: usize = 4096;
+
+/// Levels of `bits` bits for the existing nodes: one step for all axes, or one each.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for coordinates whose differences could overflow,
+/// [`Error::OutOfMemory`].
+pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool) -> Result<UniformLevels> {
+    let last = (1i64 << bits) - 1;
+    let [low, high] = bounds(planes);
+    let largest = low.iter().chain(&high).fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    Error::require(largest <= f64::MAX / 4.0, "coordinates", largest)?;
+    let extents: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
+    let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
+    let step = |axis: usize| {
+        let step = if per_axis { extents[axis] } else { whole } / last as f64;
+        // Subnormal quotients are not exact.
+        if step > 0.0 { step.max(1e-290) } else { 1.0 }
+    };
+    let mut grid = UniformLevels { origin: low, step: std::array::from_fn(step), last };
+    for axis in 0..3 {
+        if let Some((origin, step)) = intrinsic_step(planes, axis, grid.step[axis])? {
+            let mut finer = grid;
+            (finer.origin[axis], finer.step[axis]) = (origin, step);
+            if is_exact_enough(planes, axis, &finer, grid.step[axis] / 2.0) {
+                grid = finer;
+            }
+        }
+    }
+    Ok(grid)
+}
+
+/// The bounding box of the existing nodes; zeros if there are none.
+fn bounds<T: Bits>(planes: &Planes<'_, T>) -> [[f64; 3]; 2] {
+    let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for i in 0..planes.shape().rows() {
+        let [x, y, z] = planes.row(i);
+        for ((&x, &y), &z) in x.iter().zip(y).zip(z) {
+            let node: [f64; 3] = [x.into(), y.into(), z.into()];
+            // The sum is finite if all three are, unless they are too large to be quantised.
+            if (node[0] * 0.25 + node[1] * 0.25 + node[2] * 0.25).is_finite() {
+                for (axis, value) in node.into_iter().enumerate() {
+                    bounds[0][axis] = if value < bounds[0][axis] { value } else { bounds[0][axis] };
+                    bounds[1][axis] = if value > bounds[1][axis] { value } else { bounds[1][axis] };
+                }
+            }
+        }
+    }
+    if bounds[0][0] > bounds[1][0] { [[0.0; 3]; 2] } else { bounds }
+}
+
+/// The first coordinate and the step of an axis, if a sample of its coordinates lies in equal steps
+/// larger than `step`.
+fn intrinsic_step<T: Bits>(planes: &Planes<'_, T>, axis: usize, step: f64) -> Result<Option<(f64, f64)>> {
+    let (w, count) = (planes.shape().columns(), planes.shape().node_count());
+    let mut found: Vec<f64> = alloc::with_capacity(MAX_SAMPLES)?;
+    // An odd stride visits all columns.
+    let every = count.div_ceil(MAX_SAMPLES) | 1;
+    for at in (0..count).step_by(every) {
+        let value: f64 = planes.row(at / w)[axis][at % w].into();
+        if value.is_finite() {
+            found.push(value);
+        }
+    }
+    found.sort_unstable_by(f64::total_cmp);
+    let near = step / 8.0;
+    found.dedup_by(|next, first| *next - *first <= near);
+    let smallest = found.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+    if found.len() < 3 || smallest < 1.25 * step {
+        return Ok(None);
+    }
+    // The estimate improves with the distance over which it is measured.
+    let (mut distance, mut steps) = (smallest, 0.0);
+    for pair in found.windows(2) {
+        steps += libm::rint((pair[1] - pair[0]) / distance);
+        distance = (pair[1] - found[0]) / steps;
+    }
+    Ok(Some((found[0] - distance * libm::rint((found[0] - bounds(planes)[0][axis]) / distance), distance)))
+}
+
+/// True if rounding to the levels moves no coordinate of an axis by more than `tolerance`.
+fn is_exact_enough<T: Bits>(planes: &Planes<'_, T>, axis: usize, grid: &UniformLevels, tolerance: f64) -> bool {
+    (0..planes.shape().rows()).all(|i| {
+        planes.row(i)[axis].iter().all(|&number| {
+            let value: f64 = number.into();
+            let rounded: Option<T> = grid.number(axis, Levels::<T>::level(grid, axis, number));
+            !value.is_finite() || rounded.is_some_and(|rounded| (rounded.into() - value).abs() <= tolerance)
+        })
+    })
+}

@@ -1,0 +1,44 @@
+//! Uncompressed blocks: the rows of X, then of Y, then of Z, without gaps, each of the three at a
+//! multiple of 64 bytes from the start of the block; little-endian. O(nodes).
+
+use super::bytes::Reader;
+use super::header::{ALIGNMENT, StreamInfo};
+use super::levels::Bits;
+use crate::Planes;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// Bytes of the rows of one matrix in a block, without and with padding.
+fn sizes<T: Bits>(info: &StreamInfo, block: usize) -> [usize; 2] {
+    let size = info.block_rows(block).len() * info.shape.columns() * T::SIZE;
+    [size, size.next_multiple_of(ALIGNMENT)]
+}
+
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+pub(super) fn encode<T: Bits>(info: &StreamInfo, planes: &Planes<'_, T>, block: usize) -> Result<Vec<u8>> {
+    let [size, aligned] = sizes::<T>(info, block);
+    let mut bytes: Vec<u8> = alloc::zeroed(3 * aligned)?;
+    let row_size = info.shape.columns() * T::SIZE;
+    for (axis, matrix) in bytes.chunks_exact_mut(aligned).enumerate() {
+        for (i, row) in info.block_rows(block).zip(matrix[..size].chunks_exact_mut(row_size)) {
+            let numbers = planes.row(i)[axis];
+            row.chunks_exact_mut(T::SIZE).zip(numbers).for_each(|(to, number)| number.write(to));
+        }
+    }
+    Ok(bytes)
+}
+
+/// # Errors
+/// [`Error::BadStream`](gusset_base::Error::BadStream).
+pub(super) fn decode<T: Bits>(info: &StreamInfo, block: usize, mut from: Reader<'_>, to: [&mut [T]; 3]) -> Result<()> {
+    let [size, aligned] = sizes::<T>(info, block);
+    for matrix in to {
+        let numbers = from.raw(size)?;
+        matrix.iter_mut().zip(numbers.chunks_exact(T::SIZE)).for_each(|(to, bytes)| *to = T::read(bytes));
+        if from.raw(aligned - size)?.iter().any(|&byte| byte != 0) {
+            return Err(from.bad("what fills up a block is not zero"));
+        }
+    }
+    from.finish()
+}

@@ -1,0 +1,284 @@
+//! Decoding of streams, whole or as they arrive.
+//!
+//! Invariant: bytes that no encoder wrote are refused, and memory is allocated only within the
+//! bound that the length of the stream implies. O(nodes), blocks in parallel.
+
+use super::block::{self, Duplicates};
+use super::bytes::{Reader, bad, checksum};
+use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
+use super::levels::{Bits, LosslessLevels, UniformLevels};
+use super::{raw, structure};
+use crate::arrange::{Rearrangement, rearrange};
+use crate::chunks::zip3;
+use crate::{Bridge, Coordinates, Net, Planes, Shape, Sides, Topology, each};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::par;
+use std::ops::Range;
+
+/// An entry of the table of blocks.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) offset: u64,
+    pub(super) size: u64,
+    checksum: u32,
+}
+
+/// The parts of a stream before the first block.
+#[derive(Debug)]
+pub(super) struct Prelude {
+    pub(super) info: StreamInfo,
+    pub(super) topology: Topology,
+    pub(super) bridges: Vec<Bridge>,
+    duplicates: Duplicates,
+    pub(super) entries: Vec<Entry>,
+}
+
+impl Prelude {
+    /// `bytes`: the stream, at least up to the first block. `total`: the length of the stream, if
+    /// known.
+    pub(super) fn read(info: StreamInfo, bytes: &[u8], total: Option<u64>) -> Result<Self> {
+        let mut from = Reader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
+        let too_long = from.bad("a size is too large");
+        let size = usize::try_from(info.structure_size).map_err(|_| too_long)?;
+        let table_at = HEADER_SIZE as u64 + info.structure_size;
+        let structure = from.raw(size)?;
+        let table = from.raw(usize::try_from(info.table_size()).unwrap_or(usize::MAX))?;
+        let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
+        if checksum(checked) != info.checksum {
+            return Err(bad("the checksum of gluing and table is wrong", HEADER_SIZE as u64));
+        }
+        let padding = info.prelude_size - table_at - info.table_size();
+        if from.raw(usize::try_from(padding).unwrap_or(usize::MAX))?.iter().any(|&byte| byte != 0) {
+            return Err(from.bad("what fills up the stream before the first block is not zero"));
+        }
+        let (entries, end) = read_table(&info, Reader::new(table, table_at))?;
+        if let Some(total) = total.filter(|&total| total != end) {
+            return Err(bad("its blocks are not as long as the table says", end.min(total)));
+        }
+        let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
+        let from = Reader::new(structure, HEADER_SIZE as u64);
+        let (topology, bridges) = structure::read(info.shape, limit, from)?;
+        let duplicates = if info.folded { Duplicates::of(&topology)? } else { Duplicates::none(info.shape) };
+        Ok(Prelude { info, topology, bridges, duplicates, entries })
+    }
+
+    /// Decodes a block into its rows of the three matrices, all but duplicates.
+    fn decode<T: Bits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
+        let Entry { offset, checksum: expected, .. } = self.entries[block];
+        if checksum(bytes) != expected {
+            return Err(bad("the checksum of a block is wrong", offset));
+        }
+        let from = Reader::new(bytes, offset);
+        let (info, duplicates) = (&self.info, &self.duplicates);
+        match info.mode {
+            Mode::Raw => raw::decode(info, block, from, to),
+            Mode::Lossless => {
+                let bad = from.bad("the numbers of missing nodes are out of range");
+                let number = |bits: u64| T::of_level(bits as i64);
+                let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
+                block::decode(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
+            }
+            Mode::Quantised { bits } => {
+                let levels = UniformLevels { origin: info.origin, step: info.step, last: (1 << bits) - 1 };
+                block::decode(info, duplicates, &levels, block, from, to)
+            }
+        }
+    }
+
+    /// Gives duplicates in some rows the coordinates of the nodes that they repeat.
+    fn restore(&self, coordinates: &mut Coordinates<'_>, rows: Range<usize>) {
+        each!(coordinates, planes => self.duplicates.restore(planes, rows));
+    }
+
+    fn into_net(self, coordinates: Coordinates<'static>) -> Net<'static> {
+        let mut net = Net::new(coordinates, self.topology);
+        *net.bridges_mut() = self.bridges;
+        net
+    }
+}
+
+/// The table of blocks, and the end of the last one.
+fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u64)> {
+    let mut entries = alloc::with_capacity(info.block_count())?;
+    let mut offset = info.prelude_size;
+    for _ in 0..info.block_count() {
+        let too_large = from.bad("a block is too large");
+        let (size, checksum) = (from.u64()?, from.u32()?);
+        entries.push(Entry { offset, size, checksum });
+        offset = offset.checked_add(size).filter(|&end| end <= i64::MAX as u64).ok_or(too_large)?;
+    }
+    Ok((entries, offset))
+}
+
+/// The net of a stream.
+///
+/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones
+/// by their checksums; there are no more than 4096 nodes for each byte.
+///
+/// # Errors
+/// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
+    decode_within(bytes, u64::MAX, job)
+}
+
+/// [`decode`], of streams that may be hostile: a net of more nodes than `node_limit` is refused
+/// before memory is asked for.
+///
+/// # Errors
+/// Those of [`decode`]; [`Error::TooLarge`].
+pub fn decode_within(bytes: &[u8], node_limit: u64, job: &Job<'_>) -> Result<Net<'static>> {
+    let info = StreamInfo::read(bytes)?;
+    Error::check_count("nodes", info.shape.node_count() as u64, node_limit)?;
+    if info.prelude_size > bytes.len() as u64 {
+        return Err(bad("it is cut off", bytes.len() as u64));
+    }
+    let prelude = Prelude::read(info, bytes, Some(bytes.len() as u64))?;
+    let mut coordinates = Coordinates::zeroed(info.shape, info.scalar)?;
+    each!(&mut coordinates, planes => decode_blocks(&prelude, bytes, planes, job))?;
+    prelude.restore(&mut coordinates, 0..info.shape.rows());
+    Ok(prelude.into_net(coordinates))
+}
+
+/// Decodes all blocks, some at a time so that the host can cancel.
+fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'_, T>, job: &Job<'_>) -> Result<()> {
+    let info = &prelude.info;
+    let at_once = 2 * par::at_most(info.block_count(), job.threads());
+    let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
+    for matrices in zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block))) {
+        job.step(start as f64 / info.block_count() as f64, "decoding")?;
+        let parts = zip3(matrices.map(|matrix| matrix.chunks_mut(block))).enumerate();
+        let done = par::map(job.threads(), parts, |(k, part)| {
+            let Entry { offset, size, .. } = prelude.entries[start + k];
+            prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], part)
+        })?;
+        start += done.len();
+        done.into_iter().collect::<Result<()>>()?;
+    }
+    Ok(())
+}
+
+/// An incremental decoder: rows are available as soon as their block is complete.
+#[derive(Debug)]
+pub struct StreamDecoder {
+    /// Unused bytes, and their position in the stream.
+    pending: Vec<u8>,
+    offset: u64,
+    node_limit: u64,
+    state: Option<(Prelude, Coordinates<'static>)>,
+    next: usize,
+    failed: Option<Error>,
+}
+
+impl StreamDecoder {
+    /// `node_limit`: a larger net is refused, as its memory is allocated before the stream is
+    /// complete.
+    pub fn new(node_limit: u64) -> Self {
+        StreamDecoder { pending: Vec::new(), offset: 0, node_limit, state: None, next: 0, failed: None }
+    }
+
+    /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the
+    /// number of complete rows. An error is final and returned again, but for that of memory, which
+    /// leaves all as it was.
+    ///
+    /// # Errors
+    /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub fn push(&mut self, bytes: &[u8]) -> Result<usize> {
+        if let Some(error) = self.failed {
+            return Err(error);
+        }
+        let (pending, next, begun) = (self.pending.len(), self.next, self.state.is_some());
+        let done = self.take(bytes);
+        if let Err(Error::OutOfMemory { .. }) = done {
+            // Rows that were decoded are decoded again.
+            self.pending.truncate(pending);
+            self.next = next;
+            self.state.take_if(|_| !begun);
+        } else {
+            self.failed = done.err();
+        }
+        done.map(|()| self.rows_done())
+    }
+
+    fn take(&mut self, bytes: &[u8]) -> Result<()> {
+        alloc::append(&mut self.pending, bytes)?;
+        let mut used = if self.state.is_none() { self.start()? } else { 0 };
+        let Some((prelude, coordinates)) = &mut self.state else { return Ok(()) };
+        while let Some(entry) = prelude.entries.get(self.next) {
+            let rest = &self.pending[used..];
+            let Some(bytes) = usize::try_from(entry.size).ok().and_then(|size| rest.get(..size)) else { break };
+            let rows = prelude.info.block_rows(self.next);
+            let w = prelude.info.shape.columns();
+            each!(&mut *coordinates, planes => {
+                let parts = planes.matrices_mut().map(|matrix| &mut matrix[rows.start * w..rows.end * w]);
+                prelude.decode(self.next, bytes, parts)?;
+            });
+            prelude.restore(coordinates, rows);
+            used += bytes.len();
+            self.next += 1;
+        }
+        self.pending.drain(..used);
+        self.offset += used as u64;
+        if self.next == prelude.entries.len() && !self.pending.is_empty() {
+            return Err(bad("there is something after the end", self.offset));
+        }
+        Ok(())
+    }
+
+    /// Reads the prelude once it is complete; its bytes.
+    fn start(&mut self) -> Result<usize> {
+        if self.pending.len() < HEADER_SIZE {
+            return Ok(0);
+        }
+        let info = StreamInfo::read(&self.pending)?;
+        let count = info.shape.node_count() as u64;
+        Error::check_count("nodes", count, self.node_limit)?;
+        let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
+            return Ok(0);
+        };
+        let prelude = Prelude::read(info, &self.pending[..size], None)?;
+        self.state = Some((prelude, Coordinates::zeroed(info.shape, info.scalar)?));
+        Ok(size)
+    }
+
+    /// The header, once the prelude is complete.
+    pub fn info(&self) -> Option<&StreamInfo> {
+        self.state.as_ref().map(|(prelude, _)| &prelude.info)
+    }
+
+    /// The number of complete rows.
+    pub fn rows_done(&self) -> usize {
+        let last = self.next.checked_sub(1);
+        self.info().zip(last).map_or(0, |(info, last)| info.block_rows(last).end)
+    }
+
+    /// The complete rows as a net: a sheet without bridges.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`].
+    pub fn preview(&self) -> Result<Net<'static>> {
+        let Some((prelude, coordinates)) = &self.state else {
+            return Err(Error::NetTooSmall { rows: 0, columns: 0 });
+        };
+        let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
+        let whole = Rearrangement::Part { row: 0, column: 0 };
+        let part = rearrange(coordinates, shape, &whole, &Job::default())?;
+        Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
+    }
+
+    /// The net, once the stream is complete; the decoder is then reset.
+    ///
+    /// # Errors
+    /// [`Error::BadStream`] if it is not, or the error of [`StreamDecoder::push`].
+    pub fn finish(&mut self) -> Result<Net<'static>> {
+        if let Some(error) = self.failed {
+            return Err(error);
+        }
+        let end = self.offset + self.pending.len() as u64;
+        let whole = self.state.take_if(|(prelude, _)| self.next == prelude.entries.len());
+        let (prelude, coordinates) = whole.ok_or(bad("it is cut off", end))?;
+        *self = StreamDecoder::new(self.node_limit);
+        Ok(prelude.into_net(coordinates))
+    }
+}

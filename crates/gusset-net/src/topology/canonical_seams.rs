@@ -1,0 +1,140 @@
+//! The canonical seams of a partition: those that glue the connected components that contracted
+//! links leave of each class.
+//!
+//! One pair for each component is enough: the first nodes of the class and of the component. A
+//! greedy search takes the longest run of equal steps through each pair, in the first of the
+//! directions; runs are then extended through pairs that are one point already, and those that
+//! merge nothing are dropped. Invariant: the result depends on the partition alone, not on the
+//! seams it came from. O(pairs log pairs) for each of 80 directions.
+
+use super::{Run, Seam};
+use crate::Shape;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::sort;
+
+/// Rows and columns from one node to the next.
+type Step = (i64, i64);
+
+/// The seams that glue the components of each class. `table`: the representatives of the classes;
+/// `pieces`: those of the components that contracted links alone make.
+pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
+    let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
+    let mut pairs = alloc::gather(nodes.map(|((node, &class), _)| [class, node]))?;
+    pairs.sort_unstable();
+    let mut runs = RunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
+    let mut found = alloc::with_capacity(runs.pairs.len())?;
+    for k in 0..runs.pairs.len() {
+        if runs.seen[k] != USED {
+            found.push(runs.longest_through(k));
+        }
+    }
+    sort::stable(&mut found, &|a, b| b.count.cmp(&a.count).then(a.cmp(b)));
+    let mut sets = DisjointSets::from_parents(alloc::copied(pieces)?);
+    let mut seams = alloc::with_capacity(found.len())?;
+    for seam in found {
+        if seam.pairs(shape).fold(false, |merges, [a, b]| sets.union(a, b) | merges) {
+            seams.push(seam);
+        }
+    }
+    seams.sort_unstable();
+    Ok(seams)
+}
+
+/// Marks a pair that is in a run.
+const USED: u64 = u64::MAX;
+
+struct RunSearch<'a> {
+    shape: Shape,
+    table: &'a [u32],
+    pieces: &'a [u32],
+    /// In order.
+    pairs: Vec<[u32; 2]>,
+    /// The last trial that had the pair, or [`USED`].
+    seen: Vec<u64>,
+    trial: u64,
+}
+
+impl RunSearch<'_> {
+    /// The longest run through pair `k`, in the first of the directions that reach it, extended.
+    fn longest_through(&mut self, k: usize) -> Seam {
+        let mut best = ([(0, 0); 2], [0, 0]);
+        for steps in directions() {
+            let counts = self.free_pairs(k, steps);
+            if counts[0] + counts[1] > best.1[0] + best.1[1] {
+                best = (steps, counts);
+            }
+        }
+        let (steps, [mut before, mut after]) = best;
+        let pair = self.pairs[k];
+        for at in -before..=after {
+            if let Some(index) = self.moved(pair, steps, at).and_then(|pair| self.index(pair)) {
+                self.seen[index] = USED;
+            }
+        }
+        if steps != [(0, 0); 2] {
+            after += self.glued_pairs_after(pair, steps, after, 1);
+            before += self.glued_pairs_after(pair, steps, -before, -1);
+        }
+        let [a, b] = self.moved(pair, steps, -before).unwrap_or(pair);
+        let run = |node: u32, (row_step, column_step): Step| {
+            let (i, j) = self.shape.place(node);
+            Run { row: i as u32, column: j as u32, row_step: row_step as i32, column_step: column_step as i32 }
+        };
+        Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
+    }
+
+    /// The number of consecutive pairs in no run yet before pair `k` and after it. A fold meets
+    /// itself in the middle.
+    fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
+        self.trial += 1;
+        self.seen[k] = self.trial;
+        [-1, 1].map(|sense| {
+            let mut count = 0;
+            while let Some(index) =
+                self.moved(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.index(pair))
+                && self.seen[index] != USED
+                && self.seen[index] != self.trial
+            {
+                self.seen[index] = self.trial;
+                count += 1;
+            }
+            count
+        })
+    }
+
+    /// The number of consecutive pairs beyond `end` that are one point, but not by links alone.
+    fn glued_pairs_after(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
+        let is_glued = |&[a, b]: &[u32; 2]| {
+            let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
+            p == q && r != s
+        };
+        let at = |count: i64| self.moved(pair, steps, end + sense * count);
+        // Beyond the middle of a fold the same pairs follow, exchanged.
+        let turned = |count: i64| at(count - 1).map(|[a, b]| [b, a]);
+        (1..).take_while(|&count| at(count).filter(is_glued).is_some_and(|pair| Some(pair) != turned(count))).count()
+            as i64
+    }
+
+    /// The pair `count` steps from a pair.
+    fn moved(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
+        let node = |k: usize| {
+            let (i, j) = self.shape.place(pair[k]);
+            let (i, j) = (i as i64 + count * steps[k].0, j as i64 + count * steps[k].1);
+            let inside = (0..self.shape.rows() as i64).contains(&i) && (0..self.shape.columns() as i64).contains(&j);
+            inside.then(|| self.shape.node(i as usize, j as usize))
+        };
+        Some([node(0)?, node(1)?])
+    }
+
+    fn index(&self, [a, b]: [u32; 2]) -> Option<usize> {
+        self.pairs.binary_search(&[a.min(b), a.max(b)]).ok()
+    }
+}
+
+/// Pairs of steps to neighbours, diagonal ones included; one of the two runs may stand still.
+fn directions() -> impl Iterator<Item = [Step; 2]> {
+    let steps = || (0..9).map(|k| (k / 3 - 1, k % 3 - 1));
+    steps().flat_map(move |a| steps().map(move |b| [a, b])).filter(|&steps| steps != [(0, 0); 2])
+}

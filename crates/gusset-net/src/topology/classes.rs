@@ -1,0 +1,287 @@
+//! Classes of nodes that are one point: the connected components of contracted links and seams, by
+//! union-find.
+//!
+//! Invariant: the representative of a class is its smallest node, so that tables of classes are in
+//! the order of nodes and independent of the order of unions. O(1) for sides alone, else O(nodes)
+//! with 4 bytes a node.
+
+use super::{Links, Matrix, Seam, Sides, Topology};
+use crate::shape::{Shape, corner_places};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+
+/// The classes of glued nodes. The representative of a class is its smallest node.
+#[derive(Debug, Clone)]
+pub struct Classes {
+    shape: Shape,
+    map: ClassMap,
+}
+
+#[derive(Debug, Clone)]
+enum ClassMap {
+    /// Representatives computed on demand.
+    Sides(SideClasses),
+    /// The representative of every node.
+    Table(Vec<u32>),
+}
+
+impl Classes {
+    /// The classes of a topology. O(1) if its sides describe it; else O(nodes + contracted links),
+    /// and 4 bytes a node.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn of(topology: &Topology) -> Result<Self> {
+        Self::of_cancellable(topology, &Job::default(), "")
+    }
+
+    /// [`Classes::of`] for large nets.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub(crate) fn of_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let shape = topology.shape();
+        if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
+            return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
+        }
+        let nodes = (0..shape.node_count()).map(|node| node as u32);
+        let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
+        match &topology.links {
+            Links::Sides(sides) => sides.links(shape).for_each(|link| join(&mut sets, shape.ends(link))),
+            Links::Matrix(matrix) => contract(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
+        }
+        for seam in Seam::each_cancellable(topology.seams(), &job.part(0.7, 0.8), stage) {
+            seam?.pairs(shape).for_each(|pair| join(&mut sets, pair));
+        }
+        Ok(Classes { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
+    }
+
+    /// The size of the net.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// The smallest node of the class of a node.
+    #[inline]
+    pub fn representative(&self, node: u32) -> u32 {
+        match &self.map {
+            ClassMap::Sides(sides) => {
+                let (i, j) = self.shape.place(node);
+                sides.representative(self.shape, i, j)
+            }
+            ClassMap::Table(table) => table[node as usize],
+        }
+    }
+
+    /// The representatives of the corners of the cell at (i, j).
+    #[inline]
+    pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
+        match &self.map {
+            // Row and column are known: no division.
+            ClassMap::Sides(sides) => corner_places(i, j).map(|(i, j)| sides.representative(self.shape, i, j)),
+            ClassMap::Table(table) => self.shape.corners(i, j).map(|node| table[node as usize]),
+        }
+    }
+
+    /// True if the two ends of the link are one point.
+    pub fn contracts(&self, link: u32) -> bool {
+        let [a, b] = self.shape.ends(link);
+        self.representative(a) == self.representative(b)
+    }
+
+    /// The representative of every node.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn table(&self) -> Result<Vec<u32>> {
+        self.table_cancellable(&Job::default(), "")
+    }
+
+    /// [`Classes::table`] for large nets.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub(crate) fn table_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+        match &self.map {
+            ClassMap::Sides(_) => {
+                let nodes = (0..self.shape.node_count()).map(|node| node as u32);
+                let mut table = alloc::collect_cancellable(nodes, job, stage)?;
+                self.each_glued(|node, representative| {
+                    table[node as usize] = representative;
+                    Ok(())
+                })?;
+                Ok(table)
+            }
+            ClassMap::Table(table) => alloc::collect_cancellable(table.iter().copied(), job, stage),
+        }
+    }
+
+    /// Calls `visit` with each node that is not its own representative, and its representative.
+    /// O(H + W) for sides alone, else O(nodes).
+    pub(crate) fn each_glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
+        let (h, w) = (self.shape.rows(), self.shape.columns());
+        let mut visit =
+            |node, representative| if representative == node { Ok(()) } else { visit(node, representative) };
+        match &self.map {
+            ClassMap::Sides(sides) => {
+                let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
+                let mut places = (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j)));
+                places.try_for_each(|(i, j)| visit(self.shape.node(i, j), sides.representative(self.shape, i, j)))
+            }
+            ClassMap::Table(table) => {
+                (0..).zip(table).try_for_each(|(node, &representative)| visit(node, representative))
+            }
+        }
+    }
+
+    /// The classes of at least two nodes, in the order of their representatives.
+    ///
+    /// O(H + W) for sides alone, else O(nodes), and a sort of the glued nodes.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn groups(&self) -> Result<Groups> {
+        let mut glued = Vec::new();
+        self.each_glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
+        glued.sort_unstable();
+        let mut groups = Groups { offsets: alloc::filled(0, 1)?, members: alloc::with_capacity(2 * glued.len())? };
+        for class in glued.chunk_by(|a, b| a.0 == b.0) {
+            groups.members.push(class[0].0);
+            groups.members.extend(class.iter().map(|&(_, node)| node));
+            alloc::push(&mut groups.offsets, groups.members.len() as u32)?;
+        }
+        Ok(groups)
+    }
+}
+
+/// The classes of at least two nodes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Groups {
+    offsets: Vec<u32>,
+    members: Vec<u32>,
+}
+
+impl Groups {
+    /// The number of classes.
+    pub fn len(&self) -> usize {
+        self.offsets.len() - 1
+    }
+
+    /// True if no two nodes are glued.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Class k: its nodes in order, the representative first.
+    pub fn get(&self, k: usize) -> &[u32] {
+        &self.members[self.offsets[k] as usize..self.offsets[k + 1] as usize]
+    }
+
+    /// All classes.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.len()).map(|k| self.get(k))
+    }
+
+    /// Where each class starts among the members; one entry more than there are classes.
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// The nodes of all classes, one class after the other.
+    pub fn members(&self) -> &[u32] {
+        &self.members
+    }
+}
+
+/// Classes that follow from the sides alone.
+#[derive(Debug, Clone, Copy)]
+struct SideClasses {
+    rows_closed: bool,
+    columns_closed: bool,
+    /// The representatives of the poles at the top, the bottom, the left and the right, once closed
+    /// rows and columns are identified.
+    poles: [Option<u32>; 4],
+}
+
+impl SideClasses {
+    fn new(shape: Shape, sides: Sides) -> Self {
+        let (h, w) = (shape.rows(), shape.columns());
+        let Sides { rows_closed, columns_closed, .. } = sides;
+        // A closed column's last row is its first, so that a pole there is a pole at the top.
+        let top = (sides.pole_top || (columns_closed && sides.pole_bottom)).then_some(0);
+        let left = (sides.pole_left || (rows_closed && sides.pole_right)).then_some(0);
+        let bottom = (sides.pole_bottom && !columns_closed).then(|| shape.node(h - 1, 0));
+        let right = (sides.pole_right && !rows_closed).then(|| shape.node(0, w - 1));
+        let mut poles = [top, bottom, left, right];
+        // Poles on adjacent sides share a corner; two rounds spread the smallest number to all.
+        for (a, b) in [(0, 2), (0, 3), (1, 2), (1, 3)].repeat(2) {
+            if let (Some(first), Some(second)) = (poles[a], poles[b]) {
+                poles[a] = Some(first.min(second));
+                poles[b] = poles[a];
+            }
+        }
+        SideClasses { rows_closed, columns_closed, poles }
+    }
+
+    #[inline]
+    fn representative(&self, shape: Shape, i: usize, j: usize) -> u32 {
+        let (h, w) = (shape.rows(), shape.columns());
+        let j = if self.rows_closed && j + 1 == w { 0 } else { j };
+        let i = if self.columns_closed && i + 1 == h { 0 } else { i };
+        let [top, bottom, left, right] = self.poles;
+        let on = |pole: Option<u32>, there: bool| pole.filter(|_| there);
+        on(top, i == 0)
+            .or(on(bottom, i + 1 == h))
+            .or(on(left, j == 0))
+            .or(on(right, j + 1 == w))
+            .unwrap_or(shape.node(i, j))
+    }
+}
+
+/// Nodes between two progress reports.
+const NODES_PER_REPORT: usize = 1 << 18;
+
+/// The even bits of a word: links to the west, once bits are shifted to their ends.
+const WEST: u64 = 0x5555_5555_5555_5555;
+
+fn join(sets: &mut DisjointSets, [a, b]: [u32; 2]) {
+    sets.union(a, b);
+}
+
+/// Joins the ends of all links of a matrix, in sets that have joined nothing yet.
+///
+/// Nodes are taken in order, 32 at a time, and those without links to the west or north are
+/// passed over. A node with one of the two becomes a child of its neighbour's parent, without a
+/// search for the root; only where both lead to different parents are trees joined.
+fn contract(sets: &mut DisjointSets, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
+    let (h, w) = (shape.rows(), shape.columns());
+    let often = (NODES_PER_REPORT / w).max(1);
+    for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
+        if j == 0 && i % often == 0 {
+            job.step(i as f64 / h as f64, stage)?;
+        }
+        let first = i * w + j;
+        // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done
+        // last.
+        let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
+        let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
+        let here = (west & WEST) | (north & !WEST);
+        let mut left = if w - j < 32 { here & ((1 << (2 * (w - j))) - 1) } else { here };
+        while left != 0 {
+            let k = left.trailing_zeros() / 2;
+            let (west, north) = (left >> (2 * k) & 1, left >> (2 * k + 1) & 1);
+            left &= !(3 << (2 * k));
+            let node = first + k as usize;
+            let [a, b] = [node - west as usize, node - w * north as usize].map(|other| sets.parent(other as u32));
+            sets.attach(node as u32, a.min(b));
+            if west & north != 0 && a != b {
+                sets.union(a, b);
+            }
+        }
+    }
+    let closing = (0..h).map(|i| shape.horizontal_link(i, w - 1)).chain((0..w).map(|j| shape.vertical_link(h - 1, j)));
+    closing.filter(|&link| matrix.get(link)).for_each(|link| join(sets, shape.ends(link)));
+    Ok(())
+}

@@ -1,0 +1,171 @@
+//! The 18 local gluings (Deryagin, Fig. 4), and their classification.
+//!
+//! Up to translation, the star of a node (its four links) and the rim of a cell can be glued in 18
+//! ways: 13 partitions come from contracting links of a star (15 sets, two of them translates), 11
+//! from the non-crossing partitions of the four corners of a cell (Catalan number 14, without the
+//! identity and two translates), and 6 are both. The nineteenth, both pairs of opposite corners,
+//! crosses itself: no surface does that. Classification is a table look-up by a mask of four bits.
+
+use super::{Classes, Matrix, Topology};
+use crate::Shape;
+use gusset_base::error::Result;
+
+/// One of the 18 local gluings, by its number:
+///
+/// | number | type | what is contracted |
+/// |---|---|---|
+/// | 0, 1 | n(1) = c(1) | one link: horizontal, vertical |
+/// | 2 to 5 | n(2,1) = c(2,0) | two links at a corner: east and south of the node, south and west, west and north, north and east |
+/// | 6, 7 | n(2,2) | two opposite links of a node: east and west, north and south |
+/// | 8 to 11 | n(3) | three links of a node: all but north, east, south, west |
+/// | 12 | n(4) | all links of a node |
+/// | 13, 14 | c(2,1) | two opposite links of a cell: top and bottom, right and left |
+/// | 15 | c(3) | three links of a cell, and so the fourth |
+/// | 16, 17 | c(1,2) | a diagonal of a cell, which is no link: first to third corner, second to fourth |
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct GluingType(u8);
+
+/// No type: nothing is contracted.
+const NO_TYPE: u8 = u8::MAX;
+
+/// The type of a star by its mask: east 1, south 2, west 4, north 8.
+const TYPE_OF_STAR: [u8; 16] = [NO_TYPE, 0, 1, 2, 0, 6, 3, 8, 1, 5, 7, 11, 4, 10, 9, 12];
+
+/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a
+/// corner of the node between them.
+const TYPE_OF_CELL: [u8; 16] = [NO_TYPE, 0, 1, 3, 0, 13, 4, 15, 1, 2, 14, 15, 5, 15, 15, 15];
+
+impl GluingType {
+    /// The number of types.
+    pub const COUNT: usize = 18;
+
+    /// The type of an entry of the tables.
+    fn of_entry(number: u8) -> Option<Self> {
+        (number != NO_TYPE).then_some(GluingType(number))
+    }
+
+    /// The type of a number; `None` above 17.
+    pub fn from_number(number: u32) -> Option<Self> {
+        u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
+    }
+
+    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above
+    /// 12.
+    pub(super) fn star_mask(self) -> Option<u8> {
+        (0..16u8).find(|&mask| TYPE_OF_STAR[usize::from(mask)] == self.0)
+    }
+
+    /// The links of a cell that make it; `None` for diagonals.
+    pub(super) fn cell_mask(self) -> Option<u8> {
+        (0..16u8).find(|&mask| TYPE_OF_CELL[usize::from(mask)] == self.0)
+    }
+
+    /// The number, 0 to 17.
+    pub fn number(self) -> usize {
+        self.0.into()
+    }
+}
+
+/// The links of node (i, j): east, south, west, north, round the sides of the net.
+pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+    let (h, w) = (shape.rows(), shape.columns());
+    let here = shape.horizontal_link(i, j);
+    [here, here + 1, shape.horizontal_link(i, (j + w - 1) % w), shape.vertical_link((i + h - 1) % h, j)]
+}
+
+/// The links of the cell at (i, j): top, right, bottom, left.
+pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+    let [a, b, _, d] = shape.corners(i, j);
+    [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
+}
+
+/// The type of the star of node (i, j) by its contracted links. `cyclic`: closing links to the
+/// first row and column count too. `None` if no link is contracted.
+pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
+    let shape = classes.shape();
+    let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
+    let links = star_links(shape, i, j);
+    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
+    GluingType::of_entry(TYPE_OF_STAR[set.fold(0, |mask, k| mask | 1 << k)])
+}
+
+/// The type of the cell at (i, j); `None` if it is a quad.
+pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType> {
+    let [a, b, c, d] = classes.corners(i, j);
+    let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
+    let number = match mask {
+        0 if a == c => 16,
+        0 if b == d => 17,
+        _ => TYPE_OF_CELL[mask],
+    };
+    GluingType::of_entry(number)
+}
+
+impl Topology {
+    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the
+    /// [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`](gusset_base::Error::NoSuch), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
+        self.shape().check_node(node)?;
+        let (i, j) = self.shape().place(node);
+        Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
+    }
+
+    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the
+    /// [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`](gusset_base::Error::NoSuch), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
+        let (i, j) = self.shape().checked_cell_place(cell)?;
+        Ok(classify_cell(&Classes::of(self)?, i, j))
+    }
+}
+
+/// The number of occurrences of each type.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Histogram {
+    /// Nodes whose star has the type, closing links not counted.
+    pub nodes: [u64; GluingType::COUNT],
+    /// Cells that have the type.
+    pub cells: [u64; GluingType::COUNT],
+}
+
+/// Counts the types of all nodes and cells. O(nodes).
+///
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+pub fn histogram(topology: &Topology) -> Result<Histogram> {
+    let shape = topology.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let table = Classes::of(topology)?.table()?;
+    let links = Matrix::of_table(shape, &table)?;
+    let mut histogram = Histogram::default();
+    let count = |counts: &mut [u64; GluingType::COUNT], number: u8| {
+        if number != NO_TYPE {
+            counts[usize::from(number)] += 1;
+        }
+    };
+    for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+        let node = i * w + j;
+        // Two bits a node: 1 for the link to the east, 2 for the link to the south.
+        let pair = |there: bool, node: usize| if there { links.pair(node) } else { 0 };
+        let (right, down) = (j + 1 < w, i + 1 < h);
+        let here = links.pair(node) & (usize::from(right) | usize::from(down) << 1);
+        let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
+        count(&mut histogram.nodes, TYPE_OF_STAR[here | (west & 1) << 2 | (north & 2) << 2]);
+        if right && down {
+            let (east, south) = (links.pair(node + 1), links.pair(node + w));
+            let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
+            let number = match mask {
+                0 if table[node] == table[node + w + 1] => 16,
+                0 if table[node + 1] == table[node + w] => 17,
+                _ => TYPE_OF_CELL[mask],
+            };
+            count(&mut histogram.cells, number);
+        }
+    }
+    Ok(histogram)
+}

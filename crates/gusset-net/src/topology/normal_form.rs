@@ -1,0 +1,116 @@
+//! The normal form of a topology, and its canonical form, which follows from the classes alone.
+//!
+//! Normal form: links that sides can express are sides, seams that links can express are links,
+//! seams are in order and each in its smallest spelling, and no cell is crossed. O(nodes).
+
+use super::{Classes, Links, Matrix, Seam, Topology, canonical_seams};
+use crate::Shape;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+impl Topology {
+    /// From contracted links and seams. O(nodes + pairs of seams).
+    ///
+    /// # Errors
+    /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    pub fn new(shape: Shape, links: Links, seams: &[Seam]) -> Result<Self> {
+        Self::new_cancellable(shape, links, seams, &Job::default(), "")
+    }
+
+    /// [`Topology::new`] for large nets and many seams.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub fn new_cancellable(
+        shape: Shape,
+        links: Links,
+        seams: &[Seam],
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> Result<Self> {
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
+        let (mut links, mut kept) = (links, Vec::new());
+        for seam in Seam::each_cancellable(seams, &job.part(0.0, 0.3), stage) {
+            let seam = seam?;
+            if seam.pairs(shape).all(|[a, b]| a == b) {
+                continue;
+            }
+            let link = |pair: [u32; 2]| shape.links_between(pair).next();
+            if seam.pairs(shape).all(|pair| link(pair).is_some()) {
+                let mut matrix = links.into_matrix(shape)?;
+                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
+                links = Links::Matrix(matrix);
+            } else {
+                alloc::push(&mut kept, seam)?;
+            }
+        }
+        let topology = Topology::assembled(shape, links, kept, false);
+        topology.check_crossings_cancellable(&job.part(0.3, 1.0), stage)?;
+        Ok(topology)
+    }
+
+    /// From stored parts of a topology in normal form; `None` if they are in another form.
+    /// O(nodes + pairs of seams).
+    ///
+    /// # Errors
+    /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    pub(crate) fn canonical(shape: Shape, links: Links, seams: Vec<Seam>) -> Result<Option<Self>> {
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
+        if !seams.is_sorted_by(|a, b| a < b) || seams.iter().any(|seam| seam.canonical() != *seam) {
+            return Ok(None);
+        }
+        if let Links::Matrix(matrix) = &links
+            && matrix.as_sides(shape).is_some()
+        {
+            return Ok(None);
+        }
+        let topology = Topology { shape, links, seams, reversed: false };
+        topology.check_crossings()?;
+        Ok(Some(topology))
+    }
+
+    /// The canonical form: every link whose ends are one point contracted, and seams for what links
+    /// cannot express. It follows from the classes alone: two topologies of one size that glue the
+    /// same nodes and have the same face orientation have equal canonical forms. O(nodes), and a
+    /// sort of the classes that seams glue.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn saturated(&self) -> Result<Self> {
+        let table = Classes::of(self)?.table()?;
+        let matrix = Matrix::of_table(self.shape, &table)?;
+        let links = Links::Matrix(matrix).normal(self.shape);
+        let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
+        if !self.seams.is_empty() {
+            let pieces = Classes::of(&saturated)?.table()?;
+            saturated.seams = canonical_seams::seams(self.shape, &table, &pieces)?;
+        }
+        Ok(saturated)
+    }
+
+    /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.
+    pub(crate) fn check_crossings(&self) -> Result<()> {
+        self.check_crossings_cancellable(&Job::default(), "")
+    }
+
+    fn check_crossings_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<()> {
+        if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
+            return Ok(());
+        }
+        let classes = Classes::of_cancellable(self, &job.part(0.0, 0.8), stage)?;
+        let (table, w) = (classes.table_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
+        for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
+            let crosses = |j: usize| {
+                let ([a, b], [d, c]) = ([rows.0[j], rows.0[j + 1]], [rows.1[j], rows.1[j + 1]]);
+                (a == c) & (b == d) & (a != b)
+            };
+            // Branch-free, as crossings are rare.
+            if (0..w - 1).fold(false, |any, j| any | crosses(j)) {
+                let j = (0..w - 1).find(|&j| crosses(j)).unwrap_or(0);
+                return Err(Error::CrossingCell { cell: self.shape.cell(i, j) });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,156 @@
+//! Seams: runs of nodes glued to runs of nodes, for gluings that the characteristic matrix cannot
+//! express. An extension of Deryagin's model, as the 1-to-1 connectivity of CGNS is (PointRange and
+//! PointRangeDonor): O(1) memory whatever the length of the run.
+
+use crate::Shape;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+/// Pairs of seams between two reports.
+const PAIRS_PER_REPORT: u64 = 1 << 18;
+
+/// Nodes in a line: from (row, column) in equal steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Run {
+    /// Row of the first node.
+    pub row: u32,
+    /// Column of the first node.
+    pub column: u32,
+    /// Rows from each node to the next.
+    pub row_step: i32,
+    /// Columns from each node to the next.
+    pub column_step: i32,
+}
+
+impl Run {
+    /// A run that stays at node (i, j).
+    pub fn at(i: usize, j: usize) -> Self {
+        Run::along_row(i as u32, j as u32, 0)
+    }
+
+    /// A run along a row (step 1) or against it (step -1).
+    pub fn along_row(row: u32, column: u32, step: i32) -> Self {
+        Run { row, column, row_step: 0, column_step: step }
+    }
+
+    /// A run along a column (step 1) or against it (step -1).
+    pub fn along_column(row: u32, column: u32, step: i32) -> Self {
+        Run { row, column, row_step: step, column_step: 0 }
+    }
+
+    /// Row and column of node `k`, which may lie outside the net.
+    pub(crate) fn place(&self, k: u32) -> (i64, i64) {
+        let k = i64::from(k);
+        (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
+    }
+
+    fn is_inside(&self, shape: Shape, count: u32) -> bool {
+        [0, count - 1].into_iter().all(|k| {
+            let (i, j) = self.place(k);
+            (0..shape.rows() as i64).contains(&i) && (0..shape.columns() as i64).contains(&j)
+        })
+    }
+
+    /// Rows and columns exchanged.
+    pub(crate) fn transposed(self) -> Self {
+        Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
+    }
+
+    /// The first `count` nodes in reverse order.
+    fn reversed(self, count: u32) -> Self {
+        let (row, column) = self.place(count - 1);
+        let (row_step, column_step) = (-self.row_step, -self.column_step);
+        Run { row: row as u32, column: column as u32, row_step, column_step }
+    }
+
+    /// Node `k`.
+    pub(crate) fn node(&self, shape: Shape, k: u32) -> u32 {
+        let (i, j) = self.place(k);
+        shape.node(i as usize, j as usize)
+    }
+}
+
+/// Node k of run `a` is node k of run `b`, for all k below `count`.
+///
+/// Needed for closures that reverse a side (Möbius strip, Klein bottle, projective plane), for the
+/// cross unwrapping of the cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and
+/// for closed nets within larger ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Seam {
+    /// The first run.
+    pub a: Run,
+    /// The second run.
+    pub b: Run,
+    /// The number of nodes of each; at least 1, and 1 if neither run moves.
+    pub count: u32,
+}
+
+impl Seam {
+    /// [`Error::BadSeam`] if the seam is empty, leaves the net or repeats one pair. `index`: the
+    /// number of the seam. A seam that passes has at most as many pairs as the net has rows or
+    /// columns.
+    pub(crate) fn check(&self, shape: Shape, index: usize) -> Result<()> {
+        let moves = [self.a, self.b].iter().any(|run| (run.row_step, run.column_step) != (0, 0));
+        let good = self.count > 0
+            && (moves || self.count == 1)
+            && self.a.is_inside(shape, self.count)
+            && self.b.is_inside(shape, self.count);
+        if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
+    }
+
+    /// All of `seams`, with a report once in so many pairs.
+    pub(super) fn each_cancellable(
+        seams: &[Seam],
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> impl Iterator<Item = Result<Seam>> {
+        let mut pairs = 0;
+        seams.iter().enumerate().map(move |(k, &seam)| {
+            pairs += u64::from(seam.count);
+            if pairs >= PAIRS_PER_REPORT {
+                job.step(k as f64 / seams.len() as f64, stage)?;
+                pairs = 0;
+            }
+            Ok(seam)
+        })
+    }
+
+    /// The smallest of the spellings of this seam: either run first, in either sense.
+    pub(crate) fn canonical(self) -> Self {
+        let Seam { mut a, mut b, count } = self;
+        if count == 1 {
+            (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
+        }
+        let spellings = Seam { a, b, count }.spellings();
+        spellings.into_iter().min().unwrap_or(self)
+    }
+
+    /// The four spellings: as it is, with the runs exchanged, and both in reverse.
+    pub(crate) fn spellings(self) -> [Self; 4] {
+        let reversed = self.reversed();
+        [self, self.exchanged(), reversed, reversed.exchanged()]
+    }
+
+    /// The same pairs in reverse order.
+    pub(crate) fn reversed(self) -> Self {
+        Seam { a: self.a.reversed(self.count), b: self.b.reversed(self.count), count: self.count }
+    }
+
+    fn exchanged(self) -> Self {
+        Seam { a: self.b, b: self.a, count: self.count }
+    }
+
+    /// The pairs `from..to`, a non-empty range.
+    pub(super) fn part(self, from: u32, to: u32) -> Self {
+        let at = |run: Run| {
+            let (row, column) = run.place(from);
+            Run { row: row as u32, column: column as u32, ..run }
+        };
+        Seam { a: at(self.a), b: at(self.b), count: to - from }
+    }
+
+    /// The pairs of nodes.
+    pub fn pairs(self, shape: Shape) -> impl ExactSizeIterator<Item = [u32; 2]> {
+        (0..self.count).map(move |k| [self.a.node(shape, k), self.b.node(shape, k)])
+    }
+}

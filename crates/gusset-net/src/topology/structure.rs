@@ -1,0 +1,141 @@
+//! A topology: the contracted links and the seams of a net, in one form.
+
+use super::{Matrix, Seam, Sides};
+use crate::Shape;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::sort::sort_distinct;
+
+/// How contracted links are kept.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Links {
+    /// The sides say everything: no memory.
+    Sides(Sides),
+    /// Two bits a node.
+    Matrix(Matrix),
+}
+
+impl Links {
+    /// As sides, if these contract the same links.
+    pub(super) fn normal(self, shape: Shape) -> Self {
+        match self {
+            Links::Matrix(matrix) => matrix.as_sides(shape).map_or(Links::Matrix(matrix), Links::Sides),
+            sides => sides,
+        }
+    }
+
+    /// The links as a matrix.
+    pub(crate) fn into_matrix(self, shape: Shape) -> Result<Matrix> {
+        match self {
+            Links::Sides(sides) => Matrix::of_sides(shape, sides),
+            Links::Matrix(matrix) => Ok(matrix),
+        }
+    }
+}
+
+/// The gluing of a net: its contracted links and its seams.
+///
+/// Kept in normal form: links that sides can express are sides, seams that links can express are
+/// links, seams are in order, and no cell is crossed (see [`Reduced::Crossing`](super::Reduced)).
+/// Two topologies are equal if they contract the same links by name, list the same seams and have
+/// the same face orientation. Different links and seams may glue the same nodes:
+/// [`Topology::saturated`] decides whether they do.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Topology {
+    pub(super) shape: Shape,
+    pub(super) links: Links,
+    pub(super) seams: Vec<Seam>,
+    pub(super) reversed: bool,
+}
+
+impl Topology {
+    /// A topology that the sides describe.
+    pub fn of_sides(shape: Shape, sides: Sides) -> Self {
+        Topology { shape, links: Links::Sides(sides), seams: Vec::new(), reversed: false }
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn copied(&self) -> Result<Self> {
+        let links = match &self.links {
+            Links::Sides(sides) => Links::Sides(*sides),
+            Links::Matrix(matrix) => Links::Matrix(matrix.copied()?),
+        };
+        Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
+    }
+
+    /// From links and seams that cannot cross a cell, as they come from valid topologies: unlike
+    /// [`Topology::new`] this does not check, and a seam stays one even where links could express
+    /// it. O(contracted links + pairs of seams).
+    pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Self {
+        seams.iter_mut().for_each(|seam| *seam = seam.canonical());
+        sort_distinct(&mut seams);
+        Topology { shape, links: links.normal(shape), seams, reversed }
+    }
+
+    /// The links that are contracted by name, in no particular order.
+    pub(crate) fn contracted(&self) -> impl Iterator<Item = u32> {
+        let (sides, matrix) = match &self.links {
+            Links::Sides(sides) => (Some(sides.links(self.shape)), None),
+            Links::Matrix(matrix) => (None, Some(matrix.links())),
+        };
+        sides.into_iter().flatten().chain(matrix.into_iter().flatten())
+    }
+
+    /// The size of the net.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// The contracted links.
+    pub fn links(&self) -> &Links {
+        &self.links
+    }
+
+    /// The sides, if they express all contracted links.
+    pub fn sides(&self) -> Option<Sides> {
+        match self.links {
+            Links::Sides(sides) => Some(sides),
+            Links::Matrix(_) => None,
+        }
+    }
+
+    /// The seams, in order.
+    pub fn seams(&self) -> &[Seam] {
+        &self.seams
+    }
+
+    /// True if faces have the opposite orientation, as in nets that were flipped, so that their
+    /// normals stay what they were.
+    pub fn is_reversed(&self) -> bool {
+        self.reversed
+    }
+
+    /// The same topology with the given face orientation.
+    #[must_use]
+    pub fn with_reversed(self, reversed: bool) -> Self {
+        Topology { reversed, ..self }
+    }
+
+    /// True if the link is contracted by name; [`Classes::contracts`](super::Classes::contracts)
+    /// tells whether its ends are one point for any reason.
+    pub fn contracts(&self, link: u32) -> bool {
+        match &self.links {
+            Links::Sides(sides) => sides.contracts(self.shape, link),
+            Links::Matrix(matrix) => matrix.get(link),
+        }
+    }
+
+    /// The characteristic matrix.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    pub fn matrix(&self) -> Result<Matrix> {
+        match &self.links {
+            Links::Sides(sides) => Matrix::of_sides(self.shape, *sides),
+            Links::Matrix(matrix) => matrix.copied(),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Spatial operations (Deryagin, "All spatial operations on tetragonal regular networks come down
+//! to transforms of the space"): translations, rotations, scalings, compressions, all other affine
+//! maps.
+//!
+//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass.
+//! Invariant: each node is computed independently, so that glued nodes of equal bits keep equal
+//! bits. O(nodes), bound by memory.
+
+mod affine;
+
+pub(crate) use affine::mirrors;
+pub use affine::{Affine, Axis, Sense};
+
+use super::chunks;
+use super::{Net, Planes, Real, each};
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::simd::{self, Kernel};
+
+/// Moves every node, in place, in the arithmetic of the net's type.
+///
+/// A map that mirrors (negative determinant) turns the surface inside out; the topology's
+/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as
+/// before. Missing nodes stay missing. Cancellable before the first node is moved: all nodes are
+/// moved, or none. O(nodes), no memory.
+///
+/// # Errors
+/// [`Error::FieldUndefined`] for the first node whose coordinates would overflow, and no node is
+/// moved (coordinates beyond the root of the greatest number of their type, 1e19 and 1e154, may
+/// overflow under harmless maps and are missing then); [`Error::Cancelled`].
+pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
+    job.step(0.0, "transform")?;
+    each!(net.coordinates_mut(), planes => {
+        check(planes, affine, job.threads())?;
+        apply(planes, affine, job.threads())?;
+    });
+    if affine.mirrors() {
+        let reversed = net.topology().is_reversed();
+        let topology = net.topology().clone().with_reversed(!reversed);
+        net.set_topology(topology);
+    }
+    Ok(())
+}
+
+/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are checked only if the map
+/// is so large that nodes of common size may overflow.
+fn check<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
+    let bound = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::MAX.sqrt() + d.abs();
+    if affine.rows().into_iter().all(|row| bound(row) <= T::MAX) {
+        return Ok(());
+    }
+    let rows = affine.rows().map(|row| row.map(T::of));
+    chunks::for_each_chunk_mut(planes, threads, chunks::CHUNK, |first, [x, y, z]| {
+        let overflows = |k: usize| {
+            let node = [x[k], y[k], z[k]];
+            let moved = rows.map(|[a, b, c, d]| a * node[0] + b * node[1] + c * node[2] + d);
+            let finite = |numbers: [T; 3]| numbers.into_iter().all(|x| x.into().is_finite());
+            finite(node) && !finite(moved)
+        };
+        let first_lost = (0..x.len()).find(|&k| overflows(k));
+        first_lost.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
+    })
+}
+
+fn apply<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
+    let rows = affine.rows().map(|row| row.map(T::of));
+    chunks::for_each_chunk_mut(planes, threads, chunks::BLOCK, |_, [x, y, z]| {
+        simd::run(Apply { rows, x, y, z });
+        Ok(())
+    })
+}
+
+struct Apply<'a, T> {
+    rows: [[T; 4]; 3],
+    x: &'a mut [T],
+    y: &'a mut [T],
+    z: &'a mut [T],
+}
+
+impl<T: Real> Kernel for Apply<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        apply_to(self.rows, self.x, self.y, self.z);
+    }
+}
+
+#[inline(always)]
+fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+    // Whole runs; the remainder elsewhere, as its loop would hold the matrix in registers that the
+    // vectors need.
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = [x, y, z].map(<[T]>::as_chunks_mut);
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        apply_to_run(rows, x, y, z);
+    }
+    apply_to_remainder(rows, x_rest, y_rest, z_rest);
+}
+
+/// Nodes of a vectorised run.
+const RUN: usize = 16;
+
+#[inline(always)]
+fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
+    // Separate results, which cannot alias the operands.
+    let mut moved = [[T::of(0.0); RUN]; 3];
+    let [new_x, new_y, new_z] = &mut moved;
+    for k in 0..RUN {
+        new_x[k] = rows[0][0] * x[k] + rows[0][1] * y[k] + rows[0][2] * z[k] + rows[0][3];
+        new_y[k] = rows[1][0] * x[k] + rows[1][1] * y[k] + rows[1][2] * z[k] + rows[1][3];
+        new_z[k] = rows[2][0] * x[k] + rows[2][1] * y[k] + rows[2][2] * z[k] + rows[2][3];
+    }
+    [*x, *y, *z] = moved;
+}
+
+#[inline(never)]
+fn apply_to_remainder<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        [*x, *y, *z] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        // Longer than runs, with a rest.
+        let numbers = |k: usize| (0..3 * RUN + 5).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows = [[0.3, -0.7, 0.1, 1e-3], [0.9, 0.2, -0.4, 7.0], [-0.1, 0.6, 0.8, -2.5]];
+        let [wide, narrow] = [true, false].map(|wide| {
+            let [mut x, mut y, mut z] = [3, 5, 7].map(numbers);
+            let kernel = Apply { rows, x: &mut x, y: &mut y, z: &mut z };
+            if wide {
+                simd::run(kernel);
+            } else {
+                kernel.run();
+            }
+            [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
+        });
+        assert_eq!(wide, narrow);
+    }
+}

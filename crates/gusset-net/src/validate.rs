@@ -1,0 +1,118 @@
+//! Validation: whether glued nodes coincide (Deryagin: "the correctness of a topology must be
+//! checked by the coincidence of the coordinates of glued nodes"), and warnings on what is allowed
+//! but suspicious. O(nodes), and a sort of the findings.
+
+use super::coincidence::{coincide, coincident_links};
+use super::topology::star_links;
+use super::{Classes, Net, Shape, Topology, each};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort;
+use gusset_base::sort::sort_distinct;
+
+/// The kind of a finding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FindingKind {
+    /// A violation: the ends of a contracted link are apart, or one of them is missing.
+    LinkApart,
+    /// A violation: two nodes that a seam glues are apart, or one of them is missing.
+    SeamApart,
+    /// A warning: the two ends of a link between neighbours are one vertex by way of others, so
+    /// that the link is a loop unless it is contracted, as [`Topology::saturated`] does.
+    Loop,
+    /// A warning: the two ends of a link coincide and are not glued.
+    ZeroLength,
+    /// A warning: closed rows or columns of fewer than four nodes enclose nothing.
+    FewNodes,
+}
+
+impl FindingKind {
+    /// True for an error of the gluing, false for a warning.
+    pub fn is_violation(self) -> bool {
+        matches!(self, FindingKind::LinkApart | FindingKind::SeamApart)
+    }
+}
+
+/// One finding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finding {
+    /// The kind.
+    pub kind: FindingKind,
+    /// The two nodes; the ends of the row or column for [`FindingKind::FewNodes`].
+    pub nodes: [u32; 2],
+    /// The link, or the number of the seam.
+    pub element: u32,
+    /// The distance of the two nodes; NaN if one is missing.
+    pub distance: f64,
+}
+
+impl Net<'_> {
+    /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which
+    /// with tolerance 0 means equal coordinates (0 and -0 are equal), or both be missing. Warnings
+    /// follow. Violations come first, each kind in the order of its elements. O(nodes), and a sort
+    /// of the findings.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is negative
+    /// or not finite, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<Finding>> {
+        Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
+        let (topology, shape) = (self.topology(), self.shape());
+        let classes = Classes::of(topology)?;
+        let mut findings = Vec::new();
+        let ends = |nodes: [u32; 2]| nodes.map(|node| self.position(node));
+        let mut add = |kind, element, nodes| {
+            let [a, b] = ends(nodes);
+            alloc::push(&mut findings, Finding { kind, nodes, element, distance: (b - a).length() })
+        };
+        let apart = |nodes| {
+            let [a, b] = ends(nodes);
+            !coincide(a, b, tolerance) && (a.is_finite() || b.is_finite())
+        };
+        for link in topology.contracted().filter(|&link| apart(shape.ends(link))) {
+            add(FindingKind::LinkApart, link, shape.ends(link))?;
+        }
+        for (number, seam) in (0..).zip(topology.seams()) {
+            for pair in seam.pairs(shape).filter(|&pair| apart(pair)) {
+                add(FindingKind::SeamApart, number, pair)?;
+            }
+        }
+        for link in loops(topology, &classes)? {
+            add(FindingKind::Loop, link, shape.ends(link))?;
+        }
+        each!(self.coordinates(), planes => coincident_links(planes, tolerance, job, |link| {
+            if classes.contracts(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
+        }))?;
+        for link in few_nodes(topology) {
+            add(FindingKind::FewNodes, link, shape.ends(link))?;
+        }
+        let key = |finding: &Finding| (finding.kind, finding.element, finding.nodes);
+        sort::sort(&mut findings, |a, b| key(a).cmp(&key(b)), &job.part(1.0, 1.0), "sorting findings")?;
+        Ok(findings)
+    }
+}
+
+/// The links between neighbours that are one vertex and not contracted by name.
+fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
+    let shape = topology.shape();
+    let mut loops = Vec::new();
+    classes.each_glued(|node, _| {
+        let (i, j) = shape.place(node);
+        let is_loop = |&link: &u32| shape.is_inner(link) && !topology.contracts(link) && classes.contracts(link);
+        star_links(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
+    })?;
+    sort_distinct(&mut loops);
+    Ok(loops)
+}
+
+/// The first link that closes a row of fewer than four nodes, and a column.
+fn few_nodes(topology: &Topology) -> impl Iterator<Item = u32> {
+    let shape: Shape = topology.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let rows = (0..if w < 4 { h } else { 0 }).map(move |i| shape.horizontal_link(i, w - 1));
+    let columns = (0..if h < 4 { w } else { 0 }).map(move |j| shape.vertical_link(h - 1, j));
+    let contracted = |link: &u32| topology.contracts(*link);
+    rows.filter(contracted).take(1).chain(columns.filter(contracted).take(1))
+}

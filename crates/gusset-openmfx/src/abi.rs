@@ -1,0 +1,178 @@
+//! The structs, statuses and names of the standard that the effects use. Handles are blind pointers
+//! of the host's.
+
+use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
+
+/// Whatever the host wants to be handed back: property sets, effects, inputs, meshes, parameters.
+pub(crate) type Handle = *mut c_void;
+
+/// What an action and a suite function return.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Status(pub(super) c_int);
+
+impl Status {
+    pub(super) const OK: Status = Status(0);
+    pub(super) const FAILED: Status = Status(1);
+    pub(super) const MISSING_HOST_FEATURE: Status = Status(4);
+    pub(super) const MEMORY: Status = Status(8);
+    pub(super) const BAD_HANDLE: Status = Status(9);
+    /// The action was not trapped.
+    pub(super) const REPLY_DEFAULT: Status = Status(14);
+
+    pub(super) fn check(status: c_int) -> Result<(), Status> {
+        if status == Status::OK.0 { Ok(()) } else { Err(Status(status)) }
+    }
+}
+
+/// The API that the effects implement, and its version.
+pub(super) const API: &CStr = c"OfxMeshEffectPluginAPI";
+pub(super) const API_VERSION: c_int = 1;
+
+pub(super) const PROPERTY_SUITE: &CStr = c"OfxPropertySuite";
+pub(super) const PARAMETER_SUITE: &CStr = c"OfxParameterSuite";
+pub(super) const MESH_EFFECT_SUITE: &CStr = c"OfxMeshEffectSuite";
+pub(super) const MESSAGE_SUITE: &CStr = c"OfxMessageSuite";
+
+pub(super) const MESSAGE_ERROR: &CStr = c"OfxMessageError";
+pub(super) const MESSAGE_LOG: &CStr = c"OfxMessageLog";
+
+pub(super) const PROP_LABEL: &CStr = c"OfxPropLabel";
+pub(super) const PROP_DESCRIPTION: &CStr = c"OfxPropPluginDescription";
+pub(super) const PROP_TIME: &CStr = c"OfxPropTime";
+
+pub(super) const PROP_CONTEXTS: &CStr = c"OfxMeshEffectPropSupportedContexts";
+pub(super) const CONTEXT_GENERATOR: &CStr = c"OfxMeshEffectContextGenerator";
+pub(super) const CONTEXT_FILTER: &CStr = c"OfxMeshEffectContextFilter";
+pub(super) const CONTEXT_GENERAL: &CStr = c"OfxMeshEffectContextGeneral";
+
+pub(super) const MAIN_INPUT: &CStr = c"OfxMeshMainInput";
+pub(super) const MAIN_OUTPUT: &CStr = c"OfxMeshMainOutput";
+pub(super) const PROP_REQUEST_TRANSFORM: &CStr = c"OfxInputPropRequestTransform";
+
+pub(super) const PARAM_INTEGER: &CStr = c"OfxParamTypeInteger";
+pub(super) const PARAM_DOUBLE: &CStr = c"OfxParamTypeDouble";
+pub(super) const PARAM_DOUBLE_3D: &CStr = c"OfxParamTypeDouble3D";
+pub(super) const PARAM_BOOLEAN: &CStr = c"OfxParamTypeBoolean";
+pub(super) const PARAM_CHOICE: &CStr = c"OfxParamTypeChoice";
+
+pub(super) const PARAM_PROP_HINT: &CStr = c"OfxParamPropHint";
+pub(super) const PARAM_PROP_DEFAULT: &CStr = c"OfxParamPropDefault";
+pub(super) const PARAM_PROP_MIN: &CStr = c"OfxParamPropMin";
+pub(super) const PARAM_PROP_MAX: &CStr = c"OfxParamPropMax";
+pub(super) const PARAM_PROP_INCREMENT: &CStr = c"OfxParamPropIncrement";
+pub(super) const PARAM_PROP_CHOICE: &CStr = c"OfxParamPropChoiceOption";
+pub(super) const PARAM_PROP_DOUBLE_TYPE: &CStr = c"OfxParamPropDoubleType";
+/// In degrees.
+pub(super) const PARAM_DOUBLE_ANGLE: &CStr = c"OfxParamDoubleTypeAngle";
+
+pub(super) const MESH_POINT_COUNT: &CStr = c"OfxMeshPropPointCount";
+pub(super) const MESH_CORNER_COUNT: &CStr = c"OfxMeshPropCornerCount";
+pub(super) const MESH_FACE_COUNT: &CStr = c"OfxMeshPropFaceCount";
+pub(super) const MESH_NO_LOOSE_EDGE: &CStr = c"OfxMeshPropNoLooseEdge";
+/// The number of corners of every face, or -1.
+pub(super) const MESH_CONSTANT_FACE_SIZE: &CStr = c"OfxMeshPropConstantFaceSize";
+/// 16 doubles, row after row, from the mesh's coordinates to the world's; NULL for the identity.
+pub(super) const MESH_TRANSFORM: &CStr = c"OfxMeshPropTransformMatrix";
+
+pub(super) const ATTRIB_POINT: &CStr = c"OfxMeshAttribPoint";
+pub(super) const ATTRIB_CORNER: &CStr = c"OfxMeshAttribCorner";
+pub(super) const ATTRIB_FACE: &CStr = c"OfxMeshAttribFace";
+pub(super) const POINT_POSITION: &CStr = c"OfxMeshAttribPointPosition";
+pub(super) const CORNER_POINT: &CStr = c"OfxMeshAttribCornerPoint";
+pub(super) const FACE_SIZE: &CStr = c"OfxMeshAttribFaceSize";
+pub(super) const ATTRIB_DATA: &CStr = c"OfxMeshAttribPropData";
+pub(super) const ATTRIB_STRIDE: &CStr = c"OfxMeshAttribPropStride";
+pub(super) const ATTRIB_TYPE: &CStr = c"OfxMeshAttribPropType";
+pub(super) const TYPE_FLOAT: &CStr = c"OfxMeshAttribTypeFloat";
+pub(super) const TYPE_INT: &CStr = c"OfxMeshAttribTypeInt";
+
+/// What a host hands to each effect first.
+#[repr(C)]
+pub struct OfxHost {
+    /// The host's own properties.
+    pub host: Handle,
+    /// A suite by name and version; NULL if the host has none.
+    pub fetch_suite: Option<unsafe extern "C" fn(host: Handle, name: *const c_char, version: c_int) -> *const c_void>,
+}
+
+/// An effect, as a host sees it.
+#[repr(C)]
+pub struct OfxPlugin {
+    /// The API that it implements.
+    pub plugin_api: *const c_char,
+    /// The version of the API.
+    pub api_version: c_int,
+    /// Names it among all.
+    pub plugin_identifier: *const c_char,
+    /// Grows when stored projects would no longer load.
+    pub plugin_version_major: c_uint,
+    /// Grows otherwise.
+    pub plugin_version_minor: c_uint,
+    /// Called before anything else.
+    pub set_host: unsafe extern "C" fn(host: *mut OfxHost),
+    /// Called for every action.
+    pub main_entry:
+        unsafe extern "C" fn(action: *const c_char, handle: *const c_void, in_args: Handle, out_args: Handle) -> c_int,
+}
+
+/// A function of a suite; a host may leave out what it does not offer.
+type Function<F> = Option<F>;
+/// A function that is never called here: only its place counts.
+type Unused = *const c_void;
+
+/// Properties: named values of four types.
+#[repr(C)]
+pub(super) struct PropertySuite {
+    pub(super) set_pointer: Unused,
+    pub(super) set_string: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *const c_char) -> c_int>,
+    pub(super) set_double: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, f64) -> c_int>,
+    pub(super) set_int: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, c_int) -> c_int>,
+    pub(super) set_many: [Unused; 4],
+    pub(super) get_pointer: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut *mut c_void) -> c_int>,
+    pub(super) get_string: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut *mut c_char) -> c_int>,
+    pub(super) get_double: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut f64) -> c_int>,
+    pub(super) get_int: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut c_int) -> c_int>,
+    pub(super) get_many: [Unused; 4],
+    pub(super) reset_and_dimension: [Unused; 2],
+}
+
+/// Parameters. More follows that effects do not need.
+#[repr(C)]
+pub(super) struct ParameterSuite {
+    pub(super) define: Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *mut Handle) -> c_int>,
+    pub(super) get_handle: Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
+    pub(super) get_property_sets: [Unused; 2],
+    /// Pointers to as many variables as the parameter has components follow.
+    pub(super) get_value: Function<unsafe extern "C" fn(Handle, ...) -> c_int>,
+    pub(super) get_value_at_time: Function<unsafe extern "C" fn(Handle, f64, ...) -> c_int>,
+}
+
+/// Inputs, outputs and meshes.
+#[repr(C)]
+pub(super) struct MeshEffectSuite {
+    pub(super) get_property_set: Function<unsafe extern "C" fn(Handle, *mut Handle) -> c_int>,
+    pub(super) get_param_set: Function<unsafe extern "C" fn(Handle, *mut Handle) -> c_int>,
+    pub(super) input_define: Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
+    pub(super) input_get_handle:
+        Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
+    pub(super) input_get_property_set: Unused,
+    pub(super) input_request_attribute: Unused,
+    pub(super) input_get_mesh: Function<unsafe extern "C" fn(Handle, f64, *mut Handle, *mut Handle) -> c_int>,
+    pub(super) input_release_mesh: Function<unsafe extern "C" fn(Handle) -> c_int>,
+    pub(super) attribute_define: Unused,
+    pub(super) mesh_get_attribute_by_index: Unused,
+    pub(super) mesh_get_attribute:
+        Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *mut Handle) -> c_int>,
+    pub(super) mesh_get_property_set: Unused,
+    pub(super) mesh_alloc: Function<unsafe extern "C" fn(Handle) -> c_int>,
+    /// 1 if the effect should stop.
+    pub(super) abort: Function<unsafe extern "C" fn(Handle) -> c_int>,
+}
+
+/// Messages to the user.
+#[repr(C)]
+pub(super) struct MessageSuite {
+    /// A format of `printf` and its arguments follow the kind and the identifier.
+    pub(super) message:
+        Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *const c_char, ...) -> c_int>,
+}

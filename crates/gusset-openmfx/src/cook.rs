@@ -1,0 +1,167 @@
+//! An effect at work: meshes and parameters of the host go through a filter, and what comes out
+//! goes to the host.
+
+use super::abi::{Handle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, PROP_TIME, Status};
+use super::effects::{Effect, Knob, KnobKind, SUIT};
+use super::meshes::{self, Polygons, Read};
+use super::suites::{Fault, HostMesh, Parameters, Suites};
+use gusset::capi::guard::caught;
+use gusset::capi::status::{Failure, gusset_status};
+use gusset::error::Error;
+use gusset::filters::data::{Curves, Input, InputKind, Output};
+use gusset::job::{Job, Progress};
+use gusset_base::alloc;
+use std::ffi::c_int;
+use std::ops::ControlFlow;
+
+/// Asks the host whether to go on.
+struct Watch<'a> {
+    suites: &'a Suites,
+    instance: Handle,
+}
+
+impl Progress for Watch<'_> {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        if self.suites.is_aborted(self.instance) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn note(&self, message: &str) {
+        self.suites.message(self.instance, MESSAGE_LOG, message);
+    }
+}
+
+/// The action of this name.
+pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: Handle) -> Result<(), Status> {
+    let time = suites.properties(in_args).double(PROP_TIME).unwrap_or(0.0);
+    caught(|| work(effect, suites, instance, time)).map_err(|fault| match fault {
+        Fault::Host(status) => status,
+        Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => Status::MEMORY,
+        // The host knows.
+        Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_CANCELLED, .. }) => Status::FAILED,
+        Fault::Ours(failure) => {
+            suites.message(instance, MESSAGE_ERROR, &failure.message);
+            Status::FAILED
+        }
+    })
+}
+
+/// An input with what it needs to own.
+enum Given<'a> {
+    Mesh(&'a Read<'a>, Polygons),
+    Curves(Curves),
+}
+
+fn work(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result<(), Fault> {
+    let watch = Watch { suites, instance };
+    let job = Job::new(0, &watch);
+    let hosts = open(effect, suites, instance, time)?;
+    let mut read: Vec<(InputKind, Read<'_>)> = Vec::new();
+    for (number, (kind, mesh)) in hosts.iter().enumerate() {
+        match Read::new(mesh, &job.part(0.0, 0.0))? {
+            Some(mut mesh) => {
+                if let Some((_, first)) = read.first() {
+                    mesh.place_beside(first)?;
+                }
+                read.push((*kind, mesh));
+            }
+            None if number < effect.filter.min_inputs => return Err(Error::EmptyMesh { what: "faces" }.into()),
+            None => {}
+        }
+    }
+    let given = alloc::try_collect(read.iter().map(|(kind, mesh)| {
+        Ok::<_, Error>(match kind {
+            InputKind::Mesh => Given::Mesh(mesh, mesh.polygons()?),
+            InputKind::Curves => Given::Curves(mesh.curves()?),
+        })
+    }))?;
+    let inputs = alloc::try_collect(given.iter().map(|given| match given {
+        Given::Mesh(mesh, polygons) => mesh.mesh(polygons, &job.part(0.0, 0.05)),
+        Given::Curves(curves) => Ok(Input::Curves(curves)),
+    }))?;
+    let values = values(effect, &suites.parameters(instance)?, time, &inputs)?;
+    let outputs = effect.filter.run(&inputs, &values, &job.part(0.05, 1.0))?;
+    for output in &outputs {
+        if let Output::Text(text) = output {
+            suites.message(instance, MESSAGE_LOG, text);
+        }
+    }
+    let to = suites.mesh(instance, MAIN_OUTPUT, time)?.ok_or(Status::FAILED)?;
+    match (effect.output.and_then(|place| outputs.get(place)), read.first()) {
+        (Some(Output::Mesh(mesh, _)), _) => meshes::write_mesh(&to, mesh),
+        (Some(Output::Curves(curves)), _) => meshes::write_curves(&to, curves),
+        (_, Some((_, first))) => first.write(&to),
+        (_, None) => meshes::write_curves(&to, &Curves::default()),
+    }
+}
+
+/// The host's meshes. Of those that need not be there, what cannot be had is not.
+fn open<'a>(
+    effect: &Effect,
+    suites: &'a Suites,
+    instance: Handle,
+    time: f64,
+) -> Result<Vec<(InputKind, HostMesh<'a>)>, Fault> {
+    let mut hosts = Vec::new();
+    for (number, slot) in effect.inputs.iter().enumerate() {
+        match suites.mesh(instance, &slot.name, time) {
+            Ok(Some(mesh)) => hosts.push((slot.kind, mesh)),
+            Ok(None) if number < effect.filter.min_inputs => return Err(Error::EmptyMesh { what: "faces" }.into()),
+            Err(status) if number < effect.filter.min_inputs => return Err(status.into()),
+            Ok(None) | Err(_) => {}
+        }
+    }
+    Ok(hosts)
+}
+
+/// The host's values. Where the inputs say more than the defaults do, defaults give way to them.
+fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Input<'_>]) -> Result<Vec<f64>, Status> {
+    let mut values = effect.filter.plain_defaults();
+    for knob in &effect.knobs {
+        read(parameters, knob, time, &mut values[knob.first..])?;
+    }
+    if effect.filter.has_suggestions() {
+        let mut suit = 1;
+        parameters.value(SUIT, time, &mut suit)?;
+        if suit != 0 {
+            let plain = effect.filter.plain_defaults();
+            let better = effect.filter.defaults(inputs);
+            for (value, (plain, better)) in values.iter_mut().zip(plain.into_iter().zip(better)) {
+                if *value == plain {
+                    *value = better;
+                }
+            }
+        }
+    }
+    Ok(values)
+}
+
+/// The values of one parameter, over its defaults.
+fn read(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64]) -> Result<(), Status> {
+    match knob.kind {
+        KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => {
+            let mut value = values[0] as c_int;
+            parameters.value(&knob.name, time, &mut value)?;
+            values[0] = if knob.kind == KnobKind::Boolean { f64::from(u8::from(value != 0)) } else { value.into() };
+        }
+        KnobKind::Double => parameters.value(&knob.name, time, &mut values[0])?,
+        KnobKind::Angle => {
+            // Through degrees and back a default may not be quite the same.
+            let shown = values[0].to_degrees();
+            let mut value = shown;
+            parameters.value(&knob.name, time, &mut value)?;
+            values[0] = if value == shown { values[0] } else { put_back(value.to_radians(), knob) };
+        }
+        KnobKind::Vector => {
+            let mut vector = [values[0], values[1], values[2]];
+            parameters.double_3d(&knob.name, time, &mut vector)?;
+            values[..3].copy_from_slice(&vector);
+        }
+    }
+    Ok(())
+}
+
+/// What left its range by rounding alone is put back.
+fn put_back(value: f64, knob: &Knob) -> f64 {
+    let nearest = value.clamp(knob.param.min, knob.param.max);
+    if (nearest - value).abs() <= 4.0 * f64::EPSILON * value.abs() { nearest } else { value }
+}

@@ -1,0 +1,136 @@
+//! Cells of a sheet as searches see them: corners, patches, and bounds of what lies between.
+//!
+//! A cell's patch lies within its displacements from the bilinear patch through its corners, and
+//! its tangents within boxes of their control vectors: both follow from control nets, as Bernstein
+//! polynomials are convex combinations of their coefficients.
+
+use super::Patch;
+use super::subdivision::Field;
+use crate::prelude::*;
+use std::ops::Range;
+
+/// Cells in u and in v of a block, the unit of the index.
+pub(crate) const BLOCK: usize = 4;
+
+/// The rows of a row of blocks, or the columns of a column of blocks, of so many.
+#[inline(always)]
+pub(crate) fn block_range(block: usize, count: usize) -> Range<usize> {
+    block * BLOCK..count.min((block + 1) * BLOCK)
+}
+
+/// The cells of a block of a sheet of so many rows and columns, row after row.
+#[inline]
+pub(crate) fn cells_of_block(
+    [row, column]: [usize; 2],
+    [rows, columns]: [usize; 2],
+) -> impl Iterator<Item = [usize; 2]> {
+    let columns = block_range(column, columns);
+    block_range(row, rows).flat_map(move |i| columns.clone().map(move |j| [i, j]))
+}
+
+/// Values that a thread makes at a time.
+const VALUES_PER_TASK: usize = 1 << 10;
+
+/// Values for cells in rows and columns, row after row, on the job's threads: `work` fills those of
+/// a row.
+pub(super) fn by_row<T: Send + Clone + Default>(
+    [rows, columns]: [usize; 2],
+    stage: &'static str,
+    job: &Job<'_>,
+    work: impl Fn(usize, &mut [T]) + Sync,
+) -> Result<Vec<T>> {
+    let mut all = alloc::filled(T::default(), rows * columns)?;
+    let together = VALUES_PER_TASK.div_ceil(columns);
+    par::map_cancellable(job, stage, all.chunks_mut(together * columns).enumerate(), |(k, part)| {
+        part.chunks_mut(columns).enumerate().for_each(|(i, row)| work(k * together + i, row));
+    })?;
+    Ok(all)
+}
+
+/// [`by_row`], cell by cell.
+pub(super) fn by_cell<T: Send + Clone + Default>(
+    counts: [usize; 2],
+    stage: &'static str,
+    job: &Job<'_>,
+    work: impl Fn([usize; 2]) -> T + Sync,
+) -> Result<Vec<T>> {
+    by_row(counts, stage, job, |i, row| row.iter_mut().enumerate().for_each(|(j, value)| *value = work([i, j])))
+}
+
+/// A sheet of patches of degree N - 1.
+pub(crate) trait Cells<const N: usize>: Sync {
+    /// The numbers of cells in u and in v.
+    fn counts(&self) -> [usize; 2];
+
+    /// The corner of cells at (i, j), a point of the surface.
+    fn corner(&self, i: usize, j: usize) -> DVec3;
+
+    /// The corners of a row of cells of a block, from (i, j) on: those of `count` cells, then the
+    /// last one again.
+    #[inline(always)]
+    fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
+        std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array())
+    }
+
+    /// The surface over the cell at (i, j).
+    fn patch(&self, i: usize, j: usize) -> Patch<N>;
+
+    /// Where the surface over a cell is, seen from `origin` along two directions.
+    fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<N>; 2] {
+        let patch = self.patch(i, j);
+        across.map(|direction| Field { c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))) })
+    }
+
+    /// True if the surface goes on with continuous tangents over all sides of the cell at (i, j).
+    fn is_smooth_around(&self, _i: usize, _j: usize) -> bool {
+        false
+    }
+
+    /// For each block in rows of blocks, row after row, a box that contains S - B over all its
+    /// cells: S the surface, B the bilinear patch through the cell's corners, at equal parameters.
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()>;
+
+    /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()>;
+}
+
+impl<const N: usize> Patch<N> {
+    /// A bound of the distance from the bilinear patch through the corners, at equal parameters.
+    pub(crate) fn deviation(&self) -> f64 {
+        self.bilinear_differences().map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
+    }
+
+    /// A box of the differences from the bilinear patch through the corners, at equal parameters.
+    pub(crate) fn displacements(&self) -> Aabb {
+        Aabb::of(self.bilinear_differences())
+    }
+
+    /// The control points of the difference from the bilinear patch through the corners: those of
+    /// the control nets.
+    #[inline]
+    fn bilinear_differences(&self) -> impl Iterator<Item = DVec3> {
+        let at = |k: usize| k as f64 / (N - 1) as f64;
+        let [[p00, p01], [p10, p11]] = self.corners();
+        self.points.iter().enumerate().flat_map(move |(a, row)| {
+            let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
+            row.iter().enumerate().map(move |(b, &point)| point - from.lerp(to, at(b)))
+        })
+    }
+
+    /// Boxes of S_u and S_v: of their control vectors.
+    pub(crate) fn tangents(&self) -> [Aabb; 2] {
+        let (degree, p) = ((N - 1) as f64, &self.points);
+        let [mut u, mut v] = [Aabb::EMPTY; 2];
+        for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
+            u.add(degree * (p[a + 1][b] - p[a][b]));
+            v.add(degree * (p[b][a + 1] - p[b][a]));
+        }
+        [u, v]
+    }
+
+    /// The corners, by u and v.
+    pub(crate) fn corners(&self) -> [[DVec3; 2]; 2] {
+        let (first, last) = (&self.points[0], &self.points[N - 1]);
+        [[first[0], first[N - 1]], [last[0], last[N - 1]]]
+    }
+}

@@ -1,0 +1,156 @@
+//! Cardinal functions: for each line of a net the function that is 1 there and 0 at all other
+//! lines, by which curves are blended.
+//!
+//! Cubics by pieces, C1, whose slopes at a line are those of the polynomial through the five lines
+//! nearest to it, as in the grid's six-tap scheme, but for lines that are not evenly apart.
+
+use crate::axis::TAPS;
+use crate::prelude::*;
+use gusset_base::geom::aabb::range;
+use gusset_base::geom::bernstein::{blossom, elevate};
+
+/// Intervals that differ more than this among five lines: slopes are taken from three.
+const MAX_LENGTH_RATIO: f64 = 8.0;
+
+/// The functions between two lines: Bézier points of those that are not 0.
+pub(super) struct Piece {
+    /// The lines that they belong to; lines of weight 0 may repeat others.
+    pub(super) lines: [usize; TAPS],
+    points: [[f64; 4]; TAPS],
+}
+
+/// The cardinal functions between each line and the next. `lengths`: of the intervals between
+/// lines, positive; of closed directions the last one leads back to the first line.
+pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<Piece>> {
+    let row = Row { lengths, closed };
+    alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))
+}
+
+impl Piece {
+    /// Over a part of the interval, as Bernstein coefficients of degree N - 1: for each the weights
+    /// of the lines.
+    pub(super) fn weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
+        let mut weights = [[0.0; TAPS]; N];
+        for (k, points) in self.points.iter().enumerate() {
+            let ends = [[from, from, from], [from, from, to], [from, to, to], [to, to, to]];
+            let mut c = [0.0; N];
+            c[..4].copy_from_slice(&ends.map(|at| blossom(points, at)));
+            elevate(&mut c, 3);
+            weights.iter_mut().zip(c).for_each(|(weights, c)| weights[k] = c);
+        }
+        weights
+    }
+}
+
+struct Row<'a> {
+    lengths: &'a [f64],
+    closed: bool,
+}
+
+impl Row<'_> {
+    fn lines(&self) -> usize {
+        self.lengths.len() + usize::from(!self.closed)
+    }
+
+    /// The length of an interval, counted round closed directions.
+    fn length(&self, interval: isize) -> f64 {
+        self.lengths[interval.rem_euclid(self.lengths.len() as isize) as usize]
+    }
+
+    /// The first of `count` lines round a line, as near the middle as the ends allow.
+    fn first(&self, line: usize, count: usize) -> isize {
+        let middle = line as isize - (count / 2) as isize;
+        if self.closed { middle } else { middle.clamp(0, (self.lines() - count) as isize) }
+    }
+
+    /// The slope at a line: the lines that it depends on begin at the first number, and their
+    /// weights.
+    fn slope(&self, line: usize) -> (isize, [f64; 5]) {
+        let max_count = self.lines().min(if self.closed && self.lines() < 5 { 3 } else { 5 });
+        let mut count = max_count;
+        if max_count > 3 {
+            let first = self.first(line, max_count);
+            let [min, max] = range((first..first + max_count as isize - 1).map(|k| self.length(k)));
+            if max > MAX_LENGTH_RATIO * min {
+                count = 3;
+            }
+        }
+        let first = self.first(line, count);
+        // Where the lines are, seen from this one.
+        let mut at = [0.0; 5];
+        let own = (line as isize - first) as usize;
+        for k in own + 1..count {
+            at[k] = at[k - 1] + self.length(first + k as isize - 1);
+        }
+        for k in (0..own).rev() {
+            at[k] = at[k + 1] - self.length(first + k as isize);
+        }
+        let mut weights = [0.0; 5];
+        for k in (0..count).filter(|&k| k != own) {
+            let others = (0..count).filter(|&i| i != k && i != own);
+            weights[k] = others.map(|i| at[i] / (at[i] - at[k])).product::<f64>() / at[k];
+            weights[own] -= 1.0 / at[k];
+        }
+        (first, weights)
+    }
+
+    fn piece(&self, interval: usize) -> Piece {
+        let lines = self.lines();
+        let before = interval as isize - 2;
+        let first = if self.closed { before } else { before.clamp(0, lines.saturating_sub(TAPS) as isize) };
+        let length = self.lengths[interval];
+        let mut points = [[0.0; 4]; TAPS];
+        for (end, line) in [interval, interval + 1].into_iter().enumerate() {
+            let own = (line as isize - first) as usize;
+            let (inner, inwards) = if end == 0 { (1, length / 3.0) } else { (2, -length / 3.0) };
+            points[own][3 * end] = 1.0;
+            points[own][inner] += 1.0;
+            let (start, weights) = self.slope(line);
+            for (k, weight) in weights.into_iter().enumerate().filter(|&(_, weight)| weight != 0.0) {
+                points[(start + k as isize - first) as usize][inner] += inwards * weight;
+            }
+        }
+        let place = |k: isize| {
+            if self.closed { k.rem_euclid(lines as isize) as usize } else { (k as usize).min(lines - 1) }
+        };
+        Piece { lines: std::array::from_fn(|k| place(first + k as isize)), points }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quartic, sampled at uneven lines, has its own slopes at them; a constant stays one.
+    #[test]
+    fn slopes_of_quartics() {
+        let lengths = [1.0, 0.7, 1.9, 1.2, 0.6, 1.4, 1.0];
+        let at: Vec<f64> = (0..=lengths.len()).map(|k| lengths[..k].iter().sum()).collect();
+        let f = |x: f64| 2.0 - x + 0.3 * x * x - 0.1 * x.powi(3) + 0.01 * x.powi(4);
+        let slope = |x: f64| -1.0 + 0.6 * x - 0.3 * x * x + 0.04 * x.powi(3);
+        let blend = blend(&lengths, false).unwrap();
+        for (k, (&length, piece)) in lengths.iter().zip(&blend).enumerate() {
+            let weights = piece.weights::<4>([0.0, 1.0]);
+            let c =
+                weights.map(|weights| weights.iter().zip(piece.lines).map(|(w, line)| w * f(at[line])).sum::<f64>());
+            assert_eq!([c[0], c[3]], [f(at[k]), f(at[k + 1])]);
+            assert!((3.0 * (c[1] - c[0]) / length - slope(at[k])).abs() < 1e-12);
+            assert!((3.0 * (c[3] - c[2]) / length - slope(at[k + 1])).abs() < 1e-12);
+            let high = piece.weights::<8>([0.25, 1.0]);
+            for weights in high {
+                assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn few_lines_and_closed_ones() {
+        for (count, closed) in [(1, false), (2, false), (3, false), (3, true), (4, true), (5, true), (9, true)] {
+            let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * f64::from(k % 3)).collect();
+            for piece in blend(&lengths, closed).unwrap() {
+                let weights = piece.weights::<4>([0.0, 1.0]);
+                assert!(weights.iter().all(|w| (w.iter().sum::<f64>() - 1.0).abs() < 1e-13));
+            }
+        }
+    }
+}

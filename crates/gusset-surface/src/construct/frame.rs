@@ -1,0 +1,98 @@
+//! Surfaces of the frames that the outlines module makes.
+
+use super::net::Gordon;
+use super::net_curve::{CurvePlace, NetCurve, degree};
+use crate::prelude::*;
+use crate::{Grid, Nodes, Scheme, Sheet};
+use gusset_base::choices;
+use gusset_curve::frame::{Frame, NodeGrid};
+use gusset_curve::{Fit, Place};
+
+/// The parts of a frame that the surface is made from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum FrameSurface {
+    /// Its nodes: a grid; all its curves if some of them have corners, which a grid would round.
+    #[default]
+    Nodes,
+    /// Its curves too: Gordon's surface, which contains them.
+    Curves,
+}
+
+choices! { for FrameSurface:
+    Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each; the curves if some have corners.";
+    Curves => "Curves", "All curves through the nodes, across and along.";
+}
+
+impl Sheet<'static> {
+    /// The surface of a frame: u runs along the body, from section to section, and v round it.
+    /// `closed`: whether the sections are followed by the first one, as in a ring, and whether each
+    /// of them is closed.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and
+    /// [`Error::CurveNotClosed`]; [`Error::NotFinite`], [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
+        Sheet::from_frame_parts(&frame.grid, [&frame.across, &frame.along], closed, kind, job)
+    }
+
+    /// The same from a frame's parts: nodes, and the curves across and along.
+    pub fn from_frame_parts(
+        grid: &NodeGrid,
+        curves: [&Fit; 2],
+        closed: [bool; 2],
+        kind: FrameSurface,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let counts = [grid.rows, grid.columns];
+        if kind == FrameSurface::Nodes && grid.corners.is_empty() {
+            return through(counts, &grid.nodes, closed);
+        }
+        if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
+            Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        } else {
+            Ok(Sheet::High(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        }
+    }
+}
+
+/// The grid of the nodes, with the first line at the end once more where it is closed.
+fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2]) -> Result<Sheet<'static>> {
+    let [height, width] = [rows + usize::from(closed[0]), columns + usize::from(closed[1])];
+    let mut data = alloc::with_capacity(3 * height * width)?;
+    for (i, j) in (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns))) {
+        data.extend(nodes[i * columns + j].to_array());
+    }
+    let nodes = Nodes::strided(data, height, width, 0, 0)?;
+    Ok(Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?))
+}
+
+/// The curves with their nodes, which the frame knows.
+fn gordon<const N: usize>(
+    [rows, columns]: [usize; 2],
+    [across, along]: [&Fit; 2],
+    closed: [bool; 2],
+    job: &Job<'_>,
+) -> Result<Gordon<N>> {
+    let min = closed.map(|closed| if closed { 3 } else { 2 });
+    if rows < min[0] || columns < min[1] {
+        return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+    }
+    let net_curves = |fit: &Fit| alloc::try_collect((0..fit.len()).map(|k| NetCurve::new(&fit.curve(k))));
+    let (row_curves, column_curves) = (net_curves(across)?, net_curves(along)?);
+    let at = |net_curve: &NetCurve<N>, place: Place| {
+        let (segment, count) = (place.segment as usize, net_curve.segments.len());
+        // Joints are called the start of the next segment.
+        match place.t {
+            _ if net_curve.is_point() => CurvePlace { segment: 0, t: 0.0 },
+            1.0 if net_curve.closed => CurvePlace { segment: (segment + 1) % count, t: 0.0 },
+            1.0 if segment + 1 < count => CurvePlace { segment: segment + 1, t: 0.0 },
+            t => CurvePlace { segment, t },
+        }
+    };
+    let places = alloc::collect((0..rows * columns).map(|n| {
+        let (k, l) = (n / columns, n % columns);
+        [at(&row_curves[k], across.place(n)), at(&column_curves[l], along.place(l * rows + k))]
+    }))?;
+    Gordon::new(row_curves, column_curves, closed, &places, job)
+}

@@ -1,0 +1,152 @@
+//! Nodes with given tangents.
+
+use crate::axis::Axis;
+use crate::checks::finite_points;
+use crate::prelude::*;
+use crate::{Nodes, Patch, Patches, Scheme, Sheet};
+
+/// The mixed derivatives S_uv at nodes, which tangents leave open.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Twists<'a> {
+    /// The mean of the differences of S_u along rows and of S_v along columns, each from five
+    /// nodes: fourth order.
+    #[default]
+    Differences,
+    /// Adini's: those of the bilinearly blended Coons patch through the tangents round the node;
+    /// second order, local to the nodes next to it.
+    Adini,
+    /// None, as Ferguson has it: flat spots at nodes, third order in the position.
+    Zero,
+    /// One for each node, row after row.
+    Given(&'a [DVec3]),
+}
+
+/// Nodes and the tangents of the coordinate curves there. The parameters are those of nodes: S_u is
+/// how far the surface goes from row to row.
+#[derive(Debug, Clone, Copy)]
+pub struct Tangents<'a> {
+    /// The nodes.
+    pub nodes: &'a Nodes<'a>,
+    /// S_u at each node, row after row: along the column, towards the next row.
+    pub u: &'a [DVec3],
+    /// S_v at each node: along the row.
+    pub v: &'a [DVec3],
+    /// S_uv at each node.
+    pub twists: Twists<'a>,
+    /// Whether it is closed in u and v, where the last line of nodes is the first one again; the
+    /// tangents of the last line are not read.
+    pub closed: [bool; 2],
+}
+
+impl Sheet<'static> {
+    /// The bicubic Hermite surface through nodes with tangents: C1, of fourth order if the tangents
+    /// are of third order at least.
+    ///
+    /// O(nodes); 384 bytes a cell.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the node, also for its tangents and twist;
+    /// [`Error::ArrayTooShort`]; [`Error::NetTooSmall`] for a closed direction of fewer than three
+    /// nodes and the repeated one; [`Error::SidesApart`]; [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn from_tangents(given: &Tangents<'_>, job: &Job<'_>) -> Result<Self> {
+        let hermite = Hermite::new(given)?;
+        let [rows, columns] = [hermite.rows - 1, hermite.columns - 1];
+        let twists = hermite.twists()?;
+        let mut patches = alloc::with_capacity(rows * columns)?;
+        for i in 0..rows {
+            job.step(i as f64 / rows as f64, "making patches")?;
+            patches.extend((0..columns).map(|j| hermite.patch(&twists, i, j)));
+        }
+        Ok(Sheet::Cubic(Patches::of(patches, rows, columns)))
+    }
+}
+
+/// Nodes and tangents, checked.
+struct Hermite<'a> {
+    given: &'a Tangents<'a>,
+    rows: usize,
+    columns: usize,
+    axes: [Axis; 2],
+}
+
+impl<'a> Hermite<'a> {
+    fn new(given: &'a Tangents<'a>) -> Result<Self> {
+        let (nodes, closed) = (given.nodes, given.closed);
+        let (rows, columns) = (nodes.rows(), nodes.columns());
+        let axes = Axis::pair([rows, columns], closed, Scheme::SixTap)?;
+        nodes.check_finite()?;
+        let arrays = [("tangents", given.u), ("tangents", given.v)];
+        let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
+        for (what, vectors) in arrays.into_iter().chain(twists) {
+            finite_points(vectors, (rows * columns) as u64, what)?;
+        }
+        nodes.check_closed(closed)?;
+        Ok(Hermite { given, rows, columns, axes })
+    }
+
+    /// The number of the node that stands for (i, j): of closed directions the last line is the
+    /// first one.
+    fn node(&self, i: usize, j: usize) -> usize {
+        let [closed_u, closed_v] = self.given.closed;
+        let i = if closed_u && i == self.rows - 1 { 0 } else { i };
+        let j = if closed_v && j == self.columns - 1 { 0 } else { j };
+        i * self.columns + j
+    }
+
+    /// S_uv at each node.
+    fn twists(&self) -> Result<Vec<DVec3>> {
+        let places = (0..self.rows * self.columns).map(|k| (k / self.columns, k % self.columns));
+        alloc::collect(places.map(|(i, j)| match self.given.twists {
+            Twists::Zero => DVec3::ZERO,
+            Twists::Given(twists) => twists[self.node(i, j)],
+            Twists::Differences => {
+                let ((rows, of_rows), (columns, of_columns)) = (self.axes[0].slope(i), self.axes[1].slope(j));
+                let across = |k: usize| of_rows[k] * self.given.v[self.node(rows[k], j)];
+                let along = |k: usize| of_columns[k] * self.given.u[self.node(i, columns[k])];
+                0.5 * (0..rows.len()).map(|k| across(k) + along(k)).sum::<DVec3>()
+            }
+            Twists::Adini => self.adini(i, j),
+        }))
+    }
+
+    /// Differences over the nearest lines: of S_u along the row and of S_v along the column, less
+    /// the mixed one of the nodes.
+    fn adini(&self, i: usize, j: usize) -> DVec3 {
+        let (rows, columns) = (self.near(0, i), self.near(1, j));
+        let [height, width] = [rows, columns].map(|[_, _, span]| span as f64);
+        let (given, node) = (self.given, |i: usize, j: usize| self.node(i, j));
+        let along = (given.u[node(i, columns[1])] - given.u[node(i, columns[0])]) / width;
+        let across = (given.v[node(rows[1], j)] - given.v[node(rows[0], j)]) / height;
+        let corner = |a: usize, b: usize| given.nodes.get(rows[a], columns[b]);
+        let mixed = (corner(1, 1) - corner(0, 1)) - (corner(1, 0) - corner(0, 0));
+        along + across - mixed / (height * width)
+    }
+
+    /// The lines before and after a line, and how far they are apart.
+    fn near(&self, direction: usize, line: usize) -> [usize; 3] {
+        let last = self.axes[direction].cells();
+        if self.given.closed[direction] {
+            return [(line + last - 1) % last, (line + 1) % last, 2];
+        }
+        let (before, after) = (line.saturating_sub(1), (line + 1).min(last));
+        [before, after, after - before]
+    }
+
+    fn patch(&self, twists: &[DVec3], i: usize, j: usize) -> Patch<4> {
+        let mut points = [[DVec3::ZERO; 4]; 4];
+        for (di, dj) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let (point, node) = (self.given.nodes.get(i + di, j + dj), self.node(i + di, j + dj));
+            // Towards the inside of the cell, by a third.
+            let inwards = |end: usize| if end == 0 { 1.0 / 3.0 } else { -1.0 / 3.0 };
+            let (u, v) = (inwards(di) * self.given.u[node], inwards(dj) * self.given.v[node]);
+            let twist = inwards(di) * inwards(dj) * twists[node];
+            let at = |end: usize, step: usize| if end == 0 { step } else { 3 - step };
+            points[at(di, 0)][at(dj, 0)] = point;
+            points[at(di, 1)][at(dj, 0)] = point + u;
+            points[at(di, 0)][at(dj, 1)] = point + v;
+            points[at(di, 1)][at(dj, 1)] = point + u + v + twist;
+        }
+        Patch { points }
+    }
+}

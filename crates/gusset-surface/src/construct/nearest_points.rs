@@ -1,0 +1,214 @@
+//! The points of two curves of a net that are nearest to each other.
+//!
+//! Best first branch and bound: the pair of boxes with the least gap is refined next. Invariant:
+//! the gap of a pair is a lower bound of the distance of its curves, so that the first one that is
+//! no better than the best answer ends the search. Cost: about O(log segments), [`MAX_SPLITS`]
+//! halvings of pairs at most.
+
+use super::net_curve::{CurvePlace, NetCurve, restricted};
+use crate::frontier::{BranchAndBound, Frontier};
+use crate::prelude::*;
+use gusset_base::geom::bernstein::evaluate_with_slope;
+
+/// Pairs of parts that are split for two curves: curves that run together would take them without
+/// end.
+const MAX_SPLITS: usize = 1 << 14;
+/// Halvings of a segment.
+const MAX_SUBDIVISION_DEPTH: u32 = 48;
+/// Newton steps from a start.
+const NEWTON_STEPS: usize = 16;
+
+/// Boxes of the segments of a curve, of pairs of them, and so on up to that of all.
+pub(super) struct Boxes {
+    levels: Vec<Vec<Aabb>>,
+}
+
+impl Boxes {
+    pub(super) fn of<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
+        let mut levels = alloc::with_capacity(32)?;
+        let mut level = alloc::collect(net_curve.segments.iter().map(Aabb::of))?;
+        while level.len() > 1 {
+            let joined = |pair: &[Aabb]| pair.iter().fold(Aabb::EMPTY, |whole, part| whole.union(*part));
+            let above = alloc::collect(level.chunks(2).map(joined))?;
+            levels.push(std::mem::replace(&mut level, above));
+        }
+        levels.push(level);
+        Ok(Boxes { levels })
+    }
+
+    fn get(&self, (level, k): (usize, usize)) -> Aabb {
+        self.levels[level][k]
+    }
+
+    /// The one or two boxes that a box is of.
+    fn children(&self, (level, k): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+        let count = self.levels[level - 1].len();
+        (2 * k..(2 * k + 2).min(count)).map(move |child| (level - 1, child))
+    }
+}
+
+/// The places where two curves are nearest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NearestPoints {
+    pub(super) places: [CurvePlace; 2],
+    pub(super) distance: f64,
+}
+
+/// Parts of two segments, one of each curve.
+struct SegmentPair<const N: usize> {
+    of: [usize; 2],
+    points: [[DVec3; N]; 2],
+    from: [f64; 2],
+    size: [f64; 2],
+    depth: u32,
+}
+
+/// Pairs that may be nearer: boxes of segments, or parts of segments.
+enum Task<const N: usize> {
+    Boxes([(usize, usize); 2]),
+    SegmentPair(Box<SegmentPair<N>>),
+}
+
+/// Finds where two curves are nearest, or a place where they are farther apart than there by
+/// `slack` at most: whatever may be nearest is looked at first.
+pub(super) fn nearest<const N: usize>(
+    net_curves: [&NetCurve<N>; 2],
+    boxes: [&Boxes; 2],
+    slack: f64,
+) -> Result<NearestPoints> {
+    let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
+    let mut search =
+        NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
+    search.wait(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    search.run()?;
+    Ok(search.best)
+}
+
+/// The search of two curves.
+struct NearestPointsSearch<'a, const N: usize> {
+    net_curves: [&'a NetCurve<N>; 2],
+    boxes: [&'a Boxes; 2],
+    slack: f64,
+    best: NearestPoints,
+    /// Among equal gaps the first one that was added comes first.
+    frontier: Frontier<Task<N>, usize>,
+    added: usize,
+    splits: usize,
+}
+
+impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
+    type Task = Task<N>;
+    type Key = usize;
+    type Stop = Error;
+
+    fn frontier(&mut self) -> &mut Frontier<Task<N>, usize> {
+        &mut self.frontier
+    }
+
+    fn is_wanted(&mut self, gap: f64) -> bool {
+        let is_settled = gap >= self.best.distance - self.slack;
+        !is_settled
+    }
+
+    fn branch(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+        match task {
+            Task::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
+                let of = [a.1, b.1];
+                let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
+                let whole = SegmentPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
+                self.wait(gap, Task::SegmentPair(Box::new(whole)))
+            }
+            Task::Boxes(pair) => {
+                let taller = usize::from(pair[0].0 < pair[1].0);
+                let boxes = self.boxes;
+                boxes[taller].children(pair[taller]).try_for_each(|child| {
+                    let mut pair = pair;
+                    pair[taller] = child;
+                    let [a, b] = [0, 1].map(|k| boxes[k].get(pair[k]));
+                    self.wait(a.distance(&b), Task::Boxes(pair))
+                })
+            }
+            Task::SegmentPair(parts) => {
+                self.improve(&parts);
+                if parts.depth == MAX_SUBDIVISION_DEPTH || self.splits == MAX_SPLITS {
+                    return Ok(());
+                }
+                self.splits += 1;
+                parts.halves().into_iter().try_for_each(|half| {
+                    let [a, b] = half.points.map(Aabb::of);
+                    self.wait(a.distance(&b), Task::SegmentPair(Box::new(half)))
+                })
+            }
+        }
+    }
+}
+
+impl<const N: usize> NearestPointsSearch<'_, N> {
+    fn wait(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+        self.added += 1;
+        self.frontier.push(gap, self.added, task)
+    }
+
+    /// Looks from the middle of parts.
+    fn improve(&mut self, parts: &SegmentPair<N>) {
+        let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
+        let found = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
+        if found.1 < self.best.distance {
+            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: found.0[k] });
+            self.best = NearestPoints { places, distance: found.1 };
+        }
+    }
+}
+
+impl<const N: usize> SegmentPair<N> {
+    /// The halves of the longer one, each with the other.
+    fn halves(&self) -> [SegmentPair<N>; 2] {
+        let [a, b] = self.points.map(|points| Aabb::of(points).size().length_squared());
+        let longer = usize::from(b > a);
+        [0.0, 0.5].map(|from| {
+            let mut half = SegmentPair { depth: self.depth + 1, ..*self };
+            half.points[longer] = restricted(&self.points[longer], [from, from + 0.5]);
+            half.from[longer] += from * self.size[longer];
+            half.size[longer] *= 0.5;
+            half
+        })
+    }
+}
+
+/// Goes from parameters of two segments to where they are nearest thereabouts: Gauss and Newton's
+/// steps, within 0 to 1.
+fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
+    let apart = |at: [f64; 2]| {
+        let [[p, pd], [q, qd]] = [0, 1].map(|k| evaluate_with_slope(&segments[k], at[k]));
+        (p - q, pd, qd)
+    };
+    let mut at = start;
+    let mut here = apart(at);
+    for _ in 0..NEWTON_STEPS {
+        let (from, a, b) = here;
+        let slopes = [a.dot(from), -b.dot(from)];
+        let held = [0, 1].map(|k| (at[k] <= 0.0 && slopes[k] >= 0.0) || (at[k] >= 1.0 && slopes[k] <= 0.0));
+        let [aa, ab, bb] = [a.length_squared(), -a.dot(b), b.length_squared()];
+        let determinant = aa * bb - ab * ab;
+        let mut step = [slopes[0] / aa, slopes[1] / bb];
+        if held == [false, false] && determinant > 1e-12 * aa * bb {
+            step = [(bb * slopes[0] - ab * slopes[1]) / determinant, (aa * slopes[1] - ab * slopes[0]) / determinant];
+        }
+        let mut length = 1.0;
+        let next = loop {
+            let moved = |k: usize| if held[k] || !step[k].is_finite() { at[k] } else { at[k] - length * step[k] };
+            let there = [0, 1].map(|k| moved(k).clamp(0.0, 1.0));
+            let reached = apart(there);
+            if reached.0.length_squared() < from.length_squared() {
+                break Some((there, reached));
+            }
+            length *= 0.25;
+            if length < 1e-3 {
+                break None;
+            }
+        };
+        let Some((there, reached)) = next else { break };
+        (at, here) = (there, reached);
+    }
+    (at, here.0.length())
+}

@@ -1,0 +1,441 @@
+//! The surface through a net of curves.
+//!
+//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). With rows
+//! R_k(v), columns C_l(u), nodes P_kl where they meet, and cardinal functions L_k, M_l,
+//!   S(u, v) = sum L_k(u) R_k(v) + sum M_l(v) (C_l(u) - sum L_k(u) P_kl)
+//! contains all curves. Products of polynomials of u and of v have the products of their Bernstein
+//! coefficients, so that S is a Bézier patch over each cell, of degree 3 or that of the curves.
+//! With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is
+//! the skin of the rows.
+
+use super::blend::blend;
+use super::nearest_points::{Boxes, nearest};
+use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
+use crate::axis::TAPS;
+use crate::prelude::*;
+use crate::{MAX_NODES, Patch, Patches, Sheet};
+use gusset_base::sort;
+use gusset_curve::CurveView;
+
+/// Breaks of different pieces that are nearer than this, of 1, are one.
+const SAME_BREAK: f64 = 1e-6;
+
+/// Patches between two progress reports.
+const PATCHES_PER_STEP: usize = 1 << 13;
+const FINDING: &str = "finding nodes";
+const MAKING: &str = "making patches";
+
+/// Curves across, the rows, and curves along, the columns: every row meets every column, in the
+/// order that they are given in; either way round. Rows alone, or columns alone, make a skin. A
+/// curve may be one point, a pole.
+///
+/// Ends of rows beyond the first and the last column are left out. Polylines are curves of segments
+/// of degree 1: they are kept as they are, and where they turn the surface has a crease; for a
+/// smooth surface draw curves through their points first ([`fit`](gusset_curve::fit())).
+#[derive(Debug, Clone, Copy)]
+pub struct CurveNet<'a> {
+    /// Curves in v, which follow each other in u: at least 2, or none.
+    pub rows: &'a [CurveView<'a>],
+    /// Curves in u, which follow each other in v: at least 2, or none.
+    pub columns: &'a [CurveView<'a>],
+    /// Closed in u: the columns are closed curves, and the last row is followed by the first; and
+    /// in v: the rows are. Then at least 3 rows, or 3 columns, if there are any.
+    pub closed: [bool; 2],
+    /// How far apart curves may be where they meet; both are then moved to the middle. `None`: 1e-6
+    /// of the diagonal of their box.
+    pub tolerance: Option<f64>,
+}
+
+impl Sheet<'static> {
+    /// Gordon's surface of a net of curves: it contains all of them, if they meet, or else to half
+    /// the tolerance.
+    ///
+    /// Parameters: node (k, l) is a corner of cells. Between two nodes curves may have several
+    /// segments: if all rows have equally many there, they are matched in order, else all rows are
+    /// cut where any one has a joint; so cells may be more than meshes of the net. The knots of the
+    /// cardinal functions are taken from the curves: where they are C1 in common knots, and where a
+    /// single one has no joint between nodes, S is C1, else only nearly; [`Sheet::crease`] tells.
+    ///
+    /// O(rows x columns x log segments) for nodes, and 12 products a control point; 384 bytes a
+    /// cell up to degree 3, else 1536.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`] for one row or column, or fewer than 3 of closed directions;
+    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] for a degree above 7 or a tolerance that
+    /// is no positive number; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row, the
+    /// column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+        net.check()?;
+        if degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
+            Ok(Sheet::Cubic(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        } else {
+            Ok(Sheet::High(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        }
+    }
+}
+
+impl CurveNet<'_> {
+    fn check(&self) -> Result<()> {
+        let [rows, columns] = [self.rows.len(), self.columns.len()];
+        let enough = |count: usize, closed: bool| count == 0 || count >= if closed { 3 } else { 2 };
+        if rows + columns == 0 || !enough(rows, self.closed[0]) || !enough(columns, self.closed[1]) {
+            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+        }
+        let tolerance = self.tolerance.unwrap_or(0.0);
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
+    }
+
+    /// The diagonal of the box of all curves, and the largest of their coordinates.
+    fn extent(&self) -> (f64, f64) {
+        let bounds = Aabb::of(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
+        (bounds.diagonal(), bounds.low.abs().max(bounds.high.abs()).max_element())
+    }
+}
+
+/// The curves, cut at the nodes.
+pub(super) struct Gordon<const N: usize> {
+    closed: [bool; 2],
+    /// Row k has piece j from column j to the next, or one piece if there are no columns; and the
+    /// same of columns.
+    rows: Vec<Vec<Piece<N>>>,
+    columns: Vec<Vec<Piece<N>>>,
+    /// Row by row.
+    nodes: Vec<DVec3>,
+    /// Curves that are one point take no part in what lengths and joints say.
+    points: [Vec<bool>; 2],
+}
+
+impl<const N: usize> Gordon<N> {
+    /// The nodes are found where curves are nearest.
+    fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+        let total = (net.rows.len() + net.columns.len()) as f64;
+        let net_curves = |curves: &[CurveView<'_>], before: usize| {
+            alloc::try_collect((0..curves.len()).map(|k| {
+                job.step(0.1 * (before + k) as f64 / total, FINDING)?;
+                NetCurve::new(&curves[k])
+            }))
+        };
+        let (rows, columns) = (net_curves(net.rows, 0)?, net_curves(net.columns, net.rows.len())?);
+        let boxes = |net_curves: &[NetCurve<N>], before: usize| {
+            alloc::try_collect((0..net_curves.len()).map(|k| {
+                job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
+                Boxes::of(&net_curves[k])
+            }))
+        };
+        let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
+        let (size, max_coordinate) = net.extent();
+        let tolerance = net.tolerance.unwrap_or(1e-6 * size);
+        let rounding_error = 4.0 * f64::EPSILON * max_coordinate;
+        // Lengths below this are neither searched for nor cut off.
+        let slack = (0.25 * tolerance).min(1e-9 * size) + rounding_error;
+        let count = rows.len() * columns.len();
+        let places = alloc::try_collect((0..count).map(|n| {
+            let (k, l) = (n / columns.len(), n % columns.len());
+            job.step(0.2 + 0.6 * n as f64 / count as f64, FINDING)?;
+            let met = nearest([&rows[k], &columns[l]], [&row_boxes[k], &column_boxes[l]], slack)?;
+            if met.distance > tolerance.max(rounding_error) {
+                return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
+            }
+            Ok::<_, Error>([snapped(&rows[k], met.places[0], slack), snapped(&columns[l], met.places[1], slack)])
+        }))?;
+        Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+    }
+
+    /// `places`: row by row where each meets each column, on the row and on the column.
+    pub(super) fn new(
+        mut rows: Vec<NetCurve<N>>,
+        mut columns: Vec<NetCurve<N>>,
+        closed: [bool; 2],
+        places: &[[CurvePlace; 2]],
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let [height, width] = [rows.len(), columns.len()];
+        let points = |curves: &[NetCurve<N>]| alloc::collect(curves.iter().map(NetCurve::is_point));
+        let points = [points(&rows)?, points(&columns)?];
+        let nodes = alloc::collect(places.iter().enumerate().map(|(n, &[on_row, on_column])| {
+            let (k, l) = (n / width, n % width);
+            let (p, q) = (rows[k].point(on_row), columns[l].point(on_column));
+            match (points[0][k], points[1][l]) {
+                (true, _) => p,
+                (false, true) => q,
+                (false, false) => 0.5 * (p + q),
+            }
+        }))?;
+        // Rows (axis 0) at the columns, columns at the rows.
+        let cut = |net_curves: &mut [NetCurve<N>], axis: usize| {
+            let count = [width, height][axis];
+            let place = |k: usize, l: usize| if axis == 0 { (k, l) } else { (l, k) };
+            let number = |(row, column): (usize, usize)| row * width + column;
+            alloc::try_collect((0..net_curves.len()).map(|k| {
+                job.step((axis * height + k) as f64 / (height + width) as f64, FINDING)?;
+                let at = alloc::collect((0..count).map(|l| places[number(place(k, l))][axis]))?;
+                let ends = |l: usize| nodes[number(place(k, l % count.max(1)))];
+                let out_of_order = |l: usize| {
+                    let (row, column) = place(k, l);
+                    Error::CurvesOutOfOrder { row: row as u32, column: column as u32 }
+                };
+                pieces(&mut net_curves[k], at, closed[1 - axis], ends, out_of_order)
+            }))
+        };
+        let (along_rows, along_columns) = (cut(&mut rows, 0)?, cut(&mut columns, 1)?);
+        Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
+    }
+
+    /// The patches over all cells.
+    pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
+        if self.rows.is_empty() {
+            let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
+            return transposed(&skin, &job.part(0.8, 1.0));
+        }
+        if self.columns.is_empty() {
+            return self.skin(&self.rows, &self.points[0], self.closed[0], job);
+        }
+        let u = Strips::of(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = Strips::of(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let (blend_u, blend_v) = (blend(&u.lengths, self.closed[0])?, blend(&v.lengths, self.closed[1])?);
+        let rows = v.refined(&self.rows, &job.part(0.2, 0.3))?;
+        let columns = u.refined(&self.columns, &job.part(0.3, 0.4))?;
+        let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
+            let piece = &blend_v[strip];
+            (piece.lines, piece.weights::<N>(part))
+        }))?;
+        let mut patches = patches_with_capacity(u.count(), v.count())?;
+        for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
+            let piece = &blend_u[strip];
+            let across = piece.weights::<N>(part);
+            // C_l - sum L_k P_kl, which is 0 at nodes.
+            let rest = alloc::collect((0..self.columns.len()).map(|l| {
+                let nodes = piece.lines.map(|k| self.nodes[k * self.columns.len() + l]);
+                let curve = columns[l][i];
+                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
+            }))?;
+            for (j, (lines, along)) in cells_v.iter().enumerate() {
+                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
+                let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
+                let point = |a: usize, b: usize| {
+                    combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
+                };
+                let points = std::array::from_fn(|a| std::array::from_fn(|b| point(a, b)));
+                patches.push(Patch { points });
+            }
+        }
+        Ok(Patches::of(patches, u.count(), v.count()))
+    }
+
+    /// The sum of L_k R_k alone.
+    fn skin(&self, rows: &[Vec<Piece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
+        let v = Strips::of(rows, points, &job.part(0.0, 0.2))?;
+        let refined = v.refined(rows, &job.part(0.2, 0.4))?;
+        let last = rows.len() - usize::from(!closed);
+        let apart = |k: usize| {
+            let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
+            let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
+            sum / (2 * row.len()) as f64
+        };
+        let blend = blend(&positive(alloc::collect((0..last).map(apart))?), closed)?;
+        let mut patches = patches_with_capacity(last, v.count())?;
+        for piece in &blend {
+            let across = piece.weights::<N>([0.0, 1.0]);
+            let patch = |j: usize| {
+                let rows = piece.lines.map(|k| &refined[k][j]);
+                let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
+                Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
+            };
+            for j in 0..v.count() {
+                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
+                patches.push(patch(j));
+            }
+        }
+        Ok(Patches::of(patches, last, v.count()))
+    }
+}
+
+/// A place, or the joint of segments that it is very near to.
+fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
+    let here = net_curve.point(at);
+    let close = |t: f64| net_curve.point(CurvePlace { t, ..at }).distance(here) <= near;
+    let count = net_curve.segments.len();
+    if at.t < 0.5 && close(0.0) {
+        CurvePlace { t: 0.0, ..at }
+    } else if at.t >= 0.5 && close(1.0) {
+        // The start of the next segment, where there is one.
+        let next = if net_curve.closed { (at.segment + 1) % count } else { at.segment + 1 };
+        if next < count { CurvePlace { segment: next, t: 0.0 } } else { CurvePlace { t: 1.0, ..at } }
+    } else {
+        at
+    }
+}
+
+/// The pieces of a curve between its places, with their ends at the nodes; the curve is turned
+/// round if it runs against the order.
+fn pieces<const N: usize>(
+    net_curve: &mut NetCurve<N>,
+    mut at: Vec<CurvePlace>,
+    closed: bool,
+    ends: impl Fn(usize) -> DVec3,
+    out_of_order: impl Fn(usize) -> Error,
+) -> Result<Vec<Piece<N>>> {
+    let point = net_curve.is_point();
+    if closed && !net_curve.closed && !point {
+        return Err(Error::CurveNotClosed);
+    }
+    net_curve.closed = closed;
+    if at.is_empty() {
+        return alloc::try_collect([net_curve.whole()]);
+    }
+    if !point {
+        let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
+        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && turned(&at)) {
+            at.iter_mut().for_each(|at| *at = net_curve.reversed(*at));
+            net_curve.reverse();
+        }
+        // Round a closed curve the places may begin anywhere.
+        let count = if closed { at.len() } else { at.len() - 1 };
+        let mut wraps = usize::from(closed);
+        for k in 0..count {
+            let (here, next) = (at[k], at[(k + 1) % at.len()]);
+            if next <= here {
+                if wraps == 0 || next == here {
+                    return Err(out_of_order((k + 1) % at.len()));
+                }
+                wraps -= 1;
+            }
+        }
+    }
+    let mut pieces = net_curve.cut(&at)?;
+    for (k, piece) in pieces.iter_mut().enumerate() {
+        piece.bend(ends(k), ends(k + 1));
+    }
+    Ok(pieces)
+}
+
+/// Of three places round a closed curve: true if they follow each other backwards.
+fn turned(at: &[CurvePlace]) -> bool {
+    // Forwards there is one fall in all, backwards there are two.
+    (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
+}
+
+/// The intervals between the lines of one direction, and where they are cut.
+struct Strips {
+    /// The share of the parameter that each takes.
+    lengths: Vec<f64>,
+    /// Where each is cut, as fractions; the last one is 1.
+    breaks: Vec<Vec<f64>>,
+    /// By strip and curve: the ends of the curve's segments as the breaks have them.
+    ends: Vec<Vec<Vec<f64>>>,
+}
+
+impl Strips {
+    /// From the curves that run through them; `points`: those that are one point.
+    fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
+        let count = curves[0].len();
+        let mut lengths = alloc::filled(0.0, count)?;
+        for (curve, _) in curves.iter().zip(points).filter(|&(_, &point)| !point) {
+            let whole: f64 = curve.iter().map(|piece| piece.length).sum();
+            lengths.iter_mut().zip(curve).for_each(|(length, piece)| *length += piece.length / whole);
+        }
+        let (mut all_breaks, mut all_ends) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+        for strip in 0..count {
+            job.step(strip as f64 / count as f64, MAKING)?;
+            let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
+            let (breaks, ends) = breaks(&own, points)?;
+            all_breaks.push(breaks);
+            all_ends.push(ends);
+        }
+        Ok(Strips { lengths: positive(lengths), breaks: all_breaks, ends: all_ends })
+    }
+
+    /// The number of cells.
+    fn count(&self) -> usize {
+        self.breaks.iter().map(Vec::len).sum()
+    }
+
+    /// The strip and the part of it of each cell.
+    fn cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
+        let mut cells = alloc::with_capacity(self.count())?;
+        for (strip, breaks) in self.breaks.iter().enumerate() {
+            cells.extend((0..breaks.len()).map(|k| (strip, [if k == 0 { 0.0 } else { breaks[k - 1] }, breaks[k]])));
+        }
+        Ok(cells)
+    }
+
+    /// The segments of each curve over each cell.
+    fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
+        alloc::try_collect((0..curves.len()).map(|k| {
+            job.step(k as f64 / curves.len() as f64, MAKING)?;
+            let mut refined = alloc::with_capacity(self.count())?;
+            for (strip, piece) in curves[k].iter().enumerate() {
+                piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
+            }
+            Ok(refined)
+        }))
+    }
+}
+
+/// The breaks of a strip from those of the curves' pieces, and for each piece its own as the strip
+/// has them.
+fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
+    let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
+    let Some(first) = curves().next() else {
+        return Ok((alloc::filled(1.0, 1)?, alloc::try_collect(own.iter().map(|_| alloc::filled(1.0, 1)))?));
+    };
+    if curves().all(|ends| ends.len() == first.len()) {
+        // Matched in order.
+        let number = curves().count() as f64;
+        let mean = |k: usize| curves().map(|ends| ends[k]).sum::<f64>() / number;
+        let breaks = alloc::collect((0..first.len()).map(|k| if k + 1 == first.len() { 1.0 } else { mean(k) }))?;
+        let ends = points.iter().map(|&point| if point { alloc::filled(1.0, 1) } else { alloc::copied(&breaks) });
+        let ends = alloc::try_collect(ends)?;
+        return Ok((breaks, ends));
+    }
+    let mut all = Vec::new();
+    for (curve, ends) in own.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
+        alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
+    }
+    sort::stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut ends: Vec<Vec<f64>> = alloc::collect(own.iter().map(|_| Vec::new()))?;
+    let mut breaks: Vec<f64> = Vec::new();
+    for (end, curve) in all {
+        let last = breaks.last().copied().unwrap_or(0.0);
+        if breaks.is_empty() || end - last > SAME_BREAK || ends[curve].last() == Some(&last) {
+            alloc::push(&mut breaks, end)?;
+        }
+        let end = breaks[breaks.len() - 1];
+        alloc::push(&mut ends[curve], end)?;
+    }
+    alloc::push(&mut breaks, 1.0)?;
+    ends.iter_mut().try_for_each(|ends| alloc::push(ends, 1.0))?;
+    Ok((breaks, ends))
+}
+
+/// Lengths that are none become the mean of the others.
+fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
+    let sum: f64 = lengths.iter().sum();
+    let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
+    lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);
+    lengths
+}
+
+/// Room for patches, if there are not too many.
+fn patches_with_capacity<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
+    let count = (rows as u64).saturating_mul(columns as u64);
+    Error::check_count("cells", count, MAX_NODES / (N * N) as u64)?;
+    alloc::with_capacity(rows * columns)
+}
+
+/// u and v exchanged.
+fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
+    let [rows, columns] = patches.cells();
+    let mut turned = patches_with_capacity(columns, rows)?;
+    for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
+        job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), MAKING)?;
+        turned.push(patches.get(i, j).transposed());
+    }
+    Ok(Patches::of(turned, columns, rows))
+}
+
+/// The sum of points by their weights.
+fn combined(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
+    (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
+}

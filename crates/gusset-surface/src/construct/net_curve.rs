@@ -1,0 +1,235 @@
+//! A curve of a net: Bézier segments of one degree, cut where other curves meet it.
+
+use crate::MAX_DEGREE;
+use crate::prelude::*;
+use gusset_base::geom::bernstein::{elevate, evaluate, restrict};
+use gusset_curve::CurveView;
+
+/// The least share of a whole that a segment is given of its parameter.
+const MIN_SEGMENT_SHARE: f64 = 1e-9;
+/// Lengths of segments in the parameter may differ from those of their polygons by this, relative
+/// to the whole curve.
+const MAX_LENGTH_DISTORTION: f64 = 16.0;
+
+/// A place on a curve of a net.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub(super) struct CurvePlace {
+    pub(super) segment: usize,
+    pub(super) t: f64,
+}
+
+/// Segments of degree N - 1, one after the other.
+pub(super) struct NetCurve<const N: usize> {
+    pub(super) segments: Vec<[DVec3; N]>,
+    /// The share of the parameter that each segment takes: such that derivatives are continuous,
+    /// but for their direction.
+    lengths: Vec<f64>,
+    pub(super) closed: bool,
+}
+
+/// The part of a curve between two nodes.
+pub(super) struct Piece<const N: usize> {
+    pub(super) segments: Vec<[DVec3; N]>,
+    /// Where segments end, as fractions of the piece: the last is 1.
+    pub(super) ends: Vec<f64>,
+    /// Its length in the curve's parameter.
+    pub(super) length: f64,
+}
+
+/// The highest degree of the segments of some curves, 1 at least.
+///
+/// # Errors
+/// [`Error::EmptyCurve`] for a curve without points, [`Error::OptionOutOfRange`] for a degree above
+/// 7.
+pub(super) fn degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Result<usize> {
+    curves.try_fold(1, |highest, curve| {
+        if curve.points().is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
+        Error::require(degree <= MAX_DEGREE, "degree", degree as f64)?;
+        Ok(degree.max(highest))
+    })
+}
+
+impl<const N: usize> NetCurve<N> {
+    /// A curve of degree N - 1 at most.
+    pub(super) fn new(curve: &CurveView<'_>) -> Result<Self> {
+        let mut segments = alloc::with_capacity(curve.len().max(1))?;
+        for controls in curve.segments() {
+            let mut points = [DVec3::ZERO; N];
+            points[..controls.len()].copy_from_slice(controls);
+            elevate(&mut points, controls.len() - 1);
+            // A point stays one to the bit.
+            if is_point(controls) {
+                points = [controls[0]; N];
+            }
+            segments.push(points);
+        }
+        if segments.is_empty() {
+            segments.push([curve.points()[0]; N]);
+        }
+        let mut net_curve = NetCurve { lengths: Vec::new(), segments, closed: curve.is_closed() };
+        net_curve.lengths = net_curve.natural()?;
+        Ok(net_curve)
+    }
+
+    /// True if it is one point.
+    pub(super) fn is_point(&self) -> bool {
+        is_point(self.segments.as_flattened())
+    }
+
+    /// Lengths in a parameter in which the curve has derivatives of continuous length: those of its
+    /// knots if it is C1 in some. Segments that are points have none.
+    fn natural(&self) -> Result<Vec<f64>> {
+        let polygon = |points: &[DVec3; N]| points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
+        let polygons = alloc::collect(self.segments.iter().map(polygon))?;
+        let total: f64 = polygons.iter().sum();
+        let mut lengths = alloc::filled(0.0, polygons.len())?;
+        let mut before: Option<usize> = None;
+        for (k, points) in self.segments.iter().enumerate().filter(|&(k, _)| polygons[k] > 0.0) {
+            lengths[k] = before.map_or(polygons[k], |b| {
+                let (start, end) = (points[1] - points[0], self.segments[b][N - 1] - self.segments[b][N - 2]);
+                let (start, end) = (start.length(), end.length());
+                let regular = start > 1e-6 * polygons[k] && end > 1e-6 * polygons[b];
+                lengths[b] * if regular { start / end } else { polygons[k] / polygons[b] }
+            });
+            before = Some(k);
+        }
+        let sum: f64 = lengths.iter().sum();
+        let wild = |(&length, &polygon): (&f64, &f64)| {
+            let [length, polygon] = [length / sum, polygon / total];
+            !(length <= MAX_LENGTH_DISTORTION * polygon && polygon <= MAX_LENGTH_DISTORTION * length)
+        };
+        if lengths.iter().zip(&polygons).any(wild) { Ok(polygons) } else { Ok(lengths) }
+    }
+
+    pub(super) fn point(&self, at: CurvePlace) -> DVec3 {
+        evaluate(&self.segments[at.segment], at.t)
+    }
+
+    /// Backwards.
+    pub(super) fn reverse(&mut self) {
+        self.segments.reverse();
+        self.segments.iter_mut().for_each(|points| points.reverse());
+        self.lengths.reverse();
+    }
+
+    /// A place as it is called after [`NetCurve::reverse`].
+    pub(super) fn reversed(&self, at: CurvePlace) -> CurvePlace {
+        CurvePlace { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
+    }
+
+    /// The parts between places that follow each other; of a closed one also that from the last to
+    /// the first. A curve that is one point has parts that are the same.
+    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<Piece<N>>> {
+        let count = if self.closed { places.len() } else { places.len() - 1 };
+        alloc::try_collect((0..count).map(|k| self.between(places[k], places[(k + 1) % places.len()])))
+    }
+
+    /// The whole curve, one piece.
+    pub(super) fn whole(&self) -> Result<Piece<N>> {
+        let last = self.segments.len() - 1;
+        self.between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
+    }
+
+    fn between(&self, from: CurvePlace, to: CurvePlace) -> Result<Piece<N>> {
+        let mut piece = Piece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
+        let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
+            if end <= start || self.lengths[segment] == 0.0 {
+                return Ok(());
+            }
+            piece.length += self.lengths[segment] * (end - start);
+            alloc::push(&mut piece.ends, piece.length)?;
+            alloc::push(&mut piece.segments, restricted(&self.segments[segment], [start, end]))
+        };
+        if from.segment == to.segment && from.t < to.t {
+            add(from.segment, [from.t, to.t])?;
+        } else {
+            add(from.segment, [from.t, 1.0])?;
+            let count = self.segments.len();
+            let mut segment = (from.segment + 1) % count;
+            while segment != to.segment {
+                add(segment, [0.0, 1.0])?;
+                segment = (segment + 1) % count;
+            }
+            add(to.segment, [0.0, to.t])?;
+        }
+        if piece.segments.is_empty() {
+            alloc::push(&mut piece.segments, [self.point(from); N])?;
+            alloc::push(&mut piece.ends, 0.0)?;
+        }
+        piece.spread();
+        Ok(piece)
+    }
+}
+
+impl<const N: usize> Piece<N> {
+    /// Ends become fractions, none of them too close to the next.
+    fn spread(&mut self) {
+        let min = MIN_SEGMENT_SHARE * self.length;
+        let (mut before, mut total) = (0.0, 0.0);
+        for end in &mut self.ends {
+            let length = *end - before;
+            before = *end;
+            total += if length > min { length } else { min };
+            *end = total;
+        }
+        let count = self.ends.len();
+        for (k, end) in self.ends.iter_mut().enumerate() {
+            *end = if k + 1 == count || total == 0.0 { (k + 1) as f64 / count as f64 } else { *end / total };
+        }
+    }
+
+    /// Moves its ends to points, and all else by as much as lies between.
+    pub(super) fn bend(&mut self, from: DVec3, to: DVec3) {
+        let last = self.segments.len() - 1;
+        let (start, end) = (from - self.segments[0][0], to - self.segments[last][N - 1]);
+        let mut before = 0.0;
+        for (points, &after) in self.segments.iter_mut().zip(&self.ends) {
+            for (k, point) in points.iter_mut().enumerate() {
+                let at = before + (after - before) * (k as f64 / (N - 1) as f64);
+                *point += start.lerp(end, at);
+            }
+            before = after;
+        }
+        (self.segments[0][0], self.segments[last][N - 1]) = (from, to);
+        for k in 0..last {
+            self.segments[k + 1][0] = self.segments[k][N - 1];
+        }
+    }
+
+    /// The segments over the spans between breaks, the last of which is 1. The breaks have all ends
+    /// of the piece among them: `ends`, as the breaks have them.
+    pub(super) fn refined(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
+        alloc::reserve(refined, breaks.len())?;
+        let (mut segment, mut from) = (0, 0.0);
+        let mut start = self.segments[0][0];
+        for &to in breaks {
+            let first = if segment == 0 { 0.0 } else { ends[segment - 1] };
+            let length = ends[segment] - first;
+            let [low, high] = [(from - first) / length, if to >= ends[segment] { 1.0 } else { (to - first) / length }];
+            let mut points = restricted(&self.segments[segment], [low, high]);
+            // Neighbours share their ends to the bit.
+            points[0] = start;
+            start = points[N - 1];
+            refined.push(points);
+            if to >= ends[segment] && segment + 1 < ends.len() {
+                segment += 1;
+            }
+            from = to;
+        }
+        Ok(())
+    }
+}
+
+fn is_point(points: &[DVec3]) -> bool {
+    points.iter().all(|&p| p == points[0])
+}
+
+/// A segment over a part of its parameters, exactly itself over all.
+pub(super) fn restricted<const N: usize>(points: &[DVec3; N], range: [f64; 2]) -> [DVec3; N] {
+    let mut part = *points;
+    restrict(&mut part, range);
+    part
+}

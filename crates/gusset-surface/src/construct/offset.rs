@@ -1,0 +1,77 @@
+//! The surface beside a surface.
+
+use crate::prelude::*;
+use crate::{Grid, Nodes, Scheme, Sheet};
+use gusset_base::geom::node_normals::node_normals;
+use gusset_base::geom::scale::common_unit;
+use gusset_curve::frame::by_node;
+
+const STAGE: &str = "offsetting";
+
+impl Sheet<'_> {
+    /// The sheet through the corners of this one's cells, each moved along the surface's normal,
+    /// and how far it is from where it should be, at most, in the middles of the cells. Places
+    /// without a normal stay.
+    ///
+    /// Normals at nodes of a grid are those of circles through neighbours,
+    /// exact on planes, spheres and cylinders; those of patches are their own.
+    /// `distances`: one for all corners, one for each line of them that runs along v, or one for
+    /// each corner; a line that closes the sheet counts, too, and moves with the first one.
+    ///
+    /// O(cells).
+    ///
+    /// # Errors
+    /// [`Error::ValuesDiffer`] for another number of distances, [`Error::BadValue`] for one that is
+    /// not finite, [`Error::NetTooSmall`], [`Error::NotFinite`] if a corner overflows,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn offset(&self, distances: &[f64], job: &Job<'_>) -> Result<(Sheet<'static>, f64)> {
+        let ([rows, columns], closed) = (self.cells(), self.is_closed());
+        let [height, width] = [rows + 1, columns + 1];
+        let distance = by_node(distances, [height, width])?;
+        let corner = |k: usize| self.corner(k / width, k % width);
+        let normals = match self {
+            Sheet::Grid(_) => {
+                // Without the lines that are repeated.
+                let [h, w] = [height - usize::from(closed[0]), width - usize::from(closed[1])];
+                let nodes = alloc::collect((0..h * w).map(|k| self.corner(k / w, k % w)))?;
+                // Of coordinates near 1 neither squares nor their inverses leave the range.
+                let unit = common_unit(&nodes);
+                let nodes = alloc::collect(nodes.iter().map(|&p| p / unit))?;
+                let own = node_normals(&nodes, [h, w], closed)?;
+                alloc::collect((0..height * width).map(|k| own[k / width % h * w + k % width % w]))?
+            }
+            _ => alloc::collect((0..height * width).map(|k| {
+                let ([i, u], [j, v]) = (cell_of(k / width, rows), cell_of(k % width, columns));
+                self.normal(i as usize, j as usize, u, v)
+            }))?,
+        };
+        job.step(0.3, STAGE)?;
+        let same = |k: usize| {
+            let (i, j) = (k / width, k % width);
+            let [i, j] = [(i, rows, closed[0]), (j, columns, closed[1])].map(|(i, n, c)| if c { i % n } else { i });
+            i * width + j
+        };
+        let mut data = alloc::with_capacity(3 * height * width)?;
+        for k in (0..height * width).map(same) {
+            data.extend((corner(k) + distance(k) * normals[k]).to_array());
+        }
+        let nodes = Nodes::strided(data, height, width, 0, 0)?;
+        let made = Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?);
+        let mut deviation = 0.0f64;
+        for k in 0..rows * columns {
+            job.part(0.5, 1.0).step_every(1 << 12, k, rows * columns, STAGE)?;
+            let (i, j) = (k / columns, k % columns);
+            let corners = [[i, j], [i, j + 1], [i + 1, j], [i + 1, j + 1]].map(|[i, j]| distance(same(i * width + j)));
+            let by = corners.iter().sum::<f64>() / 4.0;
+            let wanted = self.jet(i, j, 0.5, 0.5).point + by * self.normal(i, j, 0.5, 0.5);
+            deviation = deviation.max(made.jet(i, j, 0.5, 0.5).point.distance(wanted));
+        }
+        Ok((made, deviation))
+    }
+}
+
+/// The cell that a line of corners belongs to, and its parameter there.
+fn cell_of(line: usize, cells: usize) -> [f64; 2] {
+    let cell = line.min(cells - 1);
+    [cell as f64, (line - cell) as f64]
+}

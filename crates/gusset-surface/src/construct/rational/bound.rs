@@ -1,0 +1,95 @@
+//! A proven bound of the distance between a polynomial piece and a rational one.
+//!
+//! With the weights' polynomial w and the numerator P of the rational piece S = P / w, and the
+//! polynomial piece A, N = w A - P is a polynomial of degree p + 7, q + 7, and A - S = N / w. Raised
+//! to the same degree, w has control values W > 0, and with the Bernstein polynomials B
+//!
+//! ```text
+//! N / w = sum B N_ij / sum B W_ij = sum (B W_ij / sum B W_kl) N_ij / W_ij,
+//! ```
+//!
+//! an average of N_ij / W_ij: |A - S| is at most the greatest |N_ij| / W_ij. Over halves, whose
+//! control values de Casteljau's scheme makes as averages, the bound is nearer to the truth.
+
+use super::super::spline::Net;
+use crate::MAX_DEGREE;
+use glam::{DVec3, DVec4};
+use gusset_base::geom::bernstein::{binomial_row, halve};
+
+/// Control values in a direction: the degree of the weights, of the piece, and 1.
+const SIZE: usize = 2 * MAX_DEGREE + 1;
+
+/// How often pieces are quartered for a nearer bound.
+const DEPTH: usize = 3;
+
+/// Of bounds so many times the tolerance, quarters would not come below it.
+const HOPELESS: f64 = 4096.0;
+
+/// N and, as the fourth coordinate, w raised to its degree, in Bernstein form.
+#[derive(Clone, Copy)]
+pub(super) struct Difference {
+    net: [[DVec4; SIZE]; SIZE],
+    counts: [usize; 2],
+}
+
+impl Difference {
+    /// Of the control points of A and the homogeneous ones of S, of these degrees. Relative to W_ij
+    /// (|A| + |S|), N_ij is right to 2^-53 times (p + 1) (q + 1) + 5.
+    pub(super) fn new(own: &Net<DVec3>, homogeneous: &Net<DVec4>, [p, q]: [usize; 2]) -> Self {
+        let [sevenths, ps, qs] = [MAX_DEGREE, p, q].map(binomial_row::<{ MAX_DEGREE + 1 }>);
+        let counts = [p + MAX_DEGREE + 1, q + MAX_DEGREE + 1];
+        let mut net = [[DVec4::ZERO; SIZE]; SIZE];
+        for (a, b) in (0..=p).flat_map(|a| (0..=q).map(move |b| (a, b))) {
+            let (given, weight) = (homogeneous[a][b], ps[a] * qs[b]);
+            let (numerator, w) = (given.truncate(), given.w);
+            for (c, row) in own.iter().enumerate() {
+                let across = weight * sevenths[c];
+                for (d, &point) in row.iter().enumerate() {
+                    // All these factors are whole numbers, and exact.
+                    net[a + c][b + d] += (w * point - numerator).extend(w) * (across * sevenths[d]);
+                }
+            }
+        }
+        let [us, vs] = counts.map(|count| binomial_row::<SIZE>(count - 1));
+        for (row, u) in net[..counts[0]].iter_mut().zip(us) {
+            row[..counts[1]].iter_mut().zip(vs).for_each(|(x, v)| *x /= u * v);
+        }
+        Difference { net, counts }
+    }
+
+    /// A bound of |N| / w, near if it decides whether that is within the target.
+    pub(super) fn bound(&self, target: f64) -> f64 {
+        let rough = self.greatest();
+        // The rounding of quarters, and of what is divided, is far below this, relative to it.
+        (1.0 + 1e-12) * if rough > HOPELESS * target { rough } else { self.refined(rough, target, DEPTH) }
+    }
+
+    /// The greatest |N_ij| / W_ij.
+    fn greatest(&self) -> f64 {
+        let values = self.net[..self.counts[0]].iter().flat_map(|row| &row[..self.counts[1]]);
+        let ratios = values.map(|value| value.truncate().length() / value.w);
+        // What is no number proves nothing.
+        ratios.map(|ratio| if ratio.is_nan() { f64::INFINITY } else { ratio }).fold(0.0, f64::max)
+    }
+
+    fn refined(&self, bound: f64, target: f64, depth: usize) -> f64 {
+        if bound <= target || depth == 0 {
+            return bound;
+        }
+        let [low, high] = self.halves();
+        let quarters = [low, high].map(|half| half.turned().halves());
+        quarters.as_flattened().iter().map(|part| part.refined(part.greatest(), target, depth - 1)).fold(0.0, f64::max)
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        let (mut before, mut after) = (*self, *self);
+        halve(&mut after.net[..self.counts[0]], &mut before.net[..self.counts[0]]);
+        [before, after]
+    }
+
+    /// The same with u and v exchanged.
+    fn turned(&self) -> Self {
+        let net = std::array::from_fn(|i| std::array::from_fn(|j| self.net[j][i]));
+        Difference { net, counts: [self.counts[1], self.counts[0]] }
+    }
+}

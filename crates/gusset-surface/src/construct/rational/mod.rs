@@ -1,0 +1,275 @@
+//! Rational splines as polynomial patches of degree 7 in the same parameters.
+//!
+//! The spans of the spline are cut, whole rows and columns at a time, until the piece that
+//! [`fit`] makes for each cell is within the tolerance, which [`bound`] proves: not by samples, but
+//! for all parameters. Rounding is in the bound: that of the control points of cells, that of the
+//! bound itself, and that of the result. Errors fall with the eighth power of the size of cells.
+
+mod bound;
+mod fit;
+
+use self::bound::Difference;
+use self::fit::{Fit, Known};
+use super::spline::{Interval, Net, Piece, Spline, SplineOptions, knots_of};
+use crate::patches::Origin;
+use crate::prelude::*;
+use crate::{Patch, Patches};
+use glam::DVec4;
+use gusset_base::geom::scale::{common_unit, floor_to_power_of_two};
+
+/// The most cells, if the caller does not say.
+const MAX_CELLS: usize = 1 << 20;
+
+/// The tolerance relative to the diagonal of the box of the control points, if the caller does not
+/// say.
+const TOLERANCE: f64 = 1e-12;
+
+/// The least weight, relative to the greatest: products of fewer lose nothing to underflow that
+/// could be seen.
+const LEAST_WEIGHT: f64 = 1.183_052_186_166_774e-271;
+
+/// The rounding of an operation, 2^-53.
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
+
+/// The most parts that an interval is cut into at a time.
+const MAX_PARTS: f64 = 16.0;
+
+/// Cells that a thread makes at a time: some milliseconds.
+const CELLS_PER_TASK: usize = 64;
+/// Cells that are copied between two progress reports, 1.5 KB each.
+const CELLS_PER_REPORT: usize = 1 << 12;
+const STAGE: &str = "fitting patches";
+
+/// Whether the spline has weights that are not all the same.
+///
+/// # Errors
+/// [`Error::BadWeight`], [`Error::ArrayTooShort`].
+pub(super) fn has_different_weights(spline: &Spline<'_>) -> Result<bool> {
+    let Some(given) = spline.weights else { return Ok(false) };
+    let count = spline.counts[0] * spline.counts[1];
+    let Some(weights) = given.get(..count) else {
+        let bytes = |count: usize| 8 * count as u64;
+        return Err(Error::ArrayTooShort { what: "weights", needed: bytes(count), given: bytes(given.len()) });
+    };
+    let bad = |of: &dyn Fn(f64) -> bool| match weights.iter().position(|&weight| of(weight)) {
+        Some(index) => Err(Error::BadWeight { index: index as u64, value: weights[index] }),
+        None => Ok(()),
+    };
+    bad(&|weight| !(weight > 0.0 && weight.is_finite()))?;
+    let greatest = weights.iter().fold(0.0, |greatest: f64, &weight| greatest.max(weight));
+    bad(&|weight| weight / greatest < LEAST_WEIGHT)?;
+    Ok(weights.iter().any(|&weight| weight != weights[0]))
+}
+
+/// A spline in a unit and from an origin that make its coordinates at most 1 or so.
+struct Rational<'a> {
+    spline: &'a Spline<'a>,
+    /// A power of two.
+    unit: f64,
+    /// In this unit, the middle of the control points' box.
+    middle: DVec3,
+    /// w x, w y, w z and w of the control points.
+    homogeneous: Vec<DVec4>,
+    fit: Fit,
+    /// What the bounds of cells may be, in this unit.
+    target: f64,
+    /// What rounding adds to them.
+    rounding: f64,
+    /// The greatest distance of a control point from the middle.
+    radius: f64,
+}
+
+/// What became of a cell.
+#[derive(Clone, Copy)]
+struct Cell {
+    patch: Patch<8>,
+    /// How far it is from the rational surface, but for rounding.
+    bound: f64,
+    /// Into how many parts it should be cut in u and in v.
+    parts: [u8; 2],
+}
+
+/// Patches within the tolerance of the spline over intervals that are all of its spans.
+pub(super) fn patches(
+    spline: &Spline<'_>,
+    mut intervals: [Vec<Interval>; 2],
+    options: &SplineOptions,
+    job: &Job<'_>,
+) -> Result<Patches<8>> {
+    let rational = Rational::new(spline, options)?;
+    let limit = options.max_cells.unwrap_or(MAX_CELLS) as u64;
+    // All that were made, by tasks so that they are not moved, and the number of each in the grid.
+    let mut tasks: Vec<Vec<Cell>> = Vec::new();
+    let mut grid: Vec<usize> = Vec::new();
+    // Where the cells of a row, and of a column, are in the grid of the pass before.
+    let mut kept: [Vec<Option<usize>>; 2] = Default::default();
+    let mut width = 0;
+    for pass in 0.. {
+        let counts = [intervals[0].len(), intervals[1].len()];
+        Error::check_count("cells", counts[0] as u64 * counts[1] as u64, limit)?;
+        // However many passes there are, the progress does not fall.
+        let part = job.part(1.0 - 0.5_f64.powi(pass), 1.0 - 0.5_f64.powi(pass + 1));
+        let [u, v] = spline.pieces(&intervals)?;
+        let known = |i: usize, j: usize| -> Option<usize> {
+            let (row, column) = (*kept[0].get(i)?, *kept[1].get(j)?);
+            grid.get(row? * width + column?).copied()
+        };
+        let (mut now, mut new) = (alloc::with_capacity(counts[0] * counts[1])?, Vec::new());
+        for i in 0..counts[0] {
+            part.step(0.0, STAGE)?;
+            for j in 0..counts[1] {
+                let next = tasks.len() * CELLS_PER_TASK + new.len();
+                let cell = known(i, j).unwrap_or(next);
+                now.push(cell);
+                if cell == next {
+                    alloc::push(&mut new, [i, j])?;
+                }
+            }
+        }
+        let made = par::map_cancellable(&part, STAGE, new.chunks(CELLS_PER_TASK), |some| {
+            alloc::collect(some.iter().map(|&[i, j]| rational.cell(&u[i], &v[j])))
+        })?;
+        alloc::reserve(&mut tasks, made.len())?;
+        for made in made {
+            tasks.push(made?);
+        }
+        (grid, width) = (now, counts[1]);
+        let mut parts = [alloc::filled(1_u8, counts[0])?, alloc::filled(1_u8, counts[1])?];
+        for (k, &cell) in grid.iter().enumerate() {
+            for (parts, (place, wanted)) in
+                parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell_of(&tasks, cell).parts))
+            {
+                parts[place] = parts[place].max(wanted);
+            }
+        }
+        if parts.iter().flatten().all(|&parts| parts == 1) {
+            break;
+        }
+        for d in 0..2 {
+            (intervals[d], kept[d]) = cut(&intervals[d], &parts[d], d as u32)?;
+        }
+    }
+    let mut patches = alloc::with_capacity(grid.len())?;
+    let mut deviation = 0.0_f64;
+    for (k, &cell) in grid.iter().enumerate() {
+        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), STAGE)?;
+        let cell = cell_of(&tasks, cell);
+        deviation = deviation.max(cell.bound);
+        patches.push(cell.patch);
+    }
+    let origin = Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: knots_of(&intervals)? };
+    Ok(Patches::of(patches, intervals[0].len(), intervals[1].len()).with(origin))
+}
+
+/// A cell by its number.
+fn cell_of(tasks: &[Vec<Cell>], number: usize) -> &Cell {
+    &tasks[number / CELLS_PER_TASK][number % CELLS_PER_TASK]
+}
+
+/// Intervals cut into equal parts, and where those that are whole were before.
+fn cut(intervals: &[Interval], parts: &[u8], direction: u32) -> Result<(Vec<Interval>, Vec<Option<usize>>)> {
+    let count = parts.iter().map(|&parts| usize::from(parts)).sum();
+    let (mut all, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+    for (k, (interval, &parts)) in intervals.iter().zip(parts).enumerate() {
+        let [from, to] = interval.ends;
+        let at = |part: u8| if part == parts { to } else { from + (to - from) * (f64::from(part) / f64::from(parts)) };
+        for part in 0..parts {
+            let ends = [at(part), at(part + 1)];
+            if ends[0] >= ends[1] {
+                return Err(Error::BadKnot { direction, knot: interval.knot as u32, value: from });
+            }
+            all.push(Interval { ends, ..*interval });
+            kept.push((parts == 1).then_some(k));
+        }
+    }
+    Ok((all, kept))
+}
+
+impl<'a> Rational<'a> {
+    fn new(spline: &'a Spline<'a>, options: &SplineOptions) -> Result<Self> {
+        let count = spline.counts[0] * spline.counts[1];
+        let (given, weights) = (&spline.points[..count], spline.weights.unwrap_or_default());
+        let unit = common_unit(given);
+        let greatest = floor_to_power_of_two(weights.iter().fold(0.0, |greatest, &weight| weight.max(greatest)));
+        let bounds = Aabb::of(given.iter().map(|&point| point / unit));
+        let (middle, diagonal) = (0.5 * (bounds.low + bounds.high), bounds.diagonal());
+        let local = given.iter().zip(weights).map(|(&point, &weight)| {
+            let w = weight / greatest;
+            ((point / unit - middle) * w).extend(w)
+        });
+        let homogeneous = alloc::collect(local)?;
+        let radius = given.iter().map(|&point| (point / unit).distance(middle)).fold(0.0, f64::max);
+        let degrees = [0, 1].map(|d| spline.axes[d].degree);
+        // Control points of cells: of p + q steps of blossoms, each with 6 roundings, of sums of p +
+        // 1 and q + 1 terms, of products by weights and of the middle's subtraction, both in P and
+        // in w. Then those of N, of terms w A and P. The last are of the result, A + middle. All are
+        // of coordinates, of which a vector has three.
+        let [p, q] = degrees.map(|degree| degree as f64);
+        let (control, product) = (2.0 * (7.0 * (p + q) + 8.0), 2.0 * ((p + 1.0) * (q + 1.0) + 5.0));
+        let largest = bounds.low.abs().max(bounds.high.abs()).max_element();
+        let rounding = 2.0 * ROUNDING * (radius * (control + 1.5 * product) + 2.0 * largest);
+        let tolerance = match options.tolerance {
+            Some(given) => {
+                Error::require(given > 0.0 && given.is_finite(), "tolerance", given)?;
+                Error::require(given / unit >= 2.0 * rounding, "tolerance", given)?;
+                given / unit
+            }
+            None => (TOLERANCE * diagonal).max(2.0 * rounding),
+        };
+        let target = tolerance - rounding;
+        Ok(Rational { spline, unit, middle, homogeneous, fit: Fit::new(degrees)?, target, rounding, radius })
+    }
+
+    fn cell(&self, rows: &Piece, columns: &Piece) -> Cell {
+        let homogeneous: Net<DVec4> = self.spline.net(&self.homogeneous, rows, columns);
+        let exact = self.exact_points(rows, columns);
+        let known = exact.map(|point| point / self.unit - self.middle);
+        let piece = self.fit.piece(&homogeneous, &known);
+        let degrees = [0, 1].map(|d| self.spline.axes[d].degree);
+        let bound = Difference::new(&piece.points, &homogeneous, degrees).bound(self.target);
+        let mut parts = [1, 1];
+        if bound > self.target {
+            parts = self.parts(self.fit.errors(&piece, &homogeneous));
+        }
+        let mut patch = Patch { points: piece.points.map(|row| row.map(|point| (point + self.middle) * self.unit)) };
+        exact.restore(&mut patch.points);
+        Cell { patch, bound, parts }
+    }
+
+    /// Into how many parts a cell with these errors in u and in v should be cut, so that each is at
+    /// most 5/13 of the target: its bound is up to 1.3 times the sum.
+    fn parts(&self, errors: [f64; 2]) -> [u8; 2] {
+        let parts = errors.map(|error| match 2.6 * error / self.target {
+            // The error does not fall with the eighth power yet.
+            _ if error >= 1e-3 * self.radius => 2,
+            excess if excess <= 1.0 => 1,
+            excess => libm::pow(excess, 0.125).ceil().min(MAX_PARTS) as u8,
+        });
+        match parts {
+            [1, 1] if errors[0] >= errors[1] => [2, 1],
+            [1, 1] => [1, 2],
+            _ => parts,
+        }
+    }
+
+    /// Points that are control points because all those that they depend on are one: corners of
+    /// clamped splines, and sides that are poles.
+    fn exact_points(&self, rows: &Piece, columns: &Piece) -> Known {
+        let [p, q] = [0, 1].map(|d| self.spline.axes[d].degree);
+        let one = |in_u: Option<usize>, in_v: Option<usize>| {
+            let counts =
+                |piece: &Piece, point: Option<usize>, k: usize| point.is_none_or(|at| piece.weights[at][k] != 0.0);
+            let places = (0..=p)
+                .filter(|&a| counts(rows, in_u, a))
+                .flat_map(|a| (0..=q).filter(|&b| counts(columns, in_v, b)).map(move |b| (a, b)));
+            let mut points = places.map(|(a, b)| self.spline.points[self.spline.place(rows, columns, a, b)]);
+            let first = points.next()?;
+            points.all(|point| point == first).then_some(first)
+        };
+        let (us, vs) = ([Some(0), Some(p)], [Some(0), Some(q)]);
+        Known {
+            sides: [us.map(|u| one(u, None)), vs.map(|v| one(None, v))],
+            corners: us.map(|u| vs.map(|v| one(u, v))),
+        }
+    }
+}

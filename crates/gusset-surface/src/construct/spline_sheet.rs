@@ -1,0 +1,63 @@
+//! Sheets of splines: of polynomial ones the pieces themselves, of rational ones what is near them.
+
+use super::rational;
+use super::spline::{Interval, Spline, SplineOptions, knots_of};
+use crate::checks::finite_points;
+use crate::patches::Origin;
+use crate::prelude::*;
+use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
+
+impl Sheet<'static> {
+    /// The Bézier patches of a spline. If it has no weights, or weights that are all equal, these
+    /// are exact but for rounding, of the greater of the two degrees or 3; else of degree 7 and
+    /// within a proven distance, [`Sheet::deviation`].
+    ///
+    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes a cell up to degree 3, else 1536.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7, and for a tolerance that is not
+    /// positive and finite, or below what rounding allows; [`Error::NetTooSmall`] for fewer control
+    /// points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot
+    /// that is not finite, that is less than the one before, or that is repeated too often, or
+    /// that begins a span too short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`];
+    /// [`Error::TooLarge`] for control points and for cells; [`Error::NotFinite`] with the control
+    /// point; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn from_spline(spline: &Spline<'_>, options: &SplineOptions, job: &Job<'_>) -> Result<Self> {
+        let [rows, columns] = spline.counts;
+        for (axis, count) in spline.axes.iter().zip(spline.counts) {
+            Error::require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
+            if count <= axis.degree || (axis.closed && count < 3) {
+                return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+            }
+        }
+        let count = (rows as u64).saturating_mul(columns as u64);
+        Error::check_count("control points", count, MAX_NODES)?;
+        finite_points(spline.points, count, "control points")?;
+        let intervals = [spline.axes[0].intervals(rows, 0)?, spline.axes[1].intervals(columns, 1)?];
+        if rational::has_different_weights(spline)? {
+            return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
+        }
+        if spline.axes.iter().all(|axis| axis.degree <= 3) {
+            Ok(Sheet::Cubic(exact(spline, &intervals, job)?))
+        } else {
+            Ok(Sheet::High(exact(spline, &intervals, job)?))
+        }
+    }
+}
+
+/// The pieces of a spline that is not rational.
+fn exact<const N: usize>(spline: &Spline<'_>, intervals: &[Vec<Interval>; 2], job: &Job<'_>) -> Result<Patches<N>> {
+    let [p, q] = [0, 1].map(|k| spline.axes[k].degree);
+    let [u, v] = spline.pieces(intervals)?;
+    let mut patches = alloc::with_capacity(u.len().saturating_mul(v.len()))?;
+    for (i, rows) in u.iter().enumerate() {
+        job.step(i as f64 / u.len() as f64, "making patches")?;
+        for columns in v.iter() {
+            let net = spline.net(spline.points, rows, columns);
+            let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
+            packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
+            patches.push(Patch::raised(&packed[..(p + 1) * (q + 1)], [p, q]));
+        }
+    }
+    Ok(Patches::of(patches, u.len(), v.len()).with(Origin { deviation: 0.0, knots: knots_of(intervals)? }))
+}

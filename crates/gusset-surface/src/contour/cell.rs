@@ -1,0 +1,281 @@
+//! The zero set of a field over one cell, as arcs between marks, the places where it crosses sides,
+//! by [`subdivide`] into quarters.
+//!
+//! Signs are those of `side`: 0 counts as positive. Round the border of a cell, or of a part of
+//! one, the sign changes an even number of times, in turn from plus to minus, where an arc enters
+//! (with plus on its left), and from minus to plus, where one leaves. A part is done when one of
+//! these holds, else it is cut into four, whose common sides get marks of their own:
+//! * *none*: the border has no marks, and all coefficients have one sign;
+//! * *graph*: the field is monotone in u, or in v. Then the zero set is a graph over the other
+//!   parameter, along which arcs follow each other: no closed loop can hide, and the k-th entry
+//!   belongs to the k-th exit;
+//! * *unresolved*: the field cannot be told from 0, or the part is too small. The marks are linked
+//!   by the sign in the middle, and the part is reported.
+//!
+//! Invariant: a part's marks are those of its parent and of the lines between parts, so that arcs
+//! of neighbouring parts join to the bit. Monotonicity as a criterion of termination: Alberti,
+//! Mourrain and Wintz (2008). Cost: O(M^3) a split, [`MAX_PARTS`] parts at most.
+
+use super::side::{crossings, positive};
+use crate::subdivision::Field;
+use glam::DVec2;
+use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::sort;
+use std::convert::Infallible;
+
+/// Halvings of each parameter before a part is given up.
+const MAX_SUBDIVISION_DEPTH: u32 = 26;
+/// Parts examined for one cell.
+const MAX_PARTS: usize = 1024;
+
+/// The sides of a cell or part: v low, u high, v high, u low, which is once round it,
+/// counter-clockwise.
+pub(super) const SIDES: usize = 4;
+/// By side: the corners (2 u + v) that it starts and ends with; the parameter rises between them.
+pub(super) const CORNERS: [[usize; 2]; SIDES] = [[0, 2], [2, 3], [1, 3], [0, 1]];
+
+/// A place where the sign changes along a side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Mark {
+    /// The same for all cells and parts that the side belongs to.
+    pub(super) key: u64,
+    /// The parameters in the cell.
+    pub(super) at: DVec2,
+    pub(super) side: usize,
+    /// From minus to plus, as the parameter rises along the side.
+    pub(super) rising: bool,
+}
+
+impl Mark {
+    /// The parameter along its side.
+    fn along(&self) -> f64 {
+        self.at[self.side % 2]
+    }
+
+    /// True if an arc begins here: once round the cell, the sign changes from plus to minus.
+    fn is_entry(&self) -> bool {
+        self.rising == (self.side >= 2)
+    }
+}
+
+/// Where an arc is a graph: over u (0) or v (1), and the range of the other parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Graph {
+    pub(super) over: usize,
+    pub(super) range: [f64; 2],
+}
+
+/// An arc of the zero set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Link {
+    pub(super) from: Mark,
+    pub(super) to: Mark,
+    /// `None` in parts that are unresolved.
+    pub(super) graph: Option<Graph>,
+}
+
+/// A cell, or part of one.
+pub(super) struct MarkedPart<const M: usize> {
+    field: Field<M>,
+    marks: Vec<Mark>,
+    /// Signs at the corners 2 u + v.
+    corners: [bool; 4],
+    from: DVec2,
+    size: f64,
+}
+
+/// Keys of marks inside cells.
+pub(super) struct Keys(pub(super) u64);
+
+impl Keys {
+    fn next(&mut self) -> u64 {
+        self.0 += 1;
+        self.0
+    }
+}
+
+/// Finds the arcs of a cell whose marks and signs at corners are given. Values up to
+/// `rounding_error` may be 0. Returns where something is left unresolved.
+#[inline]
+pub(super) fn arcs<const M: usize>(
+    field: &Field<M>,
+    marks: &mut Vec<Mark>,
+    corners: [bool; 4],
+    rounding_error: f64,
+    keys: &mut Keys,
+    mut add: impl FnMut(Link),
+) -> Option<DVec2> {
+    // The usual case.
+    if marks.is_empty() && one_sign(field) {
+        return None;
+    }
+    if let Some(over) = graph(field, rounding_error) {
+        in_order(marks, Graph { over, range: [0.0, 1.0] }, &mut add);
+        return None;
+    }
+    let marks = std::mem::take(marks);
+    let whole = MarkedPart { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
+    let mut search = LinkSearch { rounding_error, keys, add, unresolved: None };
+    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+    let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
+    search.unresolved.map(|(_, place)| place)
+}
+
+/// The search of one cell.
+struct LinkSearch<'a, F> {
+    rounding_error: f64,
+    keys: &'a mut Keys,
+    add: F,
+    /// The middle of the unresolved part with the least value there, and that value.
+    unresolved: Option<(f64, DVec2)>,
+}
+
+impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearch<'_, F> {
+    /// The parameter over which the zero set is a graph.
+    type Solution = usize;
+    type Split = ();
+    type Stop = Infallible;
+
+    #[inline]
+    fn classify(&mut self, part: &MarkedPart<M>) -> Result<BoxTest<usize, ()>, Infallible> {
+        Ok(if part.marks.is_empty() && one_sign(&part.field) {
+            BoxTest::Empty
+        } else if let Some(over) = graph(&part.field, self.rounding_error) {
+            BoxTest::Unique(over)
+        } else {
+            let [low, high] = part.field.range();
+            let vanishes = low >= -self.rounding_error && high <= self.rounding_error;
+            if vanishes { BoxTest::Unresolved } else { BoxTest::Undecided(()) }
+        })
+    }
+
+    fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
+        let low = part.from[1 - over];
+        in_order(&mut part.marks, Graph { over, range: [low, low + part.size] }, &mut self.add);
+        Ok(())
+    }
+
+    fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
+        let middle = part.field.at(0.5, 0.5).value;
+        if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
+            self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
+        }
+        by_middle(&part.marks, positive(middle), &mut self.add);
+        Ok(())
+    }
+
+    fn split(&mut self, part: MarkedPart<M>, (): ()) -> [MarkedPart<M>; 4] {
+        part.quarters(self.keys)
+    }
+}
+
+/// True if the field is nowhere 0, as its coefficients show.
+#[inline]
+pub(super) fn one_sign<const M: usize>(field: &Field<M>) -> bool {
+    let [low, high] = field.range();
+    low >= 0.0 || high < 0.0
+}
+
+/// The parameter, u (0) or v (1), over which the zero set is a graph, the field being monotone in
+/// the other one; the one in which it rises more steeply, if both will do.
+#[inline]
+fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize> {
+    // Slopes are differences of coefficients, times the degree.
+    let slack = rounding_error * (M - 1) as f64;
+    let steep = |[low, high]: [f64; 2]| {
+        let rises = low >= -slack && high > 16.0 * slack;
+        let falls = high <= slack && low < -16.0 * slack;
+        (rises || falls).then_some(low.abs().min(high.abs()))
+    };
+    match field.slope_ranges().map(steep) {
+        [Some(u), Some(v)] => Some(usize::from(u > v)),
+        [Some(_), None] => Some(1),
+        [None, Some(_)] => Some(0),
+        [None, None] => None,
+    }
+}
+
+/// Along a graph: the k-th entry belongs to the k-th exit.
+#[inline]
+fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
+    if let [a, b] = *marks {
+        let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
+        return add(Link { from, to, graph: Some(graph) });
+    }
+    sort::stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
+    let (entries, exits) = (marks.iter().filter(|mark| mark.is_entry()), marks.iter().filter(|mark| !mark.is_entry()));
+    for (&from, &to) in entries.zip(exits) {
+        add(Link { from, to, graph: Some(graph) });
+    }
+}
+
+/// Round a part that is unresolved: where the middle is positive, arcs cut off what is negative,
+/// else what is positive.
+fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
+    let mut round: Vec<Mark> = Vec::with_capacity(marks.len());
+    for side in 0..SIDES {
+        let first = round.len();
+        round.extend(marks.iter().filter(|mark| mark.side == side));
+        sort::stable(&mut round[first..], &|a, b| a.along().total_cmp(&b.along()));
+        if side >= 2 {
+            round[first..].reverse();
+        }
+    }
+    let count = round.len();
+    for (k, &from) in round.iter().enumerate().filter(|(_, mark)| mark.is_entry()) {
+        let to = round[(k + if middle { 1 } else { count - 1 }) % count];
+        add(Link { from, to, graph: None });
+    }
+}
+
+impl<const M: usize> MarkedPart<M> {
+    /// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and
+    /// high v.
+    fn quarters(self, keys: &mut Keys) -> [MarkedPart<M>; 4] {
+        let half = 0.5 * self.size;
+        let middle = self.from + half;
+        // The signs amid the sides: those of the start, changed by the marks before.
+        let amid: [bool; SIDES] = std::array::from_fn(|side| {
+            let before = |mark: &&Mark| mark.side == side && mark.along() < middle[side % 2];
+            self.corners[CORNERS[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
+        });
+        let fields = self.field.quarters();
+        let centre = positive(fields[0].c[M - 1][M - 1]);
+        let [c00, c01, c10, c11] = self.corners;
+        let corners = [
+            [c00, amid[3], amid[0], centre],
+            [amid[3], c01, centre, amid[2]],
+            [amid[0], centre, c10, amid[1]],
+            [centre, amid[2], amid[1], c11],
+        ];
+        let mut marks: [Vec<Mark>; 4] = std::array::from_fn(|_| Vec::new());
+        for mark in self.marks {
+            let high = mark.along() >= middle[mark.side % 2];
+            marks[[[0, 2], [2, 3], [1, 3], [0, 1]][mark.side][usize::from(high)]].push(mark);
+        }
+        // The lines between the parts: before, behind, and the side of the part before.
+        for (low, high, side) in [(0, 2, 1), (1, 3, 1), (0, 1, 2), (2, 3, 2)] {
+            let along = side % 2;
+            let c: [f64; M] = match side {
+                1 => fields[low].c[M - 1],
+                _ => fields[low].c.map(|row| row[M - 1]),
+            };
+            let start = if low == 0 { self.from[along] } else { middle[along] };
+            let ends = CORNERS[side].map(|corner| corners[low][corner]);
+            crossings(&c, ends, |crossing| {
+                let mut at = middle;
+                at[along] = start + half * crossing.t;
+                let mark = Mark { key: keys.next(), at, side, rising: crossing.rising };
+                marks[low].push(mark);
+                marks[high].push(Mark { side: (side + 2) % SIDES, ..mark });
+            });
+        }
+        std::array::from_fn(|quarter| MarkedPart {
+            field: fields[quarter],
+            marks: std::mem::take(&mut marks[quarter]),
+            corners: corners[quarter],
+            from: self.from + half * DVec2::new((quarter / 2) as f64, (quarter % 2) as f64),
+            size: half,
+        })
+    }
+}

@@ -1,0 +1,238 @@
+//! Paths of a sheet: its arcs, linked by the marks that they share, open and closed, in order.
+//!
+//! Invariant: an arc ends with the key that the next one begins with, since cells that share a side
+//! share its marks. Cost: O(arcs) a level, and O(arcs log arcs) where fields jump.
+
+use super::lattice::Lattice;
+use super::search::{Arc, FoundArcs};
+use crate::Place;
+use crate::prelude::*;
+use gusset_base::sort;
+use gusset_base::sort::Buckets;
+use std::collections::VecDeque;
+
+/// A curve of a sheet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ContourPath {
+    pub(super) level: u32,
+    pub(super) closed: bool,
+    /// From where to where among the places.
+    pub(super) range: [usize; 2],
+}
+
+/// The curves of sheets, one sheet after the other, each by level and lowest cell.
+#[derive(Debug, Default)]
+pub(super) struct ContourPaths {
+    pub(super) paths: Vec<ContourPath>,
+    pub(super) places: Vec<Place>,
+}
+
+impl ContourPaths {
+    pub(super) fn append(&mut self, other: ContourPaths) -> Result<()> {
+        // Of one level and sheet, as it is.
+        if self.paths.is_empty() {
+            *self = other;
+            return Ok(());
+        }
+        let shift = self.places.len();
+        alloc::append(&mut self.places, &other.places)?;
+        let moved = |path: ContourPath| ContourPath { range: path.range.map(|at| at + shift), ..path };
+        alloc::extend(&mut self.paths, other.paths.into_iter().map(moved))
+    }
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Arcs by the keys of the marks where they begin: open addressing.
+struct Table<'a> {
+    arcs: &'a [Arc],
+    slots: Vec<u32>,
+    shift: u32,
+}
+
+impl<'a> Table<'a> {
+    fn new(arcs: &'a [Arc]) -> Result<Self> {
+        let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
+        let mut table = Table { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
+        for (k, arc) in arcs.iter().enumerate() {
+            let at = table.slot(arc.keys[0]);
+            table.slots[at] = k as u32;
+        }
+        Ok(table)
+    }
+
+    /// Where a key is, or would be.
+    fn slot(&self, key: u64) -> usize {
+        let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
+        while self.slots[at] != NONE && self.arcs[self.slots[at] as usize].keys[0] != key {
+            at = (at + 1) & (self.slots.len() - 1);
+        }
+        at
+    }
+
+    fn get(&self, key: u64) -> Option<usize> {
+        let arc = self.slots[self.slot(key)];
+        (arc != NONE).then_some(arc as usize)
+    }
+}
+
+/// Adds the paths of a sheet, whose arcs it links. `jumps`: whether the cells at a side have marks
+/// of their own, which are linked first.
+pub(super) fn chain(
+    sheet: u32,
+    found: &mut FoundArcs,
+    lattice: &Lattice,
+    jumps: bool,
+    threads: usize,
+    made: &mut ContourPaths,
+) -> Result<()> {
+    by_level(&mut found.arcs)?;
+    if jumps {
+        link_arcs(&mut found.arcs, lattice)?;
+    }
+    let levels = alloc::gather(found.arcs.chunk_by(|a, b| a.level == b.level))?;
+    let parts = par::map(threads, levels.into_iter(), |arcs| paths(sheet, arcs, &found.inner))?;
+    parts.into_iter().try_for_each(|part| made.append(part?))
+}
+
+/// Sorts arcs by level: cells come as the search finds them, with their levels one after the other.
+/// Arcs of a level keep their order.
+fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
+    if arcs.is_sorted_by_key(|arc| arc.level) {
+        return Ok(());
+    }
+    let count = arcs.iter().map(|arc| arc.level as usize + 1).max().unwrap_or(0);
+    let of_levels = Buckets::new(count, arcs[0], arcs.iter().map(|arc| (arc.level as usize, *arc)))?;
+    *arcs = of_levels.into_parts().1;
+    Ok(())
+}
+
+/// The arc that follows each, or [`NONE`], and whether one comes before it.
+fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
+    let table = Table::new(arcs)?;
+    let mut next = alloc::filled(NONE, arcs.len())?;
+    let mut entered = alloc::filled(false, arcs.len())?;
+    for (k, arc) in arcs.iter().enumerate() {
+        if let Some(after) = table.get(arc.keys[1]).filter(|&after| !entered[after]) {
+            next[k] = after as u32;
+            entered[after] = true;
+        }
+    }
+    Ok((next, entered))
+}
+
+/// The paths of one level, by the lowest cell of each and the key of its mark.
+fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
+    let (next, entered) = successors(arcs)?;
+    let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
+    let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
+    let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
+    let mut used = alloc::filled(false, arcs.len())?;
+    // Open ones from their beginnings, then closed ones.
+    let open = (0..arcs.len()).filter(|&k| !entered[k]);
+    for head in open.chain(0..arcs.len()) {
+        if used[head] {
+            continue;
+        }
+        let (mut min, mut last) = (head, head);
+        loop {
+            used[last] = true;
+            if lowest(last) < lowest(min) {
+                min = last;
+            }
+            if next[last] == NONE || next[last] as usize == head {
+                break;
+            }
+            last = next[last] as usize;
+        }
+        let closed = next[last] != NONE;
+        let first = places.len();
+        let mut at = if closed { min } else { head };
+        loop {
+            let arc = &arcs[at];
+            let place = |&at: &DVec2| Place { sheet, cell: arc.cell, u: at.x, v: at.y };
+            let [from, to] = arc.inner.map(|k| k as usize);
+            alloc::push(&mut places, place(&arc.ends[0]))?;
+            alloc::extend(&mut places, inner[from..to].iter().map(place))?;
+            if arc.jumps || next[at] == NONE {
+                alloc::push(&mut places, place(&arc.ends[1]))?;
+            }
+            if next[at] == NONE || (closed && next[at] as usize == min) {
+                break;
+            }
+            at = next[at] as usize;
+        }
+        let path = ContourPath { level: arcs[head].level, closed, range: [first, places.len()] };
+        alloc::push(&mut paths, (lowest(min), path))?;
+    }
+    sort::stable(&mut paths, &|a, b| a.0.cmp(&b.0));
+    Ok(ContourPaths { paths: alloc::collect(paths.into_iter().map(|(_, path)| path))?, places })
+}
+
+/// An end of an arc on a side between cells whose fields may jump.
+#[derive(Clone, Copy)]
+struct End {
+    level: u32,
+    /// The side, or the corner.
+    group: u64,
+    t: f64,
+    key: u64,
+    arc: usize,
+    exit: bool,
+}
+
+/// Links what leaves one cell with what enters the next, or the same one again: along each side,
+/// the k-th that leaves with the k-th that enters. Where the fields have no sign in common, the
+/// side itself belongs to the zero set between the two. What is left over then, because the cells
+/// at a corner disagree on the sign there, is linked round the corner that it is nearer to.
+fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
+    let mut ends = alloc::with_capacity(2 * arcs.len())?;
+    for (k, arc) in arcs.iter().enumerate() {
+        for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {
+            let side = key >> 7;
+            let inside = key >> 63 == 1;
+            if !inside && !lattice.on_edge_side(arc.cell, side) {
+                ends.push(End { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
+            }
+        }
+    }
+    let mut left = pair(ends, arcs)?;
+    for end in &mut left {
+        end.group = lattice.node(end.group, end.t >= 0.5);
+        // How far from the corner.
+        end.t = end.t.min(1.0 - end.t);
+    }
+    pair(left, arcs)?;
+    Ok(())
+}
+
+/// Links exits with entries of the same level and group, in order; returns the ends that are left
+/// over.
+fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
+    sort::stable(&mut ends, &|a, b| {
+        let by = |end: &End| (end.level, end.group);
+        by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
+    });
+    let mut waiting: VecDeque<End> = VecDeque::new();
+    let mut left = Vec::new();
+    for group in ends.chunk_by(|a, b| (a.level, a.group) == (b.level, b.group)) {
+        let bytes = size_of_val(group) as u64;
+        waiting.try_reserve(group.len()).map_err(|_| Error::OutOfMemory { bytes })?;
+        for &end in group {
+            match waiting.pop_front() {
+                Some(first) if end.exit != first.exit => {
+                    let (exit, entry) = if end.exit { (end, first) } else { (first, end) };
+                    arcs[exit.arc].keys[1] = entry.key;
+                    arcs[exit.arc].jumps = true;
+                }
+                Some(first) => {
+                    waiting.push_front(first);
+                    waiting.push_back(end);
+                }
+                None => waiting.push_back(end),
+            }
+        }
+        alloc::extend(&mut left, waiting.drain(..))?;
+    }
+    Ok(left)
+}

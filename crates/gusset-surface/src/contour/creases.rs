@@ -1,0 +1,62 @@
+//! Sides between cells along which normals jump past an angle: they belong to the isophote
+//! themselves, and no cell shows it.
+
+use super::cone_culling;
+use super::lattice::Lattice;
+use super::projected_normals::ProjectedNormals;
+use crate::cells::{BLOCK, Cells};
+use crate::index::Cones;
+use crate::prelude::*;
+use std::f64::consts::PI;
+
+/// Cells and the middles of their sides at whose ends the angle is less than one of `angles` in one
+/// cell and greater in the other.
+pub(super) fn creases<C: Cells<N>, const N: usize>(
+    normals: &ProjectedNormals<'_, C, N>,
+    cones: &Cones,
+    lattice: &Lattice,
+    angles: &[f64],
+    unsigned: bool,
+    job: &Job<'_>,
+) -> Result<Vec<([u32; 2], DVec2)>> {
+    let angle = |[i, j]: [usize; 2], [u, v]: [f64; 2]| {
+        let normal = normals.cells.patch(i, j).jet(u, v).normal();
+        let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
+        libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
+    };
+    // An angle is jumped past only where it is between those of a block and the blocks behind.
+    let may_jump = |r: usize, c: usize| {
+        let behind = |k: usize, d: usize| if k + 1 == lattice.blocks()[d] { 0 } else { k + 1 };
+        let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
+        let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
+        let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
+        cone_culling::may_have(angles, unsigned, whole)
+    };
+    let [rows, columns] = lattice.counts;
+    let (mut found, mut jumps_in) = (Vec::new(), Vec::new());
+    for i in 0..rows {
+        job.step(i as f64 / rows as f64, "creases")?;
+        if i % BLOCK == 0 {
+            jumps_in.clear();
+            jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / BLOCK, c)));
+        }
+        for j in (0..columns).filter(|j| jumps_in[j / BLOCK]) {
+            for direction in 0..2 {
+                let (behind, end) = lattice.owner([i, j], [direction == 0, direction == 1]);
+                if end != [false; 2] {
+                    continue;
+                }
+                // A place of the side, which is line 1 of the cell and line 0 of the one behind.
+                let at = |t: f64, line: f64| if direction == 0 { [line, t] } else { [t, line] };
+                let [[a, b], [c, d]] =
+                    [([i, j], 1.0), (behind, 0.0)].map(|(cell, line)| [0.0, 1.0].map(|t| angle(cell, at(t, line))));
+                let jumps =
+                    |goal: &f64| (a.max(b) < *goal && *goal < c.min(d)) || (c.max(d) < *goal && *goal < a.min(b));
+                if angles.iter().any(jumps) {
+                    alloc::push(&mut found, ([i as u32, j as u32], DVec2::from_array(at(0.5, 1.0))))?;
+                }
+            }
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,116 @@
+//! Points with their normals, without making patches.
+
+use crate::axis::{Axis, TAPS, Weights};
+use crate::{Grid, Jet, Place, Sheet, Surface};
+use glam::DVec3;
+use gusset_base::simd::{self, Kernel};
+
+/// The nodes that a parameter within a cell depends on, their weights, and those of the derivative.
+#[inline(always)]
+fn weights(axis: &Axis, cell: usize, t: f64) -> ([usize; TAPS], [[f64; TAPS]; 2]) {
+    let (lines, weights) = axis.taps(cell);
+    let s = 1.0 - t;
+    let bernstein = [s * s * s, 3.0 * t * s * s, 3.0 * t * t * s, t * t * t];
+    let slopes = [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t];
+    (lines, [blend(&bernstein, weights), blend(&slopes, weights)])
+}
+
+/// Sums of the weights of nodes that four Bézier points have.
+#[inline(always)]
+fn blend(by: &[f64; 4], weights: &Weights) -> [f64; TAPS] {
+    let mut sum = [0.0; TAPS];
+    for (by, weights) in by.iter().zip(weights) {
+        sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += by * weight);
+    }
+    sum
+}
+
+impl Grid<'_> {
+    /// The point at parameters (u, v) of a cell, S_u and S_v.
+    #[inline(always)]
+    fn frame(&self, [i, j]: [usize; 2], u: f64, v: f64) -> [DVec3; 3] {
+        let [across, along] = self.axes();
+        let ((rows, [by_u, slopes_u]), (columns, [by_v, slopes_v])) = (weights(across, i, u), weights(along, j, v));
+        let node = self.nodes().quads();
+        // On a line of the surface, as most places are, the other lines that the point depends on
+        // have no weight.
+        if v == 0.0 || v == 1.0 {
+            let [point, along_v, along_u] =
+                sums([&by_v, &slopes_v], [&by_u, &slopes_u], |column, row| node(rows[row], columns[column]));
+            return [point, along_u, along_v];
+        }
+        sums([&by_u, &slopes_u], [&by_v, &slopes_v], |row, column| node(rows[row], columns[column]))
+    }
+}
+
+/// The sum of nodes with the products of two weights each, and the sums with the one or the other
+/// weight replaced by that of the derivative. Lines of weight 0 are passed over.
+#[inline(always)]
+fn sums(
+    [outer, outer_slopes]: [&[f64; TAPS]; 2],
+    [inner, inner_slopes]: [&[f64; TAPS]; 2],
+    node: impl Fn(usize, usize) -> [f64; 4],
+) -> [DVec3; 3] {
+    let [mut point, mut along_outer, mut along_inner] = [[0.0; 4]; 3];
+    let add = |sum: &mut [f64; 4], weight: f64, node: &[f64; 4]| {
+        sum.iter_mut().zip(node).for_each(|(sum, x)| *sum += weight * x);
+    };
+    for o in 0..TAPS {
+        let (weight, slope) = (outer[o], outer_slopes[o]);
+        if weight == 0.0 && slope == 0.0 {
+            continue;
+        }
+        // Along the line first, as its points are sums of no other nodes.
+        let (mut sum, mut slopes) = ([0.0; 4], [0.0; 4]);
+        for i in 0..TAPS {
+            let node = node(o, i);
+            add(&mut sum, inner[i], &node);
+            add(&mut slopes, inner_slopes[i], &node);
+        }
+        add(&mut point, weight, &sum);
+        add(&mut along_outer, slope, &sum);
+        add(&mut along_inner, weight, &slopes);
+    }
+    let cut = |[x, y, z, _]: [f64; 4]| DVec3::new(x, y, z);
+    [cut(point), cut(along_outer), cut(along_inner)]
+}
+
+/// Points and normals at places of a grid.
+struct Frames<'a> {
+    surface: &'a Surface<'a>,
+    places: &'a [Place],
+    points: &'a mut [DVec3],
+    normals: &'a mut [DVec3],
+}
+
+impl Kernel for Frames<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for ((&place, point), normal) in self.places.iter().zip(self.points).zip(self.normals) {
+            (*point, *normal) = self.surface.point_and_normal(place);
+        }
+    }
+}
+
+impl Surface<'_> {
+    /// [`Surface::point_and_normal`] of many places.
+    pub(super) fn points_and_normals(&self, places: &[Place], points: &mut [DVec3], normals: &mut [DVec3]) {
+        simd::run(Frames { surface: self, places, points, normals });
+    }
+
+    /// The point at a place and the unit normal there, or its limit at a pole.
+    #[inline(always)]
+    pub(super) fn point_and_normal(&self, place: Place) -> (DVec3, DVec3) {
+        let cell = place.cell.map(|k| k as usize);
+        let jet = match self.sheet(place.sheet as usize) {
+            Sheet::Grid(grid) => {
+                let [point, u, v] = grid.frame(cell, place.u, place.v);
+                Jet { point, u, v, uu: DVec3::ZERO, uv: DVec3::ZERO, vv: DVec3::ZERO }
+            }
+            sheet => sheet.jet(cell[0], cell[1], place.u, place.v),
+        };
+        (jet.point, self.normal_by(place, &jet))
+    }
+}

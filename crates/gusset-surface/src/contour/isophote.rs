@@ -1,0 +1,379 @@
+//! Curves of points whose normals make given angles with a direction: silhouettes at 90 degrees, in
+//! general isophotes.
+//!
+//! With H the component of N = S_u x S_v along the direction and P the square of what is across it,
+//! the angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90
+//! degrees where H = 0; at 0 and 180 where both components across are 0, which is so at single
+//! points. None of it suffers from cancellation, whatever the angle.
+
+use super::cone_culling;
+use super::creases::creases;
+use super::lattice::Lattice;
+use super::normals::squares;
+use super::paths::{ContourSet, add_points};
+use super::point_spacing::{PointSpacing, add_leus_points};
+use super::projected_normals::{Corners, ProjectedNormals, frame};
+use super::search::{ContourSearch, FoundArcs};
+use super::source::{CellBase, Continuity, Source, between};
+use crate::cells::Cells;
+use crate::checks::{direction, rising};
+use crate::prelude::*;
+use crate::ranges::angles;
+use crate::subdivision::Field;
+use crate::{NormalKind, Paths, Place, Sheet, Surface};
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// Sines and cosines smaller than that are 0.
+const MIN_SINE: f64 = 1e-8;
+/// By how much the angles of points may be off for rounding, in radians.
+const ANGLE_TOLERANCE: f64 = 1e-6;
+/// Blocks that are one thread's work.
+const CHUNK: usize = 64;
+
+/// H = 0.
+struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
+
+impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
+    type Block = Corners;
+    type Base = Field<M>;
+    type Cache = ();
+
+    fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
+        Some(self.0.corners(&cells))
+    }
+
+    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
+        let [low, high] = block.ranges(cell)[2];
+        if low > 0.0 || high < 0.0 {
+            return false;
+        }
+        let of = self.0.hodographs(cell);
+        let rounding_error = self.0.rounding_error(&of);
+        let [low, high] = of.ranges()[2];
+        low <= rounding_error && high >= -rounding_error
+    }
+
+    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Field<M>> {
+        let of = self.0.hodographs(cell);
+        CellBase { levels: 0..1, rounding_error: self.0.rounding_error(&of), data: of.normal(2) }
+    }
+
+    fn field(&self, base: &Field<M>, _: usize) -> Field<M> {
+        *base
+    }
+
+    fn continuity(&self) -> Continuity {
+        self.0.continuity
+    }
+}
+
+/// sin^2 alpha H^2 = cos^2 alpha P.
+struct Isophotes<'a, C, const N: usize, const H: usize> {
+    normals: &'a ProjectedNormals<'a, C, N>,
+    classes: &'a AngleClasses,
+}
+
+/// The squares that the angles of a cell share.
+struct Squares<const M: usize> {
+    along: Field<M>,
+    across: Field<M>,
+}
+
+impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
+    /// The angles that are in a range, or whose supplements are, and what lies between them.
+    fn levels_in(&self, [low, high]: [f64; 2]) -> Range<usize> {
+        let AngleClasses { radians, unsigned, .. } = self.classes;
+        let own = between(radians, [low, high], 0.0);
+        if !unsigned {
+            return own;
+        }
+        match between(radians, [PI - high, PI - low], 0.0) {
+            others if others.is_empty() => own,
+            others if own.is_empty() => others,
+            others => own.start.min(others.start)..own.end.max(others.end),
+        }
+    }
+}
+
+impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
+    type Block = Corners;
+    type Base = Squares<M>;
+    type Cache = ();
+
+    fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
+        Some(self.normals.corners(&cells))
+    }
+
+    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
+        if self.levels_in(angles(&block.ranges(cell), 0.0)).is_empty() {
+            return false;
+        }
+        let of = self.normals.hodographs(cell);
+        !self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
+    }
+
+    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Squares<M>> {
+        let of = self.normals.hodographs(cell);
+        let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
+        let [u, v] = of.speeds();
+        let levels = self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of)));
+        let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
+        CellBase {
+            levels,
+            rounding_error,
+            data: Squares { along: squares(&[along]), across: squares(&[first, second]) },
+        }
+    }
+
+    fn level_count(&self) -> usize {
+        self.classes.others.len().max(1)
+    }
+
+    /// Rising with the cosine of the angle, where this has the sign of cos alpha.
+    fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
+        let [sin, cos] = self.classes.others[level];
+        let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
+        base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
+    }
+
+    /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos
+    /// alpha. The sign is one along an arc, since H and P vanish together only where the normal is
+    /// none, as at poles, where it says nothing. Next to such a place within a cell, what is linked
+    /// without being resolved may have both.
+    fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+        if self.classes.unsigned {
+            return Some(true);
+        }
+        let rounding_error = self.normals.rounding_error(&self.normals.hodographs(cell));
+        let patch = self.normals.cells.patch(cell[0], cell[1]);
+        let sign = self.classes.others[level][1].signum();
+        let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
+        let (right, wrong) = (along.iter().any(|&x| x > rounding_error), along.iter().any(|&x| x < -rounding_error));
+        if right && wrong { None } else { Some(!wrong) }
+    }
+
+    fn continuity(&self) -> Continuity {
+        self.normals.continuity
+    }
+}
+
+/// The angles of a query, by kind.
+#[derive(Default)]
+struct AngleClasses {
+    silhouettes: Vec<u32>,
+    /// Of 0 and 180 degrees: the sign of the cosine.
+    poles: Vec<(u32, f64)>,
+    /// Of the others the sines and cosines, and in radians.
+    others: Vec<[f64; 2]>,
+    radians: Vec<f64>,
+    /// All but those of 0 and 180 degrees.
+    crossed: Vec<f64>,
+    numbers: Vec<u32>,
+    /// Whether a normal and its opposite are the same.
+    unsigned: bool,
+}
+
+impl Surface<'_> {
+    /// Where the surface's normal makes given angles with a direction: curves in the order of the
+    /// angles (`levels` of the paths) and of their lowest cells. At 90 degrees they are the
+    /// silhouettes of the surface seen along the direction. At 0 and 180 degrees there are points
+    /// in place of curves: paths of one point each. To the left of curves, seen from where the
+    /// normals point to, angles are smaller.
+    ///
+    /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the
+    /// same, and angles end at pi / 2.
+    ///
+    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes
+    /// are of order four, and so are the [`Surface::contours`] of their cosines.
+    ///
+    /// Every curve is found, as [`Surface::section`] finds them, if the surface is regular. On
+    /// sheets of patches and of the four-point scheme, whose normals jump between cells, curves run
+    /// along the side between cells where the angle jumps past the one asked for; where that goes
+    /// on for more than a cell they end, and the ends and the sides are listed as unresolved. At
+    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle
+    /// itself is listed as unresolved. The first such question builds the cones of normals,
+    /// O(cells); after that about O(cells that are crossed).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do
+    /// not rise or are out of range; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn isophotes(
+        &self,
+        axis: DVec3,
+        angles: &[f64],
+        unsigned: bool,
+        spacing: PointSpacing,
+        job: &Job<'_>,
+    ) -> Result<Paths> {
+        let axis = direction(axis, "direction")?;
+        rising(angles, "angles")?;
+        let max = if unsigned { 0.5 * PI } else { PI };
+        angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "angles", angle))?;
+        let mut search = IsophoteSearch {
+            surface: self,
+            frame: frame(axis),
+            classes: AngleClasses::new(angles, unsigned)?,
+            chord: self.chord(spacing)?,
+            curves: ContourSet::default(),
+            points: Vec::new(),
+        };
+        for k in 0..self.len() {
+            let part = self.sheet_job(k, job);
+            match self.sheet(k) {
+                Sheet::Grid(cells) => search.find::<_, 4, 6, 11>(k, cells, &part)?,
+                Sheet::Cubic(cells) => search.find::<_, 4, 6, 11>(k, cells, &part)?,
+                Sheet::High(cells) => search.find::<_, 8, 14, 27>(k, cells, &part)?,
+            }
+        }
+        let IsophoteSearch { curves, points, .. } = search;
+        let mut found = curves.paths(self, &job.part(0.9, 1.0))?;
+        add_points(self, &points, &mut found)?;
+        self.report_angles(axis, angles, unsigned, &mut found)?;
+        add_leus_points(found, spacing)
+    }
+
+    /// Reports the places of curves where the normal is regular and makes another angle: once for
+    /// points of a cell that follow each other.
+    fn report_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
+        let mut last: Option<Place> = None;
+        for k in 0..paths.len() {
+            let goal = angles[paths.levels[k] as usize];
+            for at in paths.ends[k] as usize..paths.ends[k + 1] as usize {
+                let (place, normal) = (paths.places[at], paths.normals[at]);
+                let along = normal.dot(axis);
+                let angle = libm::atan2(normal.cross(axis).length(), if unsigned { along.abs() } else { along });
+                let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
+                if (angle - goal).abs() > ANGLE_TOLERANCE
+                    && !known
+                    && self.local_geometry(place).normal.kind == NormalKind::Regular
+                {
+                    alloc::push(&mut paths.unresolved, place)?;
+                    last = Some(place);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl AngleClasses {
+    fn new(angles: &[f64], unsigned: bool) -> Result<Self> {
+        let mut classes = AngleClasses { unsigned, ..AngleClasses::default() };
+        for (k, &angle) in angles.iter().enumerate() {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            if sin.abs() >= MIN_SINE {
+                alloc::push(&mut classes.crossed, angle)?;
+            }
+            if cos.abs() < MIN_SINE {
+                alloc::push(&mut classes.silhouettes, k as u32)?;
+            } else if sin.abs() < MIN_SINE {
+                alloc::push(&mut classes.poles, (k as u32, cos))?;
+                if unsigned {
+                    alloc::push(&mut classes.poles, (k as u32, -cos))?;
+                }
+            } else {
+                alloc::push(&mut classes.others, [sin, cos])?;
+                alloc::push(&mut classes.radians, angle)?;
+                alloc::push(&mut classes.numbers, k as u32)?;
+            }
+        }
+        Ok(classes)
+    }
+}
+
+/// The search of all sheets, and what it has found.
+struct IsophoteSearch<'a> {
+    surface: &'a Surface<'a>,
+    frame: [DVec3; 3],
+    classes: AngleClasses,
+    chord: Option<f64>,
+    curves: ContourSet,
+    points: Vec<(u32, Place)>,
+}
+
+impl IsophoteSearch<'_> {
+    /// Adds the curves and points of sheet k.
+    fn find<C: Cells<N>, const N: usize, const H: usize, const M: usize>(
+        &mut self,
+        k: usize,
+        cells: &C,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
+        let (sheet, cones, job) = (surface.sheet(k), surface.cones(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
+        let lattice = Lattice::of(sheet);
+        let is_smooth = matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.is_smooth()));
+        let jumps = !is_smooth;
+        let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
+        let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
+        // The blocks that may have one of some angles, row after row.
+        let blocks = |angles: &[f64]| {
+            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have(angles, classes.unsigned, range))
+        };
+        let passes = classes.silhouettes.len()
+            + usize::from(!classes.others.is_empty())
+            + classes.poles.len()
+            + usize::from(jumps);
+        let mut pass = 0;
+        let mut next = || {
+            pass += 1;
+            job.share(pass - 1, passes)
+        };
+        let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
+        for &number in &classes.silhouettes {
+            let search = ContourSearch::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
+            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
+            found.arcs.iter_mut().for_each(|arc| arc.level = number);
+            curves.add(k, found, &lattice, jumps, job.threads())?;
+        }
+        if !classes.others.is_empty() {
+            let source = Isophotes::<C, N, H> { normals: &normals, classes };
+            let crossed = blocks(&classes.radians)?;
+            let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
+            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
+            found.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
+            curves.add(k, found, &lattice, jumps, job.threads())?;
+        }
+        if jumps {
+            let (angles, unsigned) = (&classes.crossed, classes.unsigned);
+            let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
+            let found = FoundArcs { unresolved, ..FoundArcs::default() };
+            curves.add(k, found, &lattice, true, job.threads())?;
+        }
+        for &(number, sign) in &classes.poles {
+            let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
+            for part in poles::<C, N, H>(&normals, k as u32, &lattice, &blocks, sign, &next())? {
+                let [simple, unresolved] = part?;
+                alloc::extend(points, simple.into_iter().map(|place| (number, place)))?;
+                alloc::append(&mut curves.unresolved, &unresolved)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The places in some blocks where the normal has the direction (`sign` 1), or the opposite one,
+/// and those that are unresolved.
+fn poles<C: Cells<N>, const N: usize, const H: usize>(
+    normals: &ProjectedNormals<'_, C, N>,
+    sheet: u32,
+    lattice: &Lattice,
+    blocks: &[[u32; 2]],
+    sign: f64,
+    job: &Job<'_>,
+) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
+    par::map_cancellable(job, "contours", par::ranges(blocks.len(), CHUNK), |range| {
+        let mut found = [Vec::new(), Vec::new()];
+        for &block in &blocks[range] {
+            let (corners, cells) = normals.block(lattice, block);
+            for cell in cells {
+                let place = |at: DVec2| Place { sheet, cell: cell.map(|k| k as u32), u: at.x, v: at.y };
+                for (places, roots) in found.iter_mut().zip(normals.roots::<H>(&corners, cell, sign)?) {
+                    alloc::extend(places, roots.into_iter().map(place))?;
+                }
+            }
+        }
+        Ok(found)
+    })
+}

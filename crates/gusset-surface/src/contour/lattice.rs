@@ -1,0 +1,93 @@
+//! Numbering of the cells of a sheet and of their sides, across closed directions too.
+
+use crate::Sheet;
+use crate::cells::{BLOCK, block_range};
+use std::ops::Range;
+
+/// Cells in rows and columns.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lattice {
+    /// Cells in u and in v.
+    pub(super) counts: [usize; 2],
+    /// Whether the last line is the first one again.
+    pub(super) closed: [bool; 2],
+}
+
+impl Lattice {
+    /// The lattice of a sheet.
+    pub(super) fn of(sheet: &Sheet<'_>) -> Self {
+        Lattice { counts: sheet.cells(), closed: sheet.seams() }
+    }
+
+    /// The numbers of blocks in u and in v.
+    pub(super) fn blocks(&self) -> [usize; 2] {
+        self.counts.map(|count| count.div_ceil(BLOCK))
+    }
+
+    /// The cells of a block.
+    pub(super) fn block(&self, [row, column]: [u32; 2]) -> [Range<usize>; 2] {
+        [block_range(row as usize, self.counts[0]), block_range(column as usize, self.counts[1])]
+    }
+
+    /// The number of a side of a cell: the same from both cells that it belongs to.
+    pub(super) fn side(&self, [i, j]: [usize; 2], side: usize) -> u64 {
+        let next = |k: usize, d: usize| if self.closed[d] && k + 1 == self.counts[d] { 0 } else { k + 1 };
+        let (i, j) = match side {
+            1 => (next(i, 0), j),
+            2 => (i, next(j, 1)),
+            _ => (i, j),
+        };
+        // Sides 0 and 2 run along u, 1 and 3 along v.
+        2 * (i as u64 * (self.counts[1] as u64 + 1) + j as u64) + (side % 2) as u64
+    }
+
+    /// The number of the corner that a side starts with, or ends with.
+    pub(super) fn node(&self, side: u64, end: bool) -> u64 {
+        let width = self.counts[1] as u64 + 1;
+        let (node, d) = (side / 2, (side % 2) as usize);
+        let mut at = [node / width, node % width];
+        if end {
+            let last = self.closed[d] && at[d] + 1 == self.counts[d] as u64;
+            at[d] = if last { 0 } else { at[d] + 1 };
+        }
+        at[0] * width + at[1]
+    }
+
+    /// The cell that decides about the start of side numbers: of two cells at a side, and of four
+    /// at a corner, the one after; at an open edge, the one before.
+    pub(super) fn owner(&self, [i, j]: [usize; 2], [after_u, after_v]: [bool; 2]) -> ([usize; 2], [bool; 2]) {
+        let along = |k: usize, after: bool, d: usize| match (after, k + 1 == self.counts[d]) {
+            (false, _) => (k, false),
+            (true, false) => (k + 1, false),
+            (true, true) if self.closed[d] => (0, false),
+            (true, true) => (k, true),
+        };
+        let ((i, high_u), (j, high_v)) = (along(i, after_u, 0), along(j, after_v, 1));
+        ([i, j], [high_u, high_v])
+    }
+
+    /// True if a place is on an open edge of the sheet.
+    pub(super) fn on_edge(&self, cell: [u32; 2], at: [f64; 2]) -> bool {
+        (0..2).any(|d| {
+            let (first, last) = (cell[d] == 0, cell[d] as usize + 1 == self.counts[d]);
+            !self.closed[d] && (first && at[d] <= 1e-9 || last && at[d] >= 1.0 - 1e-9)
+        })
+    }
+
+    /// True if a side of a cell, of which the number is given, is on an open edge.
+    pub(super) fn on_edge_side(&self, [i, j]: [u32; 2], side: u64) -> bool {
+        let cell = [i as usize, j as usize];
+        (0..4).find(|&which| self.side(cell, which) == side).is_some_and(|which| self.is_open(cell, which))
+    }
+
+    /// True if one of the four sides of a cell is on an open edge.
+    #[inline]
+    pub(super) fn is_open(&self, [i, j]: [usize; 2], side: usize) -> bool {
+        match side {
+            0 => !self.closed[1] && j == 0,
+            1 => !self.closed[0] && i + 1 == self.counts[0],
+            2 => !self.closed[1] && j + 1 == self.counts[1],
+            _ => !self.closed[0] && i == 0,
+        }
+    }
+}

@@ -1,0 +1,372 @@
+//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that
+//! is nearest to a given one.
+//!
+//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a
+//! region by curvature times diameter; here the bounds are cones of normals, then those of the
+//! components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2
+//! - cos^2 theta P (see `isophote`), which tell on which side of theta all angles of a part are.
+//!
+//! Invariant: the deviation of every part that is dropped is at least the best one less
+//! [`TOLERANCE`], or is in the bound that is returned. Cost: about O(cells whose bound is below the
+//! answer), [`MAX_PARTS`] parts for each at most.
+
+use super::cone_culling;
+use super::lattice::Lattice;
+use super::normals::{Hodographs, squares};
+use super::projected_normals::{ProjectedNormals, frame};
+use super::source::Continuity;
+use crate::cells::Cells;
+use crate::checks::direction;
+use crate::index::Cones;
+use crate::prelude::*;
+use crate::ranges::angles;
+use crate::subdivision::Field;
+use crate::{Place, Sheet, Surface, each_sheet};
+use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::sort;
+use std::convert::Infallible;
+use std::f64::consts::PI;
+
+/// To which the answer is proved, in radians.
+const TOLERANCE: f64 = 1e-9;
+/// Halvings of each parameter of a cell, and parts examined in one.
+const MAX_SUBDIVISION_DEPTH: u32 = 40;
+const MAX_PARTS: usize = 4096;
+/// Blocks that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 64;
+const CHUNKS: usize = 16;
+/// Blocks of each level that are searched for a first bound.
+const BLOCKS_FOR_FIRST_BOUND: usize = 16;
+
+/// Where a normal's angle is nearest to a given one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestAngle {
+    /// Where it is.
+    pub place: Place,
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal.
+    pub normal: DVec3,
+    /// Its angle with the direction, in radians.
+    pub angle: f64,
+    /// How far this is from the angle asked for.
+    pub deviation: f64,
+    /// No normal's angle is nearer than this.
+    pub bound: f64,
+}
+
+/// The angle asked for.
+#[derive(Clone, Copy)]
+struct TargetAngle {
+    angle: f64,
+    unsigned: bool,
+}
+
+/// The best that was found.
+#[derive(Clone, Copy)]
+struct Best {
+    deviation: f64,
+    place: Option<Place>,
+}
+
+/// A cell that may hold something better.
+struct Candidate {
+    bound: f64,
+    sheet: u32,
+    cell: [u32; 2],
+}
+
+impl TargetAngle {
+    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be
+    /// 0, but for `rounding_error`.
+    fn deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
+        if x.abs() <= rounding_error && y.abs() <= rounding_error && z.abs() <= rounding_error {
+            return f64::INFINITY;
+        }
+        let along = if self.unsigned { z.abs() } else { z };
+        (libm::atan2((x * x + y * y).sqrt(), along) - self.angle).abs()
+    }
+
+    /// How near angles from `low` to `high` can be.
+    fn bound(&self, [low, high]: [f64; 2]) -> f64 {
+        let outside = |goal: f64| (low - goal).max(goal - high).max(0.0);
+        if self.unsigned { outside(self.angle).min(outside(PI - self.angle)) } else { outside(self.angle) }
+    }
+
+    /// True if the coefficients show that no angle is nearer than `by`.
+    fn is_beyond<const H: usize, const M: usize>(&self, normal: &[Field<H>; 3], by: f64) -> bool {
+        let [first, second, along] = normal;
+        let (h, p): (Field<M>, Field<M>) = (squares(&[*along]), squares(&[*first, *second]));
+        let front = along.range()[0] >= 0.0;
+        let behind = along.range()[1] <= 0.0;
+        // All angles are at least theta, or at most theta.
+        let is_beyond = |theta: f64, below: bool| {
+            if !(0.0..=PI).contains(&theta) {
+                return false;
+            }
+            let (sin, cos) = (libm::sin(theta), libm::cos(theta));
+            let [low, high] = h.combined(sin * sin, &p, -cos * cos).range();
+            match (below, cos >= 0.0) {
+                (false, true) => behind || high <= 0.0,
+                (false, false) => behind && low >= 0.0,
+                (true, true) => front && low >= 0.0,
+                (true, false) => front || high <= 0.0,
+            }
+        };
+        let outside = |goal: f64| is_beyond(goal + by, false) || is_beyond(goal - by, true);
+        outside(self.angle) && (!self.unsigned || outside(PI - self.angle))
+    }
+}
+
+/// True if all components are within the rounding error.
+fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
+    ranges.iter().all(|&[low, high]| low >= -rounding_error && high <= rounding_error)
+}
+
+/// Part of a cell.
+struct NormalPart<const H: usize> {
+    normal: [Field<H>; 3],
+    from: DVec2,
+    size: f64,
+    /// The rounding error of components of normals.
+    rounding_error: f64,
+    deviation: f64,
+}
+
+impl<const H: usize> NormalPart<H> {
+    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), rounding_error);
+        NormalPart { normal, from, size, rounding_error, deviation }
+    }
+
+    fn quarters(&self, goal: &TargetAngle) -> [NormalPart<H>; 4] {
+        let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
+        let half = 0.5 * self.size;
+        [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
+            let k = 2 * corner.x as usize + corner.y as usize;
+            let from = self.from + half * corner;
+            NormalPart::new([first[k], second[k], along[k]], from, half, self.rounding_error, goal)
+        })
+    }
+}
+
+/// A sheet's normals, of which the nearest is sought.
+struct AngleSearch<'a, C, const N: usize> {
+    normals: ProjectedNormals<'a, C, N>,
+    sheet: u32,
+    goal: TargetAngle,
+}
+
+impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
+    fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: TargetAngle) -> Self {
+        let normals = ProjectedNormals::new(surface, k, cells, frame, Continuity::Discontinuous);
+        AngleSearch { normals, sheet: k as u32, goal }
+    }
+
+    /// The blocks that may hold an angle no worse than the best, and than those found in the most
+    /// promising of them.
+    fn blocks(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>> {
+        let direction = self.normals.frame[2];
+        let mut front = vec![[0; 2]];
+        for level in (0..cones.levels()).rev() {
+            let below = front.iter().flat_map(|&[r, c]| (0..4).map(move |k| [2 * r + k / 2, 2 * c + k % 2]));
+            let bound = |at: [usize; 2]| Some((self.goal.bound(cones.get(level, at[0], at[1])?.angles(direction)), at));
+            let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
+            sort::stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            front = bounds.into_iter().take(BLOCKS_FOR_FIRST_BOUND).map(|(_, at)| at).collect();
+        }
+        let mut shown = *best;
+        for [r, c] in front {
+            for cell in self.normals.block(lattice, [r as u32, c as u32]).1 {
+                self.cell(cell, &mut shown, &mut Vec::new())?;
+            }
+        }
+        cone_culling::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
+    }
+
+    /// The best at the middles of cells, and the cells that may hold something better.
+    fn candidates(
+        &self,
+        cones: &Cones,
+        lattice: &Lattice,
+        best: &mut Best,
+        candidates: &mut Vec<Candidate>,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let blocks = self.blocks(cones, lattice, best)?;
+        let count = blocks.len();
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            job.step(first as f64 / count as f64, "angles")?;
+            let known = *best;
+            let parts = par::map(job.threads(), par::ranges((count - first).min(CHUNK * CHUNKS), CHUNK), |range| {
+                let (mut best, mut candidates) = (known, Vec::new());
+                for &[r, c] in &blocks[first..][range] {
+                    let cone = cones.get(0, r as usize, c as usize);
+                    if cone.is_some_and(|cone| self.goal.bound(cone.angles(self.normals.frame[2])) > best.deviation) {
+                        continue;
+                    }
+                    let (corners, cells) = self.normals.block(lattice, [r, c]);
+                    for cell in cells {
+                        if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                            self.cell(cell, &mut best, &mut candidates)?;
+                        }
+                    }
+                }
+                Ok((best, candidates))
+            })?;
+            for part in parts {
+                let (found, some): (Best, Vec<Candidate>) = part?;
+                if found.deviation < best.deviation {
+                    *best = found;
+                }
+                alloc::extend(candidates, some)?;
+            }
+            candidates.retain(|candidate| candidate.bound < best.deviation);
+        }
+        Ok(())
+    }
+
+    fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()> {
+        let (cell, patch) = ([i as u32, j as u32], self.normals.cells.patch(i, j));
+        let of = Hodographs::new(&patch, &self.normals.frame);
+        let (ranges, rounding_error) = (of.ranges(), self.normals.rounding_error(&of));
+        let bound = self.goal.bound(angles(&ranges, 0.0));
+        if bound >= best.deviation || vanish(&ranges, rounding_error) {
+            return Ok(());
+        }
+        let normal = patch.jet(0.5, 0.5).normal();
+        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)), rounding_error);
+        if deviation < best.deviation {
+            *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
+        }
+        alloc::push(candidates, Candidate { bound, sheet: self.sheet, cell })
+    }
+
+    /// Improves the best within a cell; returns what no angle there is nearer than.
+    fn search<const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64 {
+        let of = self.normals.hodographs(cell.map(|k| k as usize));
+        let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
+        let whole = NormalPart::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
+        let mut search = CellSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
+        let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+        let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
+        search.bound
+    }
+}
+
+/// The search of one cell. M: one more than the degree of squares of normals.
+struct CellSearch<'a, const M: usize> {
+    goal: &'a TargetAngle,
+    sheet: u32,
+    cell: [u32; 2],
+    best: &'a mut Best,
+    /// No angle of the parts that are done is nearer than this.
+    bound: f64,
+}
+
+impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearch<'_, M> {
+    type Solution = Infallible;
+    type Split = ();
+    type Stop = Infallible;
+
+    fn classify(&mut self, part: &NormalPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
+        if part.deviation < self.best.deviation {
+            let at = part.from + 0.5 * part.size;
+            let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
+            *self.best = Best { deviation: part.deviation, place: Some(place) };
+        }
+        let ranges = part.normal.map(|field| field.range());
+        if vanish(&ranges, part.rounding_error) {
+            // Here is no normal.
+            return Ok(BoxTest::Empty);
+        }
+        let proved = (self.best.deviation - TOLERANCE).max(0.0);
+        let near = self.goal.bound(angles(&ranges, 0.0));
+        if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
+            self.bound = self.bound.min(near.max(proved));
+            return Ok(BoxTest::Empty);
+        }
+        Ok(BoxTest::Undecided(()))
+    }
+
+    fn accept(&mut self, _: NormalPart<H>, solution: Infallible) -> Result<(), Infallible> {
+        Err(solution)
+    }
+
+    fn give_up(&mut self, part: NormalPart<H>, _exhausted: bool) -> Result<(), Infallible> {
+        let ranges = part.normal.map(|field| field.range());
+        self.bound = self.bound.min(self.goal.bound(angles(&ranges, 0.0)));
+        Ok(())
+    }
+
+    /// The most promising last, to be taken first.
+    fn split(&mut self, part: NormalPart<H>, (): ()) -> [NormalPart<H>; 4] {
+        let mut quarters = part.quarters(self.goal);
+        sort::stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
+        quarters
+    }
+}
+
+impl Surface<'_> {
+    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to
+    /// pi; to pi / 2 if `unsigned`, a normal and its opposite then being the same. Proved to 1e-9,
+    /// unless the bound says otherwise. `None` if there is no normal at all. The first such
+    /// question builds the cones of normals, O(cells); after that about O(cells that come near to
+    /// the angle).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of
+    /// range; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn nearest_angle(
+        &self,
+        axis: DVec3,
+        angle: f64,
+        unsigned: bool,
+        job: &Job<'_>,
+    ) -> Result<Option<NearestAngle>> {
+        let axis = direction(axis, "direction")?;
+        let max = if unsigned { 0.5 * PI } else { PI };
+        Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
+        let (goal, frame) = (TargetAngle { angle, unsigned }, frame(axis));
+        let mut best = Best { deviation: f64::INFINITY, place: None };
+        let mut candidates = Vec::new();
+        for k in 0..self.len() {
+            let (part, sheet) = (self.sheet_job(k, job), self.sheet(k));
+            let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
+            each_sheet!(sheet, cells => {
+                let search = AngleSearch::new(self, k, cells, frame, goal);
+                search.candidates(cones, &Lattice::of(sheet), &mut best, &mut candidates, &part)
+            })?;
+        }
+        let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
+        sort::stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
+        for (k, candidate) in candidates.iter().enumerate() {
+            last.step_every(16, k, candidates.len(), "angles")?;
+            if candidate.bound >= (best.deviation - TOLERANCE).max(0.0) {
+                bound = bound.min(candidate.bound);
+                break;
+            }
+            let (k, cell) = (candidate.sheet as usize, candidate.cell);
+            bound = bound.min(match self.sheet(k) {
+                Sheet::Grid(cells) => AngleSearch::new(self, k, cells, frame, goal).search::<6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => AngleSearch::new(self, k, cells, frame, goal).search::<6, 11>(cell, &mut best),
+                Sheet::High(cells) => AngleSearch::new(self, k, cells, frame, goal).search::<14, 27>(cell, &mut best),
+            });
+        }
+        Ok(best.place.map(|place| {
+            let (point, normal) = self.point_and_normal(place);
+            let projected_normals = frame.map(|axis| normal.dot(axis));
+            let found = TargetAngle { angle: 0.0, unsigned }.deviation(projected_normals, 0.0);
+            let deviation = goal.deviation(projected_normals, 0.0);
+            NearestAngle {
+                place,
+                point,
+                normal,
+                angle: found,
+                deviation,
+                bound: bound.min(deviation).min(best.deviation),
+            }
+        }))
+    }
+}

@@ -1,0 +1,238 @@
+//! Joins the paths of single sheets across sheet boundaries, and adds points and normals.
+//!
+//! Cost: O(n log n) for n paths of sheets, and O(1) a point.
+
+use super::chain::{ContourPath, ContourPaths, chain};
+use super::lattice::Lattice;
+use super::search::FoundArcs;
+use crate::prelude::*;
+use crate::{Paths, Place, Surface};
+use gusset_base::sort;
+
+/// Places that are one thread's work.
+const CHUNK: usize = 1024;
+
+/// The paths of sheets, and unresolved places.
+#[derive(Default)]
+pub(super) struct ContourSet {
+    sheets: ContourPaths,
+    pub(super) unresolved: Vec<Place>,
+}
+
+impl ContourSet {
+    pub(super) fn add(
+        &mut self,
+        sheet: usize,
+        mut found: FoundArcs,
+        lattice: &Lattice,
+        jumps: bool,
+        threads: usize,
+    ) -> Result<()> {
+        let place = |&(cell, at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell, u: at.x, v: at.y };
+        alloc::extend(&mut self.unresolved, found.unresolved.iter().map(place))?;
+        chain(sheet as u32, &mut found, lattice, jumps, threads, &mut self.sheets)
+    }
+
+    /// The paths of all sheets joined, by level and then by first path.
+    pub(super) fn paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
+        let all = SheetContours::new(surface, self.sheets, job)?;
+        let tolerance = surface.tolerance();
+        let after = all.followers(tolerance)?;
+        let mut entered = alloc::filled(false, after.len())?;
+        after.iter().flatten().for_each(|&k| entered[k] = true);
+        let mut used = alloc::filled(false, after.len())?;
+        // Open sequences from their beginnings, then closed ones; by their lowest parts.
+        let mut sequences: Vec<(usize, usize)> = Vec::new();
+        for k in (0..after.len()).filter(|&k| !entered[k]).chain(0..after.len()) {
+            let (mut lowest, mut at) = (k, Some(k));
+            if used[k] {
+                continue;
+            }
+            while let Some(contour) = at.filter(|&contour| !used[contour]) {
+                used[contour] = true;
+                lowest = lowest.min(contour);
+                at = after[contour];
+            }
+            alloc::push(&mut sequences, (lowest, k))?;
+        }
+        sequences.sort_unstable();
+        let mut paths = Paths { ends: vec![0], unresolved: self.unresolved, ..Paths::default() };
+        paths.reserve(all.places.len())?;
+        let mut sequence = Vec::new();
+        for (_, first) in sequences {
+            sequence.clear();
+            let mut at = Some(first);
+            while let Some(contour) = at {
+                alloc::push(&mut sequence, contour)?;
+                at = after[contour].filter(|&next| next != first);
+            }
+            let last = sequence[sequence.len() - 1];
+            let closed = all.contours[first].closed || after[last] == Some(first);
+            if !closed {
+                let ends = [all.contours[first].range[0], all.contours[last].range[1] - 1];
+                all.report_inner(surface, ends, &mut paths)?;
+            }
+            all.add(&sequence, closed, tolerance, &mut paths)?;
+        }
+        keep_first_of_each_cell(&mut paths.unresolved)?;
+        Ok(paths)
+    }
+}
+
+/// The paths of all sheets.
+struct SheetContours {
+    contours: Vec<ContourPath>,
+    places: Vec<Place>,
+    points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+}
+
+impl SheetContours {
+    fn new(surface: &Surface<'_>, sheets: ContourPaths, job: &Job<'_>) -> Result<Self> {
+        let ContourPaths { paths: mut contours, places } = sheets;
+        sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
+        let count = places.len();
+        let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
+        let parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
+        par::map_cancellable(job, "points", parts, |((places, points), normals)| {
+            surface.points_and_normals(places, points, normals);
+        })?;
+        Ok(SheetContours { contours, places, points, normals })
+    }
+
+    /// The path that follows each: open ones whose ends are within `tolerance`, the nearest first
+    /// come.
+    fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
+        let mut after = alloc::filled(None, self.contours.len())?;
+        let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
+        let head = |k: usize| self.points[self.contours[k].range[0]];
+        let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
+        let mut heads = alloc::gather(open())?;
+        sort::stable(&mut heads, &|&a, &b| {
+            let by = |k: usize| self.contours[k].level;
+            by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x)).then(a.cmp(&b))
+        });
+        let mut taken = alloc::filled(false, heads.len())?;
+        for k in open() {
+            let (level, end) = (self.contours[k].level, tail(k));
+            let before = |&other: &usize| (self.contours[other].level, head(other).x) < (level, end.x - tolerance);
+            let from = heads.partition_point(before);
+            let mut best: Option<(f64, usize)> = None;
+            for (at, &other) in heads.iter().enumerate().skip(from) {
+                if self.contours[other].level != level || head(other).x > end.x + tolerance {
+                    break;
+                }
+                let distance = head(other).distance(end);
+                if !taken[at] && distance <= tolerance && best.is_none_or(|(min, _)| distance < min) {
+                    best = Some((distance, at));
+                }
+            }
+            if let Some((_, at)) = best {
+                taken[at] = true;
+                after[k] = Some(heads[at]);
+            }
+        }
+        Ok(after)
+    }
+
+    /// Adds one path, of sheets' paths that follow each other. Points nearer than `tolerance` to
+    /// the one before are left out; what is no larger than a point is unresolved.
+    fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
+        let first = paths.points.len();
+        let all = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
+        let push = |at: usize, paths: &mut Paths| paths.push(self.places[at], self.points[at], self.normals[at]);
+        for at in all() {
+            let near = paths.points.len() > first
+                && paths.points.last().is_some_and(|last| last.distance(self.points[at]) <= tolerance);
+            if !near {
+                push(at, paths)?;
+            }
+        }
+        let last = all().next_back();
+        let ends = |paths: &Paths| paths.points.len() > first + 1;
+        if closed {
+            while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {
+                paths.truncate(paths.points.len() - 1);
+            }
+        } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
+            // The end itself is kept, and what is near it left out.
+            paths.truncate(paths.points.len() - 1);
+            push(last, paths)?;
+        }
+        if paths.points.len() < first + if closed { 3 } else { 2 } {
+            alloc::push(&mut paths.unresolved, paths.places[first])?;
+            paths.truncate(first);
+            return Ok(());
+        }
+        paths.end(closed, self.contours[contours[0]].level)
+    }
+
+    /// Ends that are on no open edge are unresolved: where fields jump, and nothing goes on.
+    fn report_inner(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
+        for place in ends.map(|end| self.places[end]) {
+            let sheet = Lattice::of(surface.sheet(place.sheet as usize));
+            if !sheet.on_edge(place.cell, [place.u, place.v]) {
+                alloc::push(&mut paths.unresolved, place)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves,
+/// there may be many.
+fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
+    let cell = |place: &Place| (place.sheet, place.cell);
+    let mut by: Vec<usize> = alloc::collect(0..places.len())?;
+    sort::stable(&mut by, &|&a, &b| (cell(&places[a]), a).cmp(&(cell(&places[b]), b)));
+    by.dedup_by_key(|&mut k| cell(&places[k]));
+    by.sort_unstable();
+    *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
+    Ok(())
+}
+
+/// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points
+/// nearer than the tolerance to others of their level are the same: those on sides come from both
+/// cells.
+pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
+    if points.is_empty() {
+        return Ok(());
+    }
+    let frames = alloc::collect(points.iter().map(|&(_, place)| surface.point_and_normal(place)))?;
+    let mut by: Vec<usize> = alloc::collect(0..points.len())?;
+    sort::stable(&mut by, &|&a, &b| {
+        points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b))
+    });
+    let mut dropped = alloc::filled(false, points.len())?;
+    for (at, &k) in by.iter().enumerate() {
+        for &other in &by[at + 1..] {
+            if points[other].0 != points[k].0 || frames[other].0.x > frames[k].0.x + surface.tolerance() {
+                break;
+            }
+            if frames[other].0.distance(frames[k].0) <= surface.tolerance() {
+                dropped[other.max(k)] = true;
+            }
+        }
+    }
+    for k in (0..points.len()).filter(|&k| !dropped[k]) {
+        paths.push(points[k].1, frames[k].0, frames[k].1)?;
+        paths.end(false, points[k].0)?;
+    }
+    *paths = by_level(std::mem::take(paths))?;
+    Ok(())
+}
+
+/// The same paths by rising level.
+fn by_level(mut given: Paths) -> Result<Paths> {
+    let mut order: Vec<usize> = alloc::collect(0..given.len())?;
+    sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
+    let unresolved = std::mem::take(&mut given.unresolved);
+    let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
+    for k in order {
+        for at in given.range(k) {
+            sorted.push(given.places[at], given.points[at], given.normals[at])?;
+        }
+        sorted.end(given.closed[k], given.levels[k])?;
+    }
+    Ok(sorted)
+}

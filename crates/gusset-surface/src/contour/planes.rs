@@ -1,0 +1,55 @@
+//! The blocks that a stack of parallel planes crosses: one descent for all planes, with the range
+//! of the planes' function over boxes.
+
+use super::source::between;
+use crate::index::Pyramid;
+use crate::prelude::*;
+
+/// Parallel planes.
+#[derive(Debug, Clone, Copy)]
+pub struct Planes<'a> {
+    /// A point of the plane of offset 0.
+    pub point: DVec3,
+    /// Not 0; of any length.
+    pub normal: DVec3,
+    /// How far the planes are from the point, along the normal; rising.
+    pub offsets: &'a [f64],
+}
+
+/// The blocks, row and column, that planes at `offsets` from `point` may cross; `counts`: of blocks
+/// in u and in v.
+pub(super) fn blocks(
+    index: &Pyramid,
+    counts: [usize; 2],
+    point: DVec3,
+    normal: DVec3,
+    offsets: &[f64],
+    slack: f64,
+) -> Result<Vec<[u32; 2]>> {
+    // Boxes are relative to the index's origin.
+    let shift = (index.origin() - point).dot(normal);
+    let crossed = |[low, high]: [f64; 2]| !between(offsets, [low + shift, high + shift], slack).is_empty();
+    let levels = index.levels();
+    let mut found = Vec::new();
+    let mut waiting = vec![(levels.len(), 0, 0)];
+    while let Some((level, row, column)) = waiting.pop() {
+        if level == 0 {
+            alloc::push(&mut found, [row as u32, column as u32])?;
+            continue;
+        }
+        let below = &levels[level - 1];
+        let ranges = below.child_boxes(row, column).along(normal);
+        // In the order of the blocks, the stack's last first.
+        for (child, range) in ranges.into_iter().enumerate().rev() {
+            let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
+            let there = (row << (level - 1)) < counts[0] && (column << (level - 1)) < counts[1];
+            if there
+                && crossed(range)
+                && below.oriented(row, column).is_none_or(|oriented| crossed(oriented.along(normal)))
+            {
+                waiting.push((level - 1, row, column));
+            }
+        }
+    }
+    Ok(found)
+}

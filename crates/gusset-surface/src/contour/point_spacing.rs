@@ -1,0 +1,97 @@
+//! The paper's own approximation of a section: the chord between two crossings with lines of the
+//! surface, and, of higher order, the curve through the crossings with the neighbouring lines too.
+//!
+//! Cost: O(1) a point.
+
+use crate::prelude::*;
+use crate::{Paths, Surface};
+
+/// The points between those where a curve crosses the lines of the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum PointSpacing {
+    /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the
+    /// surface's box.
+    #[default]
+    Auto,
+    /// As many points of the surface as keep the chords within this length.
+    Chord(f64),
+    /// Nothing: chords, as the paper has them at first. Their order is two.
+    CellEdges,
+    /// As many points of the paper's approximation of higher order: on the cubic through the
+    /// crossings with the neighbouring lines of the surface, two before and two behind, over their
+    /// chords. These points are near the surface, not on it: of order four where crossings are
+    /// evenly spaced, and less reliable where they cluster. Each has the place of the crossing
+    /// before it.
+    Leus(u32),
+}
+
+/// The most points between two crossings.
+pub(super) const MAX_POINTS: u32 = 1000;
+
+impl Surface<'_> {
+    /// The length that chords are held to.
+    pub(super) fn chord(&self, spacing: PointSpacing) -> Result<Option<f64>> {
+        match spacing {
+            PointSpacing::Auto => Ok(Some(1e-4 * self.diagonal())),
+            PointSpacing::CellEdges => Ok(None),
+            PointSpacing::Leus(count) if count <= MAX_POINTS => Ok(None),
+            PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
+            PointSpacing::Chord(chord) if chord > 0.0 && chord.is_finite() => Ok(Some(chord.max(self.tolerance()))),
+            PointSpacing::Chord(value) => Err(Error::OptionOutOfRange { option: "chord", value }),
+        }
+    }
+}
+
+/// Adds the points of [`PointSpacing::Leus`] to paths that consist of crossings; other paths stay
+/// as they are.
+pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Paths> {
+    let count = match spacing {
+        PointSpacing::Leus(count) if count > 0 => count as usize,
+        _ => return Ok(given),
+    };
+    let total = (given.points.len() as u64).saturating_mul(count as u64 + 1);
+    Error::check_count("points of curves", total, u32::MAX.into())?;
+    let mut made = Paths { ends: vec![0], ..Paths::default() };
+    for k in 0..given.len() {
+        let (points, closed) = (given.points_of(k), given.closed[k]);
+        made.reserve(points.len() * (count + 1))?;
+        for (i, at) in given.range(k).enumerate() {
+            let (place, normal) = (given.places[at], given.normals[at]);
+            made.push(place, points[i], normal)?;
+            if i + 1 == points.len() && !closed {
+                break;
+            }
+            let next = given.normals[given.range(k).start + (i + 1) % points.len()];
+            for step in 1..=count {
+                let t = step as f64 / (count + 1) as f64;
+                made.push(place, cubic(points, closed, i, t), normal.lerp(next, t).normalize_or_zero())?;
+            }
+        }
+        made.end(closed, given.levels[k])?;
+    }
+    made.unresolved = given.unresolved;
+    Ok(made)
+}
+
+/// The cubic through points i - 1 to i + 2, or as many as there are, over their chords: at part t
+/// of the way from point i to the next.
+fn cubic(points: &[DVec3], closed: bool, i: usize, t: f64) -> DVec3 {
+    let n = points.len();
+    let (first, count) = if closed {
+        if n >= 4 { (i + n - 1, 4) } else { (i, n) }
+    } else {
+        (i.saturating_sub(1).min(n.saturating_sub(4)), n.min(4))
+    };
+    let at = |k: usize| points[(first + k) % n];
+    let mut knots = [0.0; 4];
+    for k in 1..count {
+        knots[k] = knots[k - 1] + at(k).distance(at(k - 1));
+    }
+    let own = if closed { usize::from(n >= 4) } else { i - first };
+    let x = knots[own] + t * (knots[own + 1] - knots[own]);
+    // Lagrange's form.
+    let weight = |k: usize| -> f64 {
+        (0..count).filter(|&other| other != k).map(|other| (x - knots[other]) / (knots[k] - knots[other])).product()
+    };
+    (0..count).map(|k| weight(k) * at(k)).sum()
+}

@@ -1,0 +1,139 @@
+//! Normals of a sheet, seen along a direction: what is known of a cell's without much work.
+//!
+//! Cost: O(N^2) a cell by its corners or its hodographs; roots as [`roots`].
+
+use super::lattice::Lattice;
+use super::normals::Hodographs;
+use super::source::Continuity;
+use crate::Surface;
+use crate::cells::{BLOCK, Cells};
+use crate::index::Pyramid;
+use crate::prelude::*;
+use crate::ranges::cross;
+use crate::subdivision::{Roots, roots};
+use std::ops::Range;
+
+/// Normals of a sheet, seen along a direction.
+pub(super) struct ProjectedNormals<'a, C, const N: usize> {
+    pub(super) cells: &'a C,
+    index: &'a Pyramid,
+    /// Two directions across the given one, and that one.
+    pub(super) frame: [DVec3; 3],
+    /// Of the greatest coordinates.
+    max_coordinate: f64,
+    pub(super) continuity: Continuity,
+}
+
+/// The corners of a block's cells, seen in the frame.
+pub(super) struct Corners {
+    at: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    start: [usize; 2],
+    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at
+    /// most.
+    slack: f64,
+}
+
+impl Corners {
+    /// Ranges of the components of N over a cell.
+    #[inline]
+    pub(super) fn ranges(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 3] {
+        let (r, c) = (i - self.start[0], j - self.start[1]);
+        let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
+        let range = |a: DVec3, b: DVec3| {
+            let (low, high) = (a.min(b) - self.slack, a.max(b) + self.slack);
+            [0, 1, 2].map(|k| [low[k], high[k]])
+        };
+        cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
+    }
+}
+
+impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
+    /// Those of sheet k of a surface, whose cells are given.
+    pub(super) fn new(
+        surface: &'a Surface<'_>,
+        k: usize,
+        cells: &'a C,
+        frame: [DVec3; 3],
+        continuity: Continuity,
+    ) -> Self {
+        let (index, max_coordinate) = (surface.indexed(k).1, surface.max_coordinate());
+        ProjectedNormals { cells, index, frame, max_coordinate, continuity }
+    }
+
+    /// The corners of a block, which exclude most cells without making their patches.
+    ///
+    /// With c the control points of the difference of surface and bilinear patch, S_u differs from
+    /// a side of the quadrilateral, or from what is between two, by n |c_a+1 - c_a| <= 2 n max |c|,
+    /// n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4 (L
+    /// A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its
+    /// weights, which is nowhere more than 1.42 L: by 2 deviations at most.
+    pub(super) fn corners(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners {
+        let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
+        let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
+        let origin = self.index.origin();
+        for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {
+            for (c, corner) in row.iter_mut().enumerate().take(columns.len() + 1) {
+                let point = self.cells.corner(rows.start + r, columns.start + c) - origin;
+                *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
+            }
+        }
+        let slack = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.max_coordinate;
+        Corners { at, start: [rows.start, columns.start], slack }
+    }
+
+    /// The corners of a block, and its cells, row after row.
+    pub(super) fn block(
+        &self,
+        lattice: &Lattice,
+        block: [u32; 2],
+    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>) {
+        let [rows, columns] = lattice.block(block);
+        let corners = self.corners(&[rows.clone(), columns.clone()]);
+        (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
+    }
+
+    /// S_u and S_v over a cell.
+    pub(super) fn hodographs(&self, [i, j]: [usize; 2]) -> Hodographs<N> {
+        Hodographs::new(&self.cells.patch(i, j), &self.frame)
+    }
+
+    /// Where in a cell both components across are 0 and the one along has the given sign: simple
+    /// roots, and what is unresolved, which may have it.
+    pub(super) fn roots<const H: usize>(
+        &self,
+        corners: &Corners,
+        cell: [usize; 2],
+        sign: f64,
+    ) -> Result<[Vec<DVec2>; 2]> {
+        let zero = |[low, high]: [f64; 2], rounding_error: f64| low <= rounding_error && high >= -rounding_error;
+        let [x, y, _] = corners.ranges(cell);
+        if !(zero(x, 0.0) && zero(y, 0.0)) {
+            return Ok([Vec::new(), Vec::new()]);
+        }
+        let of = self.hodographs(cell);
+        let rounding_error = self.rounding_error(&of);
+        let [x, y, along] = of.ranges();
+        let right = if sign > 0.0 { along[1] >= -rounding_error } else { along[0] <= rounding_error };
+        if !(zero(x, rounding_error) && zero(y, rounding_error) && right) {
+            return Ok([Vec::new(), Vec::new()]);
+        }
+        let mut found = Roots::default();
+        roots([of.normal::<H>(0), of.normal::<H>(1)], rounding_error, rounding_error, &mut found)?;
+        let along = |at: &DVec2| self.cells.patch(cell[0], cell[1]).jet(at.x, at.y).normal().dot(self.frame[2]);
+        found.simple.retain(|at| along(at) * sign > 0.0);
+        let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());
+        Ok([found.simple, alloc::collect(unresolved)?])
+    }
+
+    /// By what components of normals may be wrong for rounding.
+    pub(super) fn rounding_error(&self, of: &Hodographs<N>) -> f64 {
+        let [u, v] = of.speeds();
+        32.0 * f64::EPSILON * (self.max_coordinate * (u + v) + u * v)
+    }
+}
+
+/// Two directions across one, and that one: right-handed.
+pub(super) fn frame(axis: DVec3) -> [DVec3; 3] {
+    let first = axis.any_orthonormal_vector();
+    [first, axis.cross(first), axis]
+}

@@ -1,0 +1,387 @@
+//! The arcs of a sheet: block by block, cell by cell, level by level.
+//!
+//! Invariant: a cell is passed over only if its corners, grown by the deviation of the surface from
+//! the bilinear one, exclude the level. Cost: O(1) a cell looked at, O(M^3) a cell that is crossed
+//! and not simple; memory in proportion to the arcs.
+
+use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
+use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
+use super::lattice::Lattice;
+use super::refine::{is_straight, middle, refine, stays_near};
+use super::side::{crossings, positive};
+use super::source::{CellBase, Continuity, CornerTest, Source};
+use crate::Patch;
+use crate::cells::Cells;
+use crate::prelude::*;
+use crate::subdivision::Field;
+
+/// Blocks that are one thread's work.
+const CHUNK: usize = 16;
+/// Blocks times levels that are no more than a moment's work.
+const MANY: usize = 1024;
+/// Chunks whose arcs are put together at once.
+const CHUNKS: usize = 256;
+
+/// An arc of a level's zero set over a cell.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arc {
+    pub(super) level: u32,
+    pub(super) cell: [u32; 2],
+    /// The keys of the marks that it begins and ends with.
+    pub(super) keys: [u64; 2],
+    /// Where these are.
+    pub(super) ends: [DVec2; 2],
+    /// The places between: from where to where among all.
+    pub(super) inner: [u32; 2],
+    /// True if the next arc begins elsewhere than this one ends: across a side where fields jump.
+    pub(super) jumps: bool,
+}
+
+/// The arcs of a sheet.
+#[derive(Debug, Default)]
+pub(super) struct FoundArcs {
+    pub(super) arcs: Vec<Arc>,
+    pub(super) inner: Vec<DVec2>,
+    /// Cells, and where in them, that are unresolved.
+    pub(super) unresolved: Vec<([u32; 2], DVec2)>,
+}
+
+impl FoundArcs {
+    fn append(&mut self, other: &FoundArcs) -> Result<()> {
+        let shift = self.inner.len() as u32;
+        alloc::append(&mut self.inner, &other.inner)?;
+        alloc::append(&mut self.unresolved, &other.unresolved)?;
+        let moved = |arc: &Arc| Arc { inner: arc.inner.map(|k| k + shift), ..*arc };
+        alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))
+    }
+}
+
+/// The search of one sheet.
+pub(super) struct ContourSearch<'a, C, S, const N: usize, const M: usize> {
+    pub(super) cells: &'a C,
+    pub(super) source: &'a S,
+    pub(super) lattice: Lattice,
+    /// How far chords may be from the curve; `None`: marks only.
+    pub(super) chord: Option<f64>,
+}
+
+/// Cache for the work on a cell.
+#[derive(Default)]
+struct Workspace {
+    marks: Vec<Mark>,
+    links: Vec<Link>,
+    /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of
+    /// the polynomials along sides.
+    open: Vec<(u32, u8, u8)>,
+    sides: Vec<[f64; 4]>,
+    roots: Vec<f64>,
+}
+
+impl Workspace {
+    /// Finds the ends that are left.
+    fn solve_open_ends(&mut self, arcs: &mut [Arc]) {
+        roots(&self.sides, &mut self.roots);
+        for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
+            arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
+        }
+        self.open.clear();
+        self.sides.clear();
+        self.roots.clear();
+    }
+}
+
+/// The place on a side of a cell.
+#[inline]
+fn on_side(side: usize, t: f64) -> DVec2 {
+    match side {
+        0 => DVec2::new(t, 0.0),
+        1 => DVec2::new(1.0, t),
+        2 => DVec2::new(t, 1.0),
+        _ => DVec2::new(0.0, t),
+    }
+}
+
+/// One level in a cell.
+struct CellLevel<'a, const M: usize> {
+    cell: [usize; 2],
+    level: usize,
+    field: &'a Field<M>,
+    rounding_error: f64,
+    /// How far it and the surface are from bilinear.
+    deviation: f64,
+    /// Polynomials along the sides.
+    sides: [[f64; M]; SIDES],
+    /// Signs at the corners 2 u + v.
+    corners: [bool; 4],
+}
+
+impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
+    /// The arcs in the given blocks, `(row, column)` of `block(k)` for k < `count`.
+    pub(super) fn run(
+        &self,
+        count: usize,
+        block: impl Fn(usize) -> [u32; 2] + Sync,
+        job: &Job<'_>,
+    ) -> Result<FoundArcs> {
+        let mut found = FoundArcs::default();
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            let blocks = (count - first).min(CHUNK * CHUNKS);
+            let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
+            // Of many levels a block is long work.
+            let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
+            let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
+                let mut part = FoundArcs::default();
+                let (mut workspace, mut cache) = (Workspace::default(), S::Cache::default());
+                for k in range {
+                    self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
+                }
+                workspace.solve_open_ends(&mut part.arcs);
+                Ok(part)
+            });
+            for part in parts? {
+                let part: FoundArcs = part?;
+                if found.arcs.is_empty() && found.unresolved.is_empty() {
+                    found = part;
+                } else {
+                    found.append(&part)?;
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    fn block(
+        &self,
+        block: [u32; 2],
+        cache: &mut S::Cache,
+        workspace: &mut Workspace,
+        found: &mut FoundArcs,
+    ) -> Result<()> {
+        let [rows, columns] = self.lattice.block(block);
+        let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
+        for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
+            if !self.source.may_cross(&block, cell) || self.crossing_by_corners(&block, cell, workspace, found)? {
+                continue;
+            }
+            let CellBase { levels, rounding_error, data } = self.source.base(&block, cell, cache);
+            let mut patch = None;
+            for level in levels {
+                let field = snapped(self.source.field(&data, level), rounding_error);
+                let [low, high] = field.range();
+                // With rounding: where sides are alike only, a neighbour's may have marks that this
+                // cell's own have not.
+                if low > rounding_error || high < -rounding_error {
+                    continue;
+                }
+                if self.source.continuity() != Continuity::UpToRounding && one_sign(&field) {
+                    if high - low <= rounding_error {
+                        // All of the cell, as far as one can tell.
+                        alloc::push(&mut found.unresolved, (cell.map(|k| k as u32), DVec2::splat(0.5)))?;
+                    }
+                    continue;
+                }
+                let (sides, corners) = match self.source.continuity() {
+                    Continuity::UpToRounding => self.common_border(&block, cell, &field, level, cache),
+                    _ => own_border(&field),
+                };
+                let deviation = self.source.deviation(&block);
+                let cell_level = CellLevel { cell, level, field: &field, rounding_error, deviation, sides, corners };
+                self.cell_level(&cell_level, &mut patch, workspace, found)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The arcs of a cell, if it is simple for all levels, and these need no points between; else
+    /// false, and nothing is done.
+    #[inline]
+    fn crossing_by_corners(
+        &self,
+        block: &S::Block,
+        cell: [usize; 2],
+        workspace: &mut Workspace,
+        found: &mut FoundArcs,
+    ) -> Result<bool> {
+        if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
+            return Ok(false);
+        }
+        let Some(CornerTest { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell) else {
+            return Ok(false);
+        };
+        let (arcs, open) = (found.arcs.len(), workspace.open.len());
+        for level in levels {
+            let values = corners.map(|x| x - self.source.level(level));
+            let done = match crossing_by_corners(values, slack, rounding_error) {
+                Some(CornerCrossing::Misses) => continue,
+                Some(CornerCrossing::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => {
+                    false
+                }
+                Some(CornerCrossing::Crosses { sides, .. }) => {
+                    self.cross(cell, level, sides, (values, rounding_error), workspace, found)?;
+                    true
+                }
+                None => false,
+            };
+            if !done {
+                found.arcs.truncate(arcs);
+                workspace.open.truncate(open);
+                workspace.sides.truncate(open);
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field
+    /// being as steep as `slope` at least.
+    #[inline]
+    fn is_straight(&self, block: &S::Block, cell: [usize; 2], over: usize, slope: f64) -> bool {
+        let stays = |chord| stays_near(&self.corners(cell), over, slope, self.source.deviation(block), chord);
+        self.chord.is_none_or(stays)
+    }
+
+    #[inline]
+    fn corners(&self, [i, j]: [usize; 2]) -> [DVec3; 4] {
+        [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j))
+    }
+
+    /// Adds the arc from one side of a simple cell to another.
+    #[inline]
+    fn cross(
+        &self,
+        cell: [usize; 2],
+        level: usize,
+        sides: [usize; 2],
+        (corners, rounding_error): ([f64; 4], f64),
+        workspace: &mut Workspace,
+        found: &mut FoundArcs,
+    ) -> Result<()> {
+        let arc = found.arcs.len() as u32;
+        let inner = found.inner.len() as u32;
+        let keys = sides.map(|side| (2 * self.lattice.side(cell, side)) << 6);
+        // Strands have the ends of arcs only where nothing follows, which is at open edges.
+        let ends = sides.map(|side| on_side(side, chord_root(corners, side)));
+        for (end, side) in sides.into_iter().enumerate() {
+            if end == 0 || self.lattice.is_open(cell, side) {
+                alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
+                let along = self.source.along(cell, side, level);
+                alloc::push(&mut workspace.sides, along.map(|x| snap(x, rounding_error)))?;
+            }
+        }
+        let cell = cell.map(|k| k as u32);
+        alloc::push(&mut found.arcs, Arc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false })
+    }
+
+    /// The polynomials along a cell's sides and the signs at its corners, as the cells have them
+    /// that own them.
+    fn common_border(
+        &self,
+        block: &S::Block,
+        cell: [usize; 2],
+        own: &Field<M>,
+        level: usize,
+        cache: &mut S::Cache,
+    ) -> ([[f64; M]; SIDES], [bool; 4]) {
+        let ([low_v, mut high_u, mut high_v, low_u], mut corners) = own_border(own);
+        for after in [[true, false], [false, true], [true, true]] {
+            let (owner, ends) = self.lattice.owner(cell, after);
+            let field = if owner == cell {
+                *own
+            } else {
+                let base = self.source.base(block, owner, cache);
+                snapped(self.source.field(&base.data, level), base.rounding_error)
+            };
+            let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
+            corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(field.c[a][b]);
+            match after {
+                [true, false] => high_u = field.c[a],
+                [false, true] => high_v = field.c.map(|row| row[b]),
+                _ => {}
+            }
+        }
+        ([low_v, high_u, high_v, low_u], corners)
+    }
+
+    /// The arcs of one level in one cell.
+    fn cell_level(
+        &self,
+        cell_level: &CellLevel<'_, M>,
+        patch: &mut Option<Patch<N>>,
+        workspace: &mut Workspace,
+        found: &mut FoundArcs,
+    ) -> Result<()> {
+        let CellLevel { cell: at, level, field, rounding_error, deviation, corners, .. } = *cell_level;
+        let Workspace { marks, links, .. } = workspace;
+        links.clear();
+        self.marks(cell_level, marks);
+        let cell = at.map(|k| k as u32);
+        let number = (at[0] * self.lattice.counts[1] + at[1]) as u64;
+        let mut keys = Keys(1 << 63 | number << 24);
+        if let Some(place) = arcs(field, marks, corners, rounding_error, &mut keys, |link| links.push(link)) {
+            alloc::push(&mut found.unresolved, (cell, place))?;
+        }
+        for link in links.iter() {
+            let [from, to] = [link.from.at, link.to.at];
+            // Places of the arc itself: what is amid its ends need not be near it.
+            let places = || [from, middle(field, link, rounding_error).unwrap_or(from), to];
+            let keeps = self.source.keeps(at, level, places);
+            if keeps.is_none() {
+                alloc::push(&mut found.unresolved, (cell, from))?;
+            }
+            if keeps != Some(true) {
+                continue;
+            }
+            let first = found.inner.len() as u32;
+            let straight =
+                |chord: f64| deviation < chord && is_straight(&self.corners(at), field, link, deviation, chord);
+            if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
+                let patch = patch.get_or_insert_with(|| self.cells.patch(at[0], at[1]));
+                if let Some(place) = refine(patch, field, link, chord, rounding_error, &mut found.inner) {
+                    alloc::push(&mut found.unresolved, (cell, place))?;
+                }
+            }
+            let (keys, inner) = ([link.from.key, link.to.key], [first, found.inner.len() as u32]);
+            let arc = Arc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
+            alloc::push(&mut found.arcs, arc)?;
+        }
+        Ok(())
+    }
+
+    /// Where a level crosses the sides of a cell.
+    fn marks(&self, cell_level: &CellLevel<'_, M>, marks: &mut Vec<Mark>) {
+        marks.clear();
+        let jumps = self.source.continuity() == Continuity::Discontinuous;
+        let [c00, c01, c10, c11] = cell_level.corners;
+        let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
+        for (side, (c, ends)) in cell_level.sides.iter().zip(ends).enumerate() {
+            // Where fields jump, the two cells at a side have marks of their own.
+            let which = u64::from(jumps && (side == 1 || side == 2));
+            let key = (2 * self.lattice.side(cell_level.cell, side) + which) << 6;
+            let mut count = 0;
+            crossings(c, ends, |crossing| {
+                marks.push(Mark { key: key | count, at: on_side(side, crossing.t), side, rising: crossing.rising });
+                count += 1;
+            });
+        }
+    }
+}
+
+/// Sets values within rounding of 0 to 0: a piece that lies in a plane to rounding then lies in it,
+/// and gives no tiny curves. Equal coefficients stay equal.
+#[inline]
+fn snapped<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
+    Field { c: field.c.map(|row| row.map(|x| snap(x, rounding_error))) }
+}
+
+#[inline]
+fn snap(x: f64, rounding_error: f64) -> f64 {
+    if x.abs() <= rounding_error { 0.0 } else { x }
+}
+
+/// As the cell has it itself.
+#[inline]
+fn own_border<const M: usize>(field: &Field<M>) -> ([[f64; M]; SIDES], [bool; 4]) {
+    let c = &field.c;
+    let sides = [c.map(|row| row[0]), c[M - 1], c.map(|row| row[M - 1]), c[0]];
+    (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(positive))
+}

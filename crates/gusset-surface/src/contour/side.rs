@@ -1,0 +1,158 @@
+//! Where a polynomial in Bernstein form changes its sign between 0 and 1.
+//!
+//! Values of 0 count as positive, as if an infinitely small number were added to the polynomial:
+//! then no coefficient is 0, and Descartes' rule in Bernstein form (Farouki and Rajan 1987) is
+//! exact: no change of sign among the coefficients, no root; one change, one simple root; otherwise
+//! the interval is halved. What is found fits the signs at the ends in any case, rounding or not:
+//! whoever relies on parity may.
+
+use gusset_base::geom::bernstein::{bisect, sign_changes, value_and_slope_by_differences as value_and_slope};
+
+/// Intervals of this length are not halved: roots nearer to each other are one, or none.
+const MIN_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
+
+/// A change of sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Crossing {
+    pub(super) t: f64,
+    /// From minus to plus, as t rises.
+    pub(super) rising: bool,
+}
+
+/// The sign of a value: 0 is positive.
+#[inline(always)]
+pub(super) fn positive(value: f64) -> bool {
+    value >= 0.0
+}
+
+/// The changes of sign by rising t. `ends`: whether the ends count as positive; where the
+/// polynomial has another sign there, it changes at the end itself.
+#[inline]
+pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(Crossing)) {
+    let [start, end] = [positive(c[0]), positive(c[M - 1])];
+    if start != ends[0] {
+        found(Crossing { t: 0.0, rising: start });
+    }
+    isolate(c, &mut found);
+    if end != ends[1] {
+        found(Crossing { t: 1.0, rising: ends[1] });
+    }
+}
+
+/// The changes of sign inside.
+#[inline]
+fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(Crossing)) {
+    bisect(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
+        let rising = positive(c[M - 1]);
+        match sign_changes(c.iter().map(|&x| positive(x))) {
+            0 => return false,
+            1 => found(Crossing { t: from + (to - from) * bracketed(c, [0.0, 1.0]), rising }),
+            _ if to - from > MIN_INTERVAL => return true,
+            _ if positive(c[0]) != rising => found(Crossing { t: 0.5 * (from + to), rising }),
+            _ => {}
+        }
+        false
+    });
+}
+
+/// How near to the ends the first guess of a root may be, in parts of the interval.
+const MIN_SHARE: f64 = 1.0 / 1024.0;
+
+/// A root between `from` and `to`, where the polynomial has different signs and changes its sign
+/// once: Newton's method, kept between by halving.
+///
+/// A value of 0 at an end counts as positive. If the polynomial is positive next to it, the sign
+/// changes elsewhere: neither a secant nor a tangent may end there.
+#[inline]
+pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> f64 {
+    let ([start, first], [end, last]) = (value_and_slope(c, low), value_and_slope(c, high));
+    let rising = positive(end);
+    if positive(start) == rising {
+        // Nothing to bracket but rounding: whoever calls judges the value.
+        return if start.abs() <= end.abs() { low } else { high };
+    }
+    // The sign changes at the end itself.
+    if start == 0.0 && first < 0.0 {
+        return low;
+    }
+    if end == 0.0 && last > 0.0 {
+        return high;
+    }
+    let (mut from, mut to) = (low, high);
+    let mut t = from + (to - from) * (start / (start - end)).clamp(MIN_SHARE, 1.0 - MIN_SHARE);
+    for _ in 0..100 {
+        let [value, slope] = value_and_slope(c, t);
+        if positive(value) == rising {
+            to = t;
+        } else {
+            from = t;
+        }
+        let newton = t - value / slope;
+        // NaN and infinity of slope 0 fail the test too.
+        let inside = newton >= from && newton <= to && newton > low && newton < high;
+        let next = if inside { newton } else { 0.5 * (from + to) };
+        let step = (next - t).abs();
+        t = next;
+        if step <= 1e-11 && next == newton || to - from <= 4e-16 {
+            break;
+        }
+    }
+    t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<Crossing> {
+        let mut list = Vec::new();
+        crossings(&c, ends, |crossing| list.push(crossing));
+        list
+    }
+
+    #[test]
+    fn signs_at_the_ends_are_kept() {
+        // A line through 1/2, with true and with false signs at its ends.
+        let line = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];
+        assert_eq!(found(line, [false, true]), [Crossing { t: 0.5, rising: true }]);
+        for ends in [[true, true], [false, false], [true, false]] {
+            let list = found(line, ends);
+            let mut sign = ends[0];
+            for crossing in &list {
+                assert_eq!(crossing.rising, !sign);
+                sign = crossing.rising;
+            }
+            assert!(sign == ends[1] && list.iter().any(|crossing| crossing.t == 0.5), "{list:?}");
+        }
+        // 0 all along is positive; 0 at the start of what is negative is a root there.
+        assert!(found([0.0; 4], [true, true]).is_empty());
+        assert_eq!(found([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
+        // 0 at an end of what is positive there, and changes its sign elsewhere.
+        let [inner] = found([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
+        assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
+        let [inner] = found([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
+        assert!(!inner.rising && inner.t > 0.1 && value_and_slope(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
+        // A double root, touched from above and from below.
+        assert!(found([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
+        assert!(found([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());
+        let two = found([0.25 - 1e-12, -0.25, 0.25], [true, true]);
+        assert!(two.len() == 2 && two[1].t - two[0].t < 3e-6 && two[1].t > two[0].t);
+    }
+
+    #[test]
+    fn all_roots_of_a_product() {
+        // (t - 0.2) (t - 0.5) (t - 0.9) as a cubic: the blossom at 0 and 1.
+        let (a, b, d) = (0.2, 0.5, 0.9);
+        let blossom = |x: f64, y: f64, z: f64| {
+            x * y * z - (a + b + d) / 3.0 * (x * y + y * z + z * x) + (a * b + b * d + d * a) / 3.0 * (x + y + z)
+                - a * b * d
+        };
+        let c = [blossom(0., 0., 0.), blossom(0., 0., 1.), blossom(0., 1., 1.), blossom(1., 1., 1.)];
+        let list = found(c, [false, true]);
+        assert_eq!(list.len(), 3);
+        for (crossing, root) in list.iter().zip([a, b, d]) {
+            assert!((crossing.t - root).abs() < 1e-14, "{list:?}");
+        }
+        assert!(list[0].rising && !list[1].rising && list[2].rising);
+    }
+}

@@ -1,0 +1,93 @@
+//! Curves through nodes, drawn by the schemes of surfaces, and coordinate curves of sheets.
+//!
+//! The paper takes curves as surfaces of one dimension less: points for coordinate curves, arcs for
+//! cells.
+
+use super::axis::{Axis, TAPS};
+use super::cells::Cells;
+use super::checks::finite_nodes;
+use super::{Scheme, Sheet, each_sheet};
+use crate::prelude::*;
+use gusset_base::geom::bernstein::evaluate;
+use gusset_curve::{Curve, CurveView};
+
+/// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of
+/// fourth order.
+///
+/// `closed`: the last node is the first one again, and the curve goes on there.
+///
+/// # Errors
+/// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four;
+/// [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
+pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Curve> {
+    if nodes.len() < Axis::least_lines(closed) {
+        return Err(Error::NetTooSmall { rows: 1, columns: nodes.len() as u64 });
+    }
+    Error::check_count("nodes", nodes.len() as u64, u64::from(u32::MAX / 3))?;
+    finite_nodes(nodes)?;
+    if closed && nodes.first() != nodes.last() {
+        return Err(Error::CurveNotClosed);
+    }
+    let axis = Axis::new(nodes.len(), closed, scheme);
+    let inner = |weights: &[f64; TAPS], lines: &[usize; TAPS]| {
+        weights.iter().zip(lines).map(|(&weight, &line)| weight * nodes[line]).sum::<DVec3>()
+    };
+    let segments = (0..axis.cells()).map(|cell| {
+        let (lines, weights) = axis.taps(cell);
+        [nodes[cell], inner(&weights[1], &lines), inner(&weights[2], &lines), nodes[cell + 1]]
+    });
+    joined(segments, axis.cells(), closed)
+}
+
+/// The curve of segments of equal degree, each of which begins where the one before ends.
+fn joined<const N: usize>(segments: impl Iterator<Item = [DVec3; N]>, count: usize, closed: bool) -> Result<Curve> {
+    let mut points = alloc::with_capacity(count * (N - 1) + 1)?;
+    let mut ends = alloc::with_capacity(count + 1)?;
+    ends.push(0);
+    for segment in segments {
+        if points.is_empty() {
+            points.push(segment[0]);
+        }
+        points.extend_from_slice(&segment[1..]);
+        ends.push(points.len() as u32 - 1);
+    }
+    CurveView::new(&points, &ends, closed)?.to_owned()
+}
+
+impl Sheet<'_> {
+    /// The coordinate curve at u, which counts rows from 0 to the number of cells in u: a segment
+    /// for each cell along it. Closed if the sheet is closed in v.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`]. O(cells along the curve).
+    pub fn row_curve(&self, u: f64) -> Result<Curve> {
+        self.coordinate_curve(0, u)
+    }
+
+    /// The same at v, which counts columns; u runs.
+    ///
+    /// # Errors
+    /// As for [`Sheet::row_curve`].
+    pub fn column_curve(&self, v: f64) -> Result<Curve> {
+        self.coordinate_curve(1, v)
+    }
+
+    fn coordinate_curve(&self, direction: usize, at: f64) -> Result<Curve> {
+        let (line, within) = place(at, self.cells()[direction])?;
+        let (count, closed) = (self.cells()[1 - direction], self.seams()[1 - direction]);
+        each_sheet!(self, cells => {
+            let patch = |k: usize| match direction {
+                0 => Cells::patch(cells, line, k).transposed(),
+                _ => Cells::patch(cells, k, line),
+            };
+            joined((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed)
+        })
+    }
+}
+
+/// The cell of a parameter that counts cells, and the parameter within it.
+fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
+    Error::require((0.0..=cells as f64).contains(&at), "parameter", at)?;
+    let cell = (at as usize).min(cells - 1);
+    Ok((cell, at - cell as f64))
+}

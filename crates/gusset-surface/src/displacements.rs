@@ -1,0 +1,63 @@
+//! Boxes of the displacements of a grid's surface from the bilinear patches of its cells, from the
+//! nodes alone, without patches (study, 3.2).
+//!
+//! Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows; B = (1 - u) L_i(v) + u
+//! L_i+1(v), L_k the chord of C_k. So S - B = sum w_k (C_k - L_k) + (sum w_k L_k - B).
+//!
+//! * C_k - L_k is b_1 d_1 + b_2 d_2: d the inner Bézier points from the thirds of the chord, b two
+//!   Bernstein polynomials of degree 3, which sum to 3/4 at most. If all d are in a box, it is in
+//!   3/4 of the box, joined with 0. A sum of such vectors with sum w_k = 1, sum |w_k| <= L is in
+//!   that box, enlarged by (L - 1) / 2 of its size at both ends.
+//! * The second term is linear in v, and at the cell's two columns the same of the cubics across
+//!   the rows.
+//!
+//! O(nodes), by the vector instructions of `sweep`.
+
+use super::axis::{Axis, TAPS, Weights};
+use super::nodes::Nodes;
+use super::sweep::{Sums, Sweep};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::aabb::Aabb;
+use std::ops::Range;
+
+/// Weights that give the inner Bézier points from the thirds of the chord.
+fn bend(weights: &Weights) -> Sums<2> {
+    let [start, first, second, end] = weights;
+    let mut bend = [[0.0; TAPS]; 2];
+    for k in 0..TAPS {
+        let third = (end[k] - start[k]) / 3.0;
+        bend[0][k] = first[k] - start[k] - third;
+        bend[1][k] = second[k] - end[k] + third;
+    }
+    bend
+}
+
+/// The boxes of the blocks of some rows of blocks, row after row.
+pub(super) fn displacements(
+    nodes: &Nodes<'_>,
+    [u, v]: [&Axis; 2],
+    block_rows: Range<usize>,
+    boxes: &mut [Aabb],
+) -> Result<()> {
+    let sweep = Sweep { nodes, u, v, sums: bend };
+    let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
+    sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
+    sweep.across_blocks(block_rows, |k, columns, ranges| {
+        let across = ranges.over(columns.start..columns.end + 1);
+        boxes[k] = widened(shrunk(along[k]), u.lebesgue()).sum(shrunk(across));
+    })
+}
+
+/// A box that contains every weighted sum of points of `bounds`, for weights that sum to 1 and whose
+/// absolute values sum to at most `lebesgue`.
+pub(super) fn widened(bounds: Aabb, lebesgue: f64) -> Aabb {
+    let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
+    Aabb { low: bounds.low - more, high: bounds.high + more }
+}
+
+/// 3/4 of a box, joined with 0.
+fn shrunk(bounds: Aabb) -> Aabb {
+    Aabb { low: (0.75 * bounds.low).min(DVec3::ZERO), high: (0.75 * bounds.high).max(DVec3::ZERO) }
+}

@@ -1,0 +1,221 @@
+//! The distance of the points of two nets: descent to a place where it is least, and proofs that
+//! it is nowhere less.
+//!
+//! f = |A(u, v) - B(s, t)|^2 / 2 over all parameters that the nets have, from 0 to 1. Descent:
+//! projected Newton steps as in `nearest::foot`. Proof: where the Hessian of f is positive definite
+//! all over, f is convex, and nowhere less than its tangent plane at any place: so there the place
+//! that descent leads to is the nearest. Bounds of the Hessian are products of balls. O(1).
+
+use super::net::{Ball, Balls, Net};
+use crate::Jet;
+use glam::DVec3;
+
+/// Parameters of A and of B.
+pub(super) type Parameters = [f64; 4];
+type Square = [[f64; 4]; 4];
+
+/// Length in the parameters of a step that is the last.
+const LAST_STEP: f64 = 1e-13;
+/// The shortest part of a step that is tried.
+const SHORTEST: f64 = 1e-4;
+/// The least pivot, of a matrix of unit diagonal, that counts as above 0.
+const MIN_PIVOT: f64 = 1e-10;
+
+/// The function at a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Value {
+    pub(super) at: Parameters,
+    pub(super) distance: f64,
+    difference: DVec3,
+    a: Jet,
+    b: Jet,
+}
+
+/// Two nets.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NetPair<'a> {
+    pub(super) a: Net<'a>,
+    pub(super) b: Net<'a>,
+}
+
+impl NetPair<'_> {
+    /// Which parameters exist.
+    fn exist(&self) -> [bool; 4] {
+        let [a, b] = [self.a.shape, self.b.shape].map(|shape| shape.map(|count| count > 1));
+        [a[0], a[1], b[0], b[1]]
+    }
+
+    pub(super) fn evaluate(&self, at: Parameters) -> Value {
+        let [u, v, s, t] = at;
+        let (a, b) = (self.a.jet([u, v]), self.b.jet([s, t]));
+        let difference = a.point - b.point;
+        Value { at, distance: difference.length(), difference, a, b }
+    }
+
+    /// The place that descent leads to, in so many steps at most.
+    pub(super) fn minimise(&self, start: Value, steps: usize) -> Value {
+        let exist = self.exist();
+        let mut best = start;
+        for _ in 0..steps {
+            let gradient = best.gradient();
+            let free: [bool; 4] = std::array::from_fn(|k| exist[k] && !is_blocked(best.at[k], gradient[k]));
+            let Some(step) = best.step(&gradient, free) else { break };
+            let slope = best.slope(exist);
+            let mut length = 1.0;
+            let next = loop {
+                let at = std::array::from_fn(|k| (best.at[k] - length * step[k]).clamp(0.0, 1.0));
+                let next = self.evaluate(at);
+                let levels_off = next.distance <= best.distance * (1.0 + 4.0 * f64::EPSILON);
+                if next.distance < best.distance || (levels_off && next.slope(exist) < slope) {
+                    break Some(next);
+                }
+                length *= 0.25;
+                if length < SHORTEST {
+                    break None;
+                }
+            };
+            let Some(next) = next else { break };
+            let moved = (0..4).map(|k| (next.at[k] - best.at[k]).abs()).fold(0.0, f64::max);
+            best = next;
+            if moved <= LAST_STEP {
+                break;
+            }
+        }
+        best
+    }
+
+    /// True if f is convex.
+    pub(super) fn is_convex(&self, balls: [&Balls; 2]) -> bool {
+        is_convex(self.exist(), balls)
+    }
+}
+
+impl Value {
+    /// The tangents of the difference.
+    fn tangents(&self) -> [DVec3; 4] {
+        [self.a.u, self.a.v, -self.b.u, -self.b.v]
+    }
+
+    /// If f is convex: no points of the nets are nearer than this.
+    pub(super) fn convex_bound(&self) -> f64 {
+        let gradient = self.gradient();
+        // The tangent plane's least value over the box.
+        let fall: f64 = gradient.iter().zip(self.at).map(|(&slope, at)| (slope * at).max(slope * (at - 1.0))).sum();
+        (self.distance * self.distance - 2.0 * fall).max(0.0).sqrt()
+    }
+
+    fn gradient(&self) -> Parameters {
+        self.tangents().map(|tangent| tangent.dot(self.difference))
+    }
+
+    /// The length of the gradient, without what leads out of the box.
+    fn slope(&self, exist: [bool; 4]) -> f64 {
+        let gradient = self.gradient();
+        let free = (0..4).filter(|&k| exist[k] && !is_blocked(self.at[k], gradient[k]));
+        free.map(|k| gradient[k] * gradient[k]).sum::<f64>()
+    }
+
+    /// Newton's step in the free parameters, or one that goes down where it would not.
+    fn step(&self, gradient: &Parameters, free: [bool; 4]) -> Option<Parameters> {
+        let tangents = self.tangents();
+        let mut first: Square = std::array::from_fn(|i| std::array::from_fn(|k| tangents[i].dot(tangents[k])));
+        let mut hessian = first;
+        for (offset, jet, sign) in [(0, &self.a, 1.0), (2, &self.b, -1.0)] {
+            let [uu, uv, vv] = [jet.uu, jet.uv, jet.vv].map(|second| sign * second.dot(self.difference));
+            hessian[offset][offset] += uu;
+            hessian[offset][offset + 1] += uv;
+            hessian[offset + 1][offset] += uv;
+            hessian[offset + 1][offset + 1] += vv;
+        }
+        (0..4).for_each(|k| first[k][k] *= 1.0 + 1e-3);
+        let found = solve(&hessian, gradient, free).or_else(|| solve(&first, gradient, free));
+        found.filter(|step| step.iter().all(|x| x.is_finite()) && step.iter().any(|&x| x != 0.0))
+    }
+}
+
+/// True where the descent would leave the box.
+fn is_blocked(at: f64, slope: f64) -> bool {
+    (at <= 0.0 && slope > 0.0) || (at >= 1.0 && slope < 0.0)
+}
+
+/// The solution of the equations of the free parameters by Cholesky's method, if the matrix is
+/// positive definite beyond doubt; 0 for the others.
+fn solve(matrix: &Square, right: &Parameters, free: [bool; 4]) -> Option<Parameters> {
+    let scale: Parameters = std::array::from_fn(|k| matrix[k][k].max(0.0).sqrt().recip());
+    if (0..4).any(|k| free[k] && !scale[k].is_finite()) {
+        return None;
+    }
+    let scaled: Square = std::array::from_fn(|i| {
+        std::array::from_fn(|k| match (free[i] && free[k], i == k) {
+            (true, _) => matrix[i][k] * scale[i] * scale[k],
+            (false, same) => f64::from(u8::from(same)),
+        })
+    });
+    let factor = cholesky(&scaled)?;
+    let mut x: Parameters = std::array::from_fn(|k| if free[k] { right[k] * scale[k] } else { 0.0 });
+    for i in 0..4 {
+        x[i] = (x[i] - (0..i).map(|k| factor[i][k] * x[k]).sum::<f64>()) / factor[i][i];
+    }
+    for i in (0..4).rev() {
+        x[i] = (x[i] - (i + 1..4).map(|k| factor[k][i] * x[k]).sum::<f64>()) / factor[i][i];
+    }
+    Some(std::array::from_fn(|k| if free[k] { x[k] * scale[k] } else { 0.0 }))
+}
+
+/// The lower factor of a matrix of unit diagonal, if it is positive definite beyond rounding.
+fn cholesky(matrix: &Square) -> Option<Square> {
+    let mut factor = [[0.0; 4]; 4];
+    for i in 0..4 {
+        for k in 0..=i {
+            let rest = matrix[i][k] - (0..k).map(|j| factor[i][j] * factor[k][j]).sum::<f64>();
+            factor[i][k] = match i == k {
+                true if rest > MIN_PIVOT => rest.sqrt(),
+                true => return None,
+                false => rest / factor[k][k],
+            };
+        }
+    }
+    Some(factor)
+}
+
+/// True if the Hessian is positive definite for all vectors in the balls: the matrix of their
+/// centres is, less the norm of what it may be off by, parameters scaled to a unit diagonal.
+fn is_convex(exist: [bool; 4], [a, b]: [&Balls; 2]) -> bool {
+    let product = |p: &Ball, q: &Ball| {
+        let [x, y] = [p, q].map(|ball| ball.centre.length());
+        (p.centre.dot(q.centre), x * q.radius + y * p.radius + p.radius * q.radius)
+    };
+    let difference = Ball { centre: a.point.centre - b.point.centre, radius: a.point.radius + b.point.radius };
+    let first = [&a.first[0], &a.first[1], &b.first[0], &b.first[1]];
+    let (mut middle, mut off) = ([[0.0; 4]; 4], [[0.0; 4]; 4]);
+    for i in 0..4 {
+        for k in 0..4 {
+            let (mut value, radius) = product(first[i], first[k]);
+            if i / 2 != k / 2 {
+                value = -value;
+            }
+            (middle[i][k], off[i][k]) = (value, radius);
+            if i / 2 == k / 2 {
+                let second = if i < 2 { &a.second } else { &b.second };
+                let (value, radius) = product(&difference, &second[i % 2 + k % 2]);
+                middle[i][k] += if i < 2 { value } else { -value };
+                off[i][k] += radius;
+            }
+        }
+    }
+    let mut scale = [0.0; 4];
+    for k in (0..4).filter(|&k| exist[k]) {
+        if middle[k][k] <= off[k][k] {
+            return false;
+        }
+        scale[k] = middle[k][k].sqrt().recip();
+    }
+    let norm = (0..4).map(|i| (0..4).map(|k| off[i][k] * scale[i] * scale[k]).sum::<f64>()).fold(0.0, f64::max);
+    let least: Square = std::array::from_fn(|i| {
+        std::array::from_fn(|k| match (exist[i] && exist[k], i == k) {
+            (true, same) => middle[i][k] * scale[i] * scale[k] - if same { norm } else { 0.0 },
+            (false, same) => f64::from(u8::from(same)),
+        })
+    });
+    cholesky(&least).is_some()
+}

@@ -1,0 +1,228 @@
+//! Nearest points of a surface and a line, a plane, a curve or another surface: what tasks c) to e)
+//! of the paper leave where there is no intersection.
+//!
+//! * `net`: control nets of patches and segments. `pieces`: what both sides are divided into, with
+//!   hulls. `descent`: nearest points of two nets, and where these are proved. `search`: pairs of
+//!   pieces by rising lower bounds.
+//!
+//! A plane and an infinite line are points of the space in which only what is across them is seen,
+//! so that their parameters need no search; rays and segments are curves, cut off where the surface
+//! ends. Invariant, the study's theorem T5: pairs of pieces are excluded by hulls that contain them
+//! and are farther apart than the answer, so that the bound holds whatever the search finds.
+
+mod descent;
+mod net;
+mod pieces;
+mod search;
+
+use super::checks::{direction, finite};
+use super::line_intersection::{Line, MAX_COORDINATE};
+use super::{Place, Surface};
+use crate::prelude::*;
+use glam::DMat3;
+use gusset_base::geom::scale::floor_to_power_of_two;
+use gusset_curve::{CurveView, Place as CurvePlace};
+use pieces::{Pieces, Source, View, Whereabouts};
+use search::DistanceSearch;
+
+/// The nearest points of a surface and something else. `T`: a place on that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Approach<T> {
+    /// Where the nearest point of the surface is.
+    pub place: Place,
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal there, or its limit at a pole; 0 if there is none.
+    pub normal: DVec3,
+    /// Where the nearest point of the other is.
+    pub other: T,
+    /// That point.
+    pub other_point: DVec3,
+    /// Their distance: 0 if they meet.
+    pub distance: f64,
+    /// No points of the two are nearer to each other than this.
+    pub bound: f64,
+    /// True if the bound is within the tolerance of the distance, or within the rounding of
+    /// coordinates; false if the proof would take too many pairs of pieces, as it may where much of
+    /// the surface is equally near.
+    pub proven: bool,
+    /// True if the two meet there, but for the rounding of coordinates.
+    pub meets: bool,
+}
+
+/// What a search has found, in the unit of the caller.
+struct Found {
+    a: Whereabouts,
+    b: Whereabouts,
+    distance: f64,
+    bound: f64,
+    proven: bool,
+    meets: bool,
+}
+
+impl Found {
+    fn approach<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> Approach<T> {
+        let Found { distance, bound, proven, meets, .. } = *self;
+        let place = place(&self.a);
+        let point = surface.jet(place).point;
+        Approach { place, point, normal: surface.normal(place), other, other_point, distance, bound, proven, meets }
+    }
+}
+
+/// A place on a surface.
+fn place(at: &Whereabouts) -> Place {
+    Place { sheet: at.number as u32, cell: at.cell.map(|k| k as u32), u: at.at[0], v: at.at[1] }
+}
+
+/// Coordinates that searches refuse: their squares would overflow.
+fn check_size(point: DVec3, option: &'static str) -> Result<()> {
+    finite(point, option)?;
+    let largest = point.abs().max_element();
+    Error::require(largest <= MAX_COORDINATE, option, largest)
+}
+
+impl Surface<'_> {
+    /// The nearest points of the surface and a line, ray or segment; the other place is the line's
+    /// parameter. `tolerance`: a length, to which the distance is proved; `None`: the surface's.
+    ///
+    /// Of several pairs of points that are equally near, the one that the search comes upon; always
+    /// the same. O(log cells) and some tens to hundreds of pairs of pieces; bounded where much of
+    /// the surface is equally near.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, or a tolerance
+    /// that is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<Approach<f64>> {
+        line.check()?;
+        let (along, length) = line.along();
+        let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
+        let at = |t: f64| line.origin + (t * length) * along;
+        let box_ends: [f64; 8] = self.corners().map(parameter);
+        let ends =
+            box_ends.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &t| [low.min(t), high.max(t)]);
+        let is_cut = ends[0] == line.from || ends[1] == line.to;
+        let found = if is_cut {
+            // Beyond the surface's box no point of the line is the nearest of any of the surface.
+            let points = ends.map(at);
+            let view = CurveView::new(&points, &[0, 1], false)?;
+            self.distance_to(Source::Curve(&view), self.view_of_space(), &points, tolerance, job)?
+        } else {
+            let (u, v) = along.any_orthonormal_pair();
+            let near = at(0.5 * (ends[0] + ends[1]));
+            let across = DMat3::from_cols(u, v, DVec3::ZERO).transpose();
+            self.distance_to(Source::Point, (near, across), &[near], tolerance, job)?
+        };
+        let t = if is_cut { ends[0] + (ends[1] - ends[0]) * found.b.at[0] } else { 0.0 };
+        let mut approach = found.approach(self, t, at(t));
+        if !is_cut {
+            approach.other = parameter(approach.point);
+            approach.other_point = at(approach.other);
+        }
+        Ok(approach)
+    }
+
+    /// The point of the surface nearest to the plane through a point, across a direction; the other
+    /// place is how far the surface's point is on the side that the direction points to, negative on
+    /// the other one. Where the surface meets the plane, a point of the section. As
+    /// [`Surface::distance_to_line`] otherwise.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a point or direction that is not finite or a direction that is
+    /// 0, or the tolerance; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn distance_to_plane(
+        &self,
+        point: DVec3,
+        normal: DVec3,
+        tolerance: Option<f64>,
+        job: &Job<'_>,
+    ) -> Result<Approach<f64>> {
+        check_size(point, "point")?;
+        let normal = direction(normal, "normal")?;
+        let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
+        let found = self.distance_to(Source::Point, (point, across), &[point], tolerance, job)?;
+        let mut approach = found.approach(self, 0.0, DVec3::ZERO);
+        let height = normal.dot(approach.point - point);
+        approach.other_point = approach.point - height * normal;
+        approach.other = found.distance.copysign(height);
+        Ok(approach)
+    }
+
+    /// The nearest points of the surface and a curve, of any degrees. As
+    /// [`Surface::distance_to_line`] otherwise.
+    ///
+    /// # Errors
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] for a coordinate above 1e150 or the
+    /// tolerance, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn distance_to_curve(
+        &self,
+        curve: &CurveView<'_>,
+        tolerance: Option<f64>,
+        job: &Job<'_>,
+    ) -> Result<Approach<CurvePlace>> {
+        if curve.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
+        let found = self.distance_to(Source::Curve(curve), self.view_of_space(), curve.points(), tolerance, job)?;
+        let at = CurvePlace { segment: found.b.number as u32, t: found.b.at[0] };
+        Ok(found.approach(self, at, curve.point(at)?))
+    }
+
+    /// The nearest points of two surfaces; the tolerance is the greater of both if none is given. As
+    /// [`Surface::distance_to_line`] otherwise.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for the tolerance, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn distance_to_surface(
+        &self,
+        other: &Surface<'_>,
+        tolerance: Option<f64>,
+        job: &Job<'_>,
+    ) -> Result<Approach<Place>> {
+        let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
+        let source = Source::Surface(other);
+        let found = self.distance_to(source, self.view_of_space(), &other.corners(), Some(tolerance), job)?;
+        let at = place(&found.b);
+        Ok(found.approach(self, at, other.jet(at).point))
+    }
+
+    /// The corners of the box.
+    fn corners(&self) -> [DVec3; 8] {
+        pieces::corners(&Aabb::of(self.bounds()))
+    }
+
+    /// Space as it is, from the middle of the surface.
+    fn view_of_space(&self) -> (DVec3, DMat3) {
+        let [low, high] = self.bounds();
+        (0.5 * (low + high), DMat3::IDENTITY)
+    }
+
+    /// Searches in a view; `extent`: points whose hull the other is in.
+    fn distance_to(
+        &self,
+        other: Source<'_>,
+        (origin, turned): (DVec3, DMat3),
+        extent: &[DVec3],
+        tolerance: Option<f64>,
+        job: &Job<'_>,
+    ) -> Result<Found> {
+        let tolerance = tolerance.unwrap_or(self.tolerance());
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
+        let all = || self.corners().into_iter().chain(extent.iter().copied());
+        let reach = all().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
+        let largest = all().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);
+        let unit = if reach > 0.0 { floor_to_power_of_two(reach) } else { 1.0 };
+        let rounding = 32.0 * f64::EPSILON * (largest / unit);
+        let tolerance = (tolerance / unit).max(4.0 * rounding);
+        let view = View { origin, turned, unit };
+        let sides = [Pieces::new(Source::Surface(self), view)?, Pieces::new(other, view)?];
+        let mut search = DistanceSearch::new(sides, tolerance, rounding, job);
+        let bound = search.find()?;
+        // Every search comes to a pair of nets before it may end.
+        let (distance, a, b) = search.best.map_or_else(Default::default, |best| (best.distance, best.a, best.b));
+        let meets = distance <= rounding;
+        let (distance, bound) = if meets { (0.0, 0.0) } else { (distance, bound.min(distance)) };
+        let proven = bound >= distance - tolerance;
+        Ok(Found { a, b, distance: distance * unit, bound: bound * unit, proven, meets })
+    }
+}

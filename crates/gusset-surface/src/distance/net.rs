@@ -1,0 +1,159 @@
+//! Control nets of any shape: patches, segments of curves (one column), single points.
+//!
+//! Bounds follow from the nets of derivatives, which are differences of control points: their
+//! vectors lie in the balls of [`Balls`]. O(points) each.
+
+use crate::Jet;
+use glam::DVec3;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::bernstein::{halve, reduce};
+
+/// The greatest number of control points of a row or a column.
+const MAX_LINE: usize = gusset_curve::MAX_DEGREE + 1;
+/// That of patches, and of most segments.
+const SHORT_LINE: usize = crate::MAX_DEGREE + 1;
+
+/// A control net, row after row; a parameter in which it has one point alone does not exist.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Net<'a> {
+    pub(super) points: &'a [DVec3],
+    pub(super) shape: [usize; 2],
+}
+
+/// A ball.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Ball {
+    pub(super) centre: DVec3,
+    pub(super) radius: f64,
+}
+
+impl Ball {
+    fn of(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
+        let bounds = Aabb::of(vectors.clone());
+        if bounds.is_empty() {
+            return Ball::default();
+        }
+        let centre = bounds.centre();
+        Ball { centre, radius: vectors.map(|v| v.distance_squared(centre)).fold(0.0, f64::max).sqrt() }
+    }
+
+    /// The longest vector in it.
+    pub(super) fn reach(&self) -> f64 {
+        self.centre.length() + self.radius
+    }
+}
+
+/// Balls round the points and the derivatives of a net: by the parameters (uu, uv, vv).
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Balls {
+    pub(super) point: Ball,
+    pub(super) first: [Ball; 2],
+    pub(super) second: [Ball; 3],
+}
+
+impl Balls {
+    /// How much a split at the middle of each parameter may bring the net nearer to its points:
+    /// the part of its second derivatives, which is what it is away from being flat.
+    pub(super) fn flatness(&self) -> [f64; 2] {
+        let [uu, uv, vv] = self.second.map(|ball| ball.reach());
+        [uu + uv, vv + uv].map(|sum| 0.125 * sum)
+    }
+
+    /// Bounds of how far the net goes along each parameter.
+    pub(super) fn lengths(&self) -> [f64; 2] {
+        self.first.map(|ball| ball.reach())
+    }
+}
+
+impl<'a> Net<'a> {
+    fn at(&self, a: usize, b: usize) -> DVec3 {
+        self.points[a * self.shape[1] + b]
+    }
+
+    /// Position and derivatives.
+    pub(super) fn jet(&self, at: [f64; 2]) -> Jet {
+        // Of most nets, without clearing room for the longest lines.
+        if self.shape[0].max(self.shape[1]) <= SHORT_LINE {
+            self.jet_within::<SHORT_LINE>(at)
+        } else {
+            self.jet_within::<MAX_LINE>(at)
+        }
+    }
+
+    fn jet_within<const LINE: usize>(&self, [u, v]: [f64; 2]) -> Jet {
+        let [rows, columns] = self.shape;
+        let mut work = [DVec3::ZERO; LINE];
+        let mut across = [[DVec3::ZERO; LINE]; 3];
+        for b in 0..columns {
+            (0..rows).for_each(|a| work[a] = self.at(a, b));
+            let found = derivatives(&mut work[..rows], u);
+            across.iter_mut().zip(found).for_each(|(row, found)| row[b] = found);
+        }
+        let [point, v1, vv] = derivatives(&mut across[0][..columns], v);
+        let [u1, uv, _] = derivatives(&mut across[1][..columns], v);
+        let [uu, ..] = derivatives(&mut across[2][..columns], v);
+        Jet { point, u: u1, v: v1, uu, uv, vv }
+    }
+
+    /// Balls round the vectors of all nets of derivatives.
+    pub(super) fn balls(&self) -> Balls {
+        let [rows, columns] = self.shape;
+        let degree = self.shape.map(|count| (count - 1) as f64);
+        let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
+        let p = |a: usize, b: usize| self.at(a, b);
+        let u = all(rows - 1, columns).map(|(a, b)| degree[0] * (p(a + 1, b) - p(a, b)));
+        let v = all(rows, columns - 1).map(|(a, b)| degree[1] * (p(a, b + 1) - p(a, b)));
+        let again = degree.map(|degree| degree * (degree - 1.0));
+        let uu = all(rows.saturating_sub(2), columns);
+        let uu = uu.map(|(a, b)| again[0] * (p(a + 2, b) - 2.0 * p(a + 1, b) + p(a, b)));
+        let vv = all(rows, columns.saturating_sub(2));
+        let vv = vv.map(|(a, b)| again[1] * (p(a, b + 2) - 2.0 * p(a, b + 1) + p(a, b)));
+        let uv = all(rows - 1, columns - 1);
+        let uv = uv.map(|(a, b)| degree[0] * degree[1] * (p(a + 1, b + 1) - p(a + 1, b) - p(a, b + 1) + p(a, b)));
+        Balls {
+            point: Ball::of(self.points.iter().copied()),
+            first: [Ball::of(u), Ball::of(v)],
+            second: [Ball::of(uu), Ball::of(uv), Ball::of(vv)],
+        }
+    }
+
+    /// Writes the two halves along a parameter, one after the other, each as long as the net.
+    pub(super) fn halves(&self, parameter: usize, out: &mut [DVec3]) {
+        let [rows, columns] = self.shape;
+        let (low, high) = out.split_at_mut(self.points.len());
+        let (lines, count) = if parameter == 0 { (columns, rows) } else { (rows, columns) };
+        let mut work = [[DVec3::ZERO; MAX_LINE]; 2];
+        for line in 0..lines {
+            let place = |k: usize| if parameter == 0 { k * columns + line } else { line * columns + k };
+            let [before, after] = &mut work;
+            (0..count).for_each(|k| after[k] = self.points[place(k)]);
+            halve(&mut after[..count], &mut before[..count]);
+            for k in 0..count {
+                (low[place(k)], high[place(k)]) = (before[k], after[k]);
+            }
+        }
+    }
+
+    /// The parameters of a control point by Greville: where the net would have it if it were
+    /// affine.
+    pub(super) fn parameters(&self, point: usize) -> [f64; 2] {
+        let [rows, columns] = self.shape;
+        let share = |k: usize, count: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };
+        [share(point / columns, rows), share(point % columns, columns)]
+    }
+}
+
+/// The value and the first two derivatives at t.
+fn derivatives(c: &mut [DVec3], t: f64) -> [DVec3; 3] {
+    let degree = (c.len() - 1) as f64;
+    match c.len() {
+        1 => [c[0], DVec3::ZERO, DVec3::ZERO],
+        2 => [c[0].lerp(c[1], t), c[1] - c[0], DVec3::ZERO],
+        _ => {
+            reduce(c, t, 3);
+            let (left, right) = (c[0].lerp(c[1], t), c[1].lerp(c[2], t));
+            let second = (c[2] - 2.0 * c[1] + c[0]) * (degree * (degree - 1.0));
+            [left.lerp(right, t), (right - left) * degree, second]
+        }
+    }
+}

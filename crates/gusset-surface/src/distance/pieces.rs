@@ -1,0 +1,311 @@
+//! The pieces that the two sides of a search are divided into, each with a hull that contains it.
+//!
+//! A surface is divided into its sheets, the blocks of their indices, cells, and halves of cells; a
+//! curve into segments and halves of these. Ranges and blocks have the corners of a box as their
+//! hull, the others their control points. A piece is divided once and its parts are shared by all
+//! pairs that it is in. Memory: the control points of all pieces.
+
+use super::net::{Balls, Net};
+use crate::cells::{Cells, cells_of_block};
+use crate::index::OrientedBox;
+use crate::prelude::*;
+use crate::{Surface, each_sheet};
+use glam::DMat3;
+use gusset_base::geom::hull_distance::Corner;
+use gusset_curve::CurveView;
+use std::ops::Range;
+
+/// An affine map by which points are seen: of a plane, what is along its normal; of an infinite
+/// line, what is across it; and powers of two as units of length.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct View {
+    pub(super) origin: DVec3,
+    pub(super) turned: DMat3,
+    pub(super) unit: f64,
+}
+
+impl View {
+    fn map(&self, point: DVec3) -> DVec3 {
+        self.turned * ((point - self.origin) / self.unit)
+    }
+}
+
+/// What is divided.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Source<'a> {
+    Surface(&'a Surface<'a>),
+    Curve(&'a CurveView<'a>),
+    /// The origin of the view.
+    Point,
+}
+
+/// What a piece is.
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    /// Sheets or segments.
+    Range {
+        from: usize,
+        to: usize,
+    },
+    Block {
+        sheet: usize,
+        level: usize,
+        row: usize,
+        column: usize,
+    },
+    Net,
+}
+
+/// Where something is: on a sheet or segment, in a cell.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+pub(super) struct Whereabouts {
+    pub(super) number: usize,
+    pub(super) cell: [usize; 2],
+    pub(super) at: [f64; 2],
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    kind: Kind,
+    /// Its hull among the points.
+    first: usize,
+    shape: [usize; 2],
+    bounds: Aabb,
+    /// Its parts, of nets those along each parameter; empty as long as it was not divided.
+    parts: [[usize; 2]; 2],
+    /// Of nets: where it begins, how much of the cell or segment it is, and its balls, once they are
+    /// asked for.
+    whereabouts: Whereabouts,
+    size: [f64; 2],
+    balls: Option<Balls>,
+}
+
+/// One side of a search.
+#[derive(Debug)]
+pub(super) struct Pieces<'a> {
+    source: Source<'a>,
+    view: View,
+    points: Vec<DVec3>,
+    pieces: Vec<Piece>,
+}
+
+impl<'a> Pieces<'a> {
+    /// The whole, which is piece 0.
+    pub(super) fn new(source: Source<'a>, view: View) -> Result<Self> {
+        let mut made = Pieces { source, view, points: Vec::new(), pieces: Vec::new() };
+        match source {
+            Source::Surface(surface) => made.add_range(0, surface.len())?,
+            Source::Curve(curve) => made.add_range(0, curve.len())?,
+            Source::Point => made.add_net(&[DVec3::ZERO], [1, 1], Whereabouts::default(), [1.0; 2])?,
+        }
+        Ok(made)
+    }
+
+    /// The balls of a net.
+    pub(super) fn balls(&mut self, piece: usize) -> Balls {
+        if let Some(known) = self.pieces[piece].balls {
+            return known;
+        }
+        let found = self.net(piece).map_or_else(Balls::default, |net| net.balls());
+        self.pieces[piece].balls = Some(found);
+        found
+    }
+
+    pub(super) fn hull(&self, piece: usize) -> &[DVec3] {
+        let Piece { first, shape, .. } = self.pieces[piece];
+        &self.points[first..first + shape[0] * shape[1]]
+    }
+
+    pub(super) fn bounds(&self, piece: usize) -> &Aabb {
+        &self.pieces[piece].bounds
+    }
+
+    /// The control net, if the piece has one.
+    pub(super) fn net(&self, piece: usize) -> Option<Net<'_>> {
+        let found = &self.pieces[piece];
+        matches!(found.kind, Kind::Net).then(|| Net { points: self.hull(piece), shape: found.shape })
+    }
+
+    /// The control points that are kept.
+    pub(super) fn point_count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Where the point of parameters of a net is.
+    pub(super) fn place(&self, piece: usize, at: [f64; 2]) -> Whereabouts {
+        let Piece { whereabouts, size, .. } = self.pieces[piece];
+        let at = [0, 1].map(|k| (whereabouts.at[k] + size[k] * at[k]).clamp(0.0, 1.0));
+        Whereabouts { at, ..whereabouts }
+    }
+
+    /// True for a whole cell or segment.
+    pub(super) fn is_whole(&self, piece: usize) -> bool {
+        self.pieces[piece].size == [1.0; 2]
+    }
+
+    /// The longer side of a net as part of its cell or segment.
+    pub(super) fn size(&self, piece: usize) -> f64 {
+        self.pieces[piece].size[0].max(self.pieces[piece].size[1])
+    }
+
+    /// Parameters near the point of a net that control points with weights make up: `side` tells
+    /// which of each corner's.
+    pub(super) fn start(&self, piece: usize, corners: &[Corner], side: impl Fn(&Corner) -> usize) -> [f64; 2] {
+        let Some(net) = self.net(piece) else { return [0.5; 2] };
+        let mut sum = [0.0; 2];
+        for corner in corners {
+            let at = net.parameters(side(corner));
+            (0..2).for_each(|k| sum[k] += corner.weight * at[k]);
+        }
+        sum.map(|t| t.clamp(0.0, 1.0))
+    }
+
+    /// How much there is to gain by dividing, and along which parameter: the size of boxes, and of
+    /// nets how far they are from flat.
+    pub(super) fn coarseness(&mut self, piece: usize) -> (f64, usize) {
+        let [u, v] = match self.pieces[piece].kind {
+            Kind::Net => self.balls(piece).flatness(),
+            _ => [self.pieces[piece].bounds.diagonal(), 0.0],
+        };
+        if u >= v { (u, 0) } else { (v, 1) }
+    }
+
+    /// The same of nets that are as good as flat, by their lengths.
+    pub(super) fn length(&mut self, piece: usize) -> (f64, usize) {
+        let [u, v] = self.balls(piece).lengths();
+        if u >= v { (u, 0) } else { (v, 1) }
+    }
+
+    /// The parts of a piece: those along a parameter if it is a net.
+    pub(super) fn divided(&mut self, piece: usize, parameter: usize) -> Result<Range<usize>> {
+        let Piece { kind, parts, .. } = self.pieces[piece];
+        let parameter = if matches!(kind, Kind::Net) { parameter } else { 0 };
+        if parts[parameter] == [0; 2] {
+            let first = self.pieces.len();
+            match kind {
+                Kind::Range { from, to } if to - from > 1 => {
+                    let middle = from + (to - from) / 2;
+                    self.add_range(from, middle)?;
+                    self.add_range(middle, to)?;
+                }
+                Kind::Range { from, .. } => self.open(from)?,
+                Kind::Block { sheet, level: 0, row, column } => self.add_cells(sheet, [row, column])?,
+                Kind::Block { sheet, level, row, column } => self.add_blocks(sheet, level, [row, column])?,
+                Kind::Net => self.halve(piece, parameter)?,
+            }
+            self.pieces[piece].parts[parameter] = [first, self.pieces.len()];
+        }
+        let [first, last] = self.pieces[piece].parts[parameter];
+        Ok(first..last)
+    }
+
+    /// Adds a piece with a hull of points as they are seen.
+    fn add(&mut self, kind: Kind, shape: [usize; 2], points: impl Iterator<Item = DVec3>) -> Result<()> {
+        let first = self.points.len();
+        for point in points {
+            alloc::push(&mut self.points, point)?;
+        }
+        let bounds = Aabb::of(&self.points[first..]);
+        let (parts, whereabouts) = ([[0; 2]; 2], Whereabouts::default());
+        let piece = Piece { kind, first, shape, bounds, parts, whereabouts, size: [1.0; 2], balls: None };
+        alloc::push(&mut self.pieces, piece)
+    }
+
+    /// Adds a net of points as they are seen.
+    fn add_net(&mut self, points: &[DVec3], shape: [usize; 2], whereabouts: Whereabouts, size: [f64; 2]) -> Result<()> {
+        self.add(Kind::Net, shape, points.iter().copied())?;
+        if let Some(piece) = self.pieces.last_mut() {
+            (piece.whereabouts, piece.size) = (whereabouts, size);
+        }
+        Ok(())
+    }
+
+    /// Adds something by the corners of a parallelepiped round it.
+    fn add_box(&mut self, kind: Kind, corners: [DVec3; 8]) -> Result<()> {
+        let view = self.view;
+        self.add(kind, [8, 1], corners.into_iter().map(|corner| view.map(corner)))
+    }
+
+    /// Adds sheets or segments: a net if it is one segment.
+    fn add_range(&mut self, from: usize, to: usize) -> Result<()> {
+        let bounds = match self.source {
+            Source::Surface(surface) => {
+                (from..to).map(|k| surface.indexed(k).1.bounds()).fold(Aabb::EMPTY, Aabb::union)
+            }
+            Source::Curve(curve) if to - from == 1 => {
+                let points = alloc::collect(curve.segment(from).iter().map(|&point| self.view.map(point)))?;
+                // A point that is repeated has no parameter.
+                let count = if points.iter().all(|&point| point == points[0]) { 1 } else { points.len() };
+                let whereabouts = Whereabouts { number: from, ..Whereabouts::default() };
+                return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);
+            }
+            Source::Curve(curve) => (from..to).map(|k| Aabb::of(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union),
+            Source::Point => Aabb::EMPTY,
+        };
+        self.add_box(Kind::Range { from, to }, corners(&bounds))
+    }
+
+    /// Adds the uppermost block of a sheet.
+    fn open(&mut self, sheet: usize) -> Result<()> {
+        let Source::Surface(surface) = self.source else { return Ok(()) };
+        let (_, index) = surface.indexed(sheet);
+        let kind = Kind::Block { sheet, level: index.levels().len(), row: 0, column: 0 };
+        self.add_box(kind, corners(&index.bounds()))
+    }
+
+    /// Adds the blocks that one consists of, by their oriented boxes where there are any.
+    fn add_blocks(&mut self, sheet: usize, level: usize, [row, column]: [usize; 2]) -> Result<()> {
+        let Source::Surface(surface) = self.source else { return Ok(()) };
+        let (_, index) = surface.indexed(sheet);
+        let below = &index.levels()[level - 1];
+        for child in 0..4 {
+            let (r, c) = (2 * row + child / 2, 2 * column + child % 2);
+            if below.has(r, c) {
+                let aligned = || corners(&below.child_boxes(row, column).get(child));
+                let hull = below.oriented(r, c).map_or_else(aligned, OrientedBox::corners);
+                let kind = Kind::Block { sheet, level: level - 1, row: r, column: c };
+                self.add_box(kind, hull.map(|corner| corner + index.origin()))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the cells of a block.
+    fn add_cells(&mut self, sheet: usize, block: [usize; 2]) -> Result<()> {
+        let Source::Surface(surface) = self.source else { return Ok(()) };
+        let (kind, view) = (surface.sheet(sheet), self.view);
+        for cell in cells_of_block(block, kind.cells()) {
+            let whereabouts = Whereabouts { number: sheet, cell, at: [0.0; 2] };
+            each_sheet!(kind, cells => {
+                let mut patch = Cells::patch(cells, cell[0], cell[1]);
+                let side = patch.points.len();
+                let points = patch.points.as_flattened_mut();
+                points.iter_mut().for_each(|point| *point = view.map(*point));
+                self.add_net(points, [side, side], whereabouts, [1.0; 2])
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Adds the halves of a net.
+    fn halve(&mut self, piece: usize, parameter: usize) -> Result<()> {
+        let Piece { shape, whereabouts, mut size, .. } = self.pieces[piece];
+        let net = Net { points: self.hull(piece), shape };
+        let count = net.points.len();
+        let mut both = alloc::filled(DVec3::ZERO, 2 * count)?;
+        net.halves(parameter, &mut both);
+        size[parameter] *= 0.5;
+        for half in 0..2 {
+            let mut whereabouts = whereabouts;
+            whereabouts.at[parameter] += half as f64 * size[parameter];
+            self.add_net(&both[half * count..][..count], shape, whereabouts, size)?;
+        }
+        Ok(())
+    }
+}
+
+/// The corners of a box.
+pub(super) fn corners(bounds: &Aabb) -> [DVec3; 8] {
+    let ends = [bounds.low, bounds.high];
+    std::array::from_fn(|k| DVec3::new(ends[k & 1].x, ends[k >> 1 & 1].y, ends[k >> 2].z))
+}

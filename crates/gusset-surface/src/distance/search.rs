@@ -1,0 +1,235 @@
+//! The search for the nearest points of two sides: pairs of pieces by rising lower bounds.
+//!
+//! The bound of a pair is the distance of the hulls of its pieces. Of a pair that may hold nearer
+//! points the coarser piece is divided; pairs of nets also lead down to nearer points, and are
+//! settled where the distance is a convex function of the parameters. Invariant: no points are
+//! nearer than the nearest pair so far less the tolerance, than `settled`, or than the bound of the
+//! first pair that waits. Where all of two pieces is equally far, as of concentric spheres, no
+//! bound tells pairs apart: the search ends without proof at [`MAX_PAIRS`] pairs, at
+//! [`MAX_POINTS`] control points, or at [`MIN_PAIRS`] once there was no gain for long and little is
+//! left to gain.
+
+use super::descent::{NetPair, Parameters, Value};
+use super::pieces::{Pieces, Whereabouts};
+use crate::frontier::{BranchAndBound, Frontier};
+use crate::prelude::*;
+use gusset_base::geom::hull_distance::hull_distance;
+
+/// Pairs that are examined at most.
+const MAX_PAIRS: usize = 50_000;
+/// Pairs that are examined before a search may end without proof, half of them since the last gain,
+/// if the gap to the lower bound is a small part of the distance.
+const MIN_PAIRS: usize = 1 << 13;
+const SMALL_RELATIVE_GAP: f64 = 1e-3;
+const MIN_RELATIVE_GAIN: f64 = 1e-6;
+/// Control points of pieces, 24 bytes each.
+const MAX_POINTS: usize = 1 << 22;
+/// Steps of descent where that proves the pair, and where it does not.
+const MAX_STEPS: usize = 24;
+const MAX_STEPS_WITHOUT_PROOF: usize = 8;
+/// Parts of cells and segments that are not divided any more.
+const MIN_SIZE: f64 = 1e-12;
+/// Pairs between two looks at the job.
+const PAIRS_PER_STEP: usize = 256;
+
+/// A pair of pieces, and where descent may begin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair {
+    a: usize,
+    b: usize,
+    start: Parameters,
+}
+
+/// A point of each side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nearest {
+    pub(super) distance: f64,
+    pub(super) a: Whereabouts,
+    pub(super) b: Whereabouts,
+}
+
+/// The search, in the unit of the views.
+pub(super) struct DistanceSearch<'a> {
+    pub(super) a: Pieces<'a>,
+    pub(super) b: Pieces<'a>,
+    /// The length to which the distance is to be proved, and the rounding of distances.
+    pub(super) tolerance: f64,
+    pub(super) rounding: f64,
+    pub(super) job: &'a Job<'a>,
+    pub(super) best: Option<Nearest>,
+    /// The pair that it is of, and the place there.
+    last: Option<(Pair, Value)>,
+    /// The least bound of the pairs that were settled.
+    pub(super) settled: f64,
+    pub(super) pairs: usize,
+    pairs_at_gain: usize,
+    frontier: Frontier<Pair, (u32, usize, usize)>,
+    depth: u32,
+}
+
+impl<'a> DistanceSearch<'a> {
+    pub(super) fn new(sides: [Pieces<'a>; 2], tolerance: f64, rounding: f64, job: &'a Job<'a>) -> Self {
+        let [a, b] = sides;
+        DistanceSearch {
+            a,
+            b,
+            tolerance,
+            rounding,
+            job,
+            best: None,
+            last: None,
+            settled: f64::INFINITY,
+            pairs: 0,
+            pairs_at_gain: 0,
+            frontier: Frontier::default(),
+            depth: 0,
+        }
+    }
+
+    /// Searches; no points are nearer than the bound that is returned.
+    pub(super) fn find(&mut self) -> Result<f64> {
+        self.consider(0, 0)?;
+        let left = self.run()?.unwrap_or(f64::INFINITY);
+        self.finish();
+        Ok(left.min(self.settled).min(self.distance()))
+    }
+
+    /// Leads the answer on to where the distance is least in its pieces: where it was proved without
+    /// that, it is as near, but may be beside the nearest points.
+    fn finish(&mut self) {
+        let Some((pair, value)) = self.last else { return };
+        let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return };
+        let value = NetPair { a, b }.minimise(value, MAX_STEPS);
+        self.add(&pair, &value);
+    }
+
+    pub(super) fn distance(&self) -> f64 {
+        self.best.map_or(f64::INFINITY, |best| best.distance)
+    }
+
+    /// Pairs of this bound need not be examined: half the tolerance, so that sums of rounding errors
+    /// stay within it.
+    fn limit(&self) -> f64 {
+        self.distance() - 0.5 * self.tolerance
+    }
+
+    fn settle(&mut self, bound: f64) {
+        self.settled = self.settled.min(bound);
+    }
+
+    /// Takes note of a pair: settled by its bound, or to be examined.
+    fn consider(&mut self, a: usize, b: usize) -> Result<()> {
+        let limit = self.limit();
+        let apart = self.a.bounds(a).distance(self.b.bounds(b)) - self.rounding;
+        if apart >= limit {
+            self.settle(apart);
+            return Ok(());
+        }
+        let found = hull_distance(self.a.hull(a), self.b.hull(b), limit + self.rounding, 0.1 * self.tolerance);
+        let bound = (found.bound - self.rounding).max(apart).max(0.0);
+        if bound >= limit {
+            self.settle(bound);
+            return Ok(());
+        }
+        let corners = &found.corners[..found.count];
+        let ([u, v], [s, t]) =
+            (self.a.start(a, corners, |corner| corner.a), self.b.start(b, corners, |corner| corner.b));
+        let pair = Pair { a, b, start: [u, v, s, t] };
+        // Of equal bounds the latest first: where hulls meet, straight down to points that do.
+        self.depth = self.depth.saturating_add(1);
+        self.frontier.push(bound, (u32::MAX - self.depth, a, b), pair)
+    }
+
+    /// Takes note of a point of each side.
+    fn add(&mut self, pair: &Pair, value: &Value) {
+        let [u, v, s, t] = value.at;
+        let found =
+            Nearest { distance: value.distance, a: self.a.place(pair.a, [u, v]), b: self.b.place(pair.b, [s, t]) };
+        let key = |nearest: &Nearest| (nearest.distance, nearest.a, nearest.b);
+        if self.best.is_none_or(|best| key(&found) < key(&best)) {
+            if found.distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN) {
+                self.pairs_at_gain = self.pairs;
+            }
+            (self.best, self.last) = (Some(found), Some((*pair, *value)));
+        }
+    }
+
+    /// Examines a pair of nets: a bound of it, perhaps better than the one known.
+    fn examine(&mut self, pair: &Pair, bound: f64) -> f64 {
+        let balls = [self.a.balls(pair.a), self.b.balls(pair.b)];
+        let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return bound };
+        let nets = NetPair { a, b };
+        let start = nets.evaluate(pair.start);
+        let is_fresh = self.a.is_whole(pair.a) && self.b.is_whole(pair.b);
+        let (value, proven) = if nets.is_convex([&balls[0], &balls[1]]) {
+            let value = nets.minimise(start, MAX_STEPS);
+            (value, value.convex_bound() - self.rounding)
+        } else if is_fresh || start.distance < self.distance() {
+            (nets.minimise(start, MAX_STEPS_WITHOUT_PROOF), 0.0)
+        } else {
+            (start, 0.0)
+        };
+        self.add(pair, &value);
+        bound.max(proven)
+    }
+
+    /// Which piece is divided, and along which parameter.
+    fn choose(&mut self, pair: &Pair) -> (bool, usize) {
+        let (of_a, of_b) = (self.a.coarseness(pair.a), self.b.coarseness(pair.b));
+        if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
+            return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
+        }
+        let has_net = [self.a.net(pair.a).is_some(), self.b.net(pair.b).is_some()];
+        if has_net.contains(&false) {
+            return (!has_net[0], 0);
+        }
+        let (of_a, of_b) = (self.a.length(pair.a), self.b.length(pair.b));
+        if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) }
+    }
+}
+
+impl BranchAndBound for DistanceSearch<'_> {
+    type Task = Pair;
+    type Key = (u32, usize, usize);
+    type Stop = Error;
+
+    fn frontier(&mut self) -> &mut Frontier<Pair, (u32, usize, usize)> {
+        &mut self.frontier
+    }
+
+    fn is_wanted(&mut self, bound: f64) -> bool {
+        let distance = self.distance();
+        let is_long = self.pairs >= MIN_PAIRS && self.pairs - self.pairs_at_gain >= self.pairs / 2;
+        let is_spent = self.pairs >= MAX_PAIRS
+            || self.a.point_count() + self.b.point_count() >= MAX_POINTS
+            || (is_long && distance - bound <= SMALL_RELATIVE_GAP * distance);
+        bound < self.limit() && distance > self.rounding && !(is_spent && distance.is_finite())
+    }
+
+    fn branch(&mut self, bound: f64, pair: Pair) -> Result<()> {
+        self.pairs += 1;
+        if self.pairs.is_multiple_of(PAIRS_PER_STEP) {
+            self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, "distance")?;
+        }
+        let are_nets = self.a.net(pair.a).is_some() && self.b.net(pair.b).is_some();
+        if are_nets {
+            let bound = self.examine(&pair, bound);
+            let is_least = self.a.size(pair.a).max(self.b.size(pair.b)) <= MIN_SIZE;
+            if bound >= self.limit() || is_least {
+                self.settle(bound);
+                return Ok(());
+            }
+        }
+        let (of_a, parameter) = self.choose(&pair);
+        if of_a {
+            for part in self.a.divided(pair.a, parameter)? {
+                self.consider(part, pair.b)?;
+            }
+        } else {
+            for part in self.b.divided(pair.b, parameter)? {
+                self.consider(pair.a, part)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,165 @@
+//! Estimates of interpolation errors, and bounds of flatness and creases.
+//!
+//! The error of a grid's surface is estimated by the quintic through six nodes in a row, against
+//! the scheme's cubic; flatness is bounded by control nets. O(cells), on the job's threads.
+
+use super::axis::{Axis, TAPS};
+use super::cells::{Cells, by_cell, by_row};
+use super::normal::angle;
+use super::{Sheet, each_sheet};
+use crate::prelude::*;
+use std::ops::Range;
+
+/// Cells whose normals a thread compares at a time.
+const CELLS_PER_TASK: usize = 1 << 8;
+
+impl Sheet<'_> {
+    /// For each cell, row after row, an estimate of how far a grid's surface is from the smooth one
+    /// that its nodes were taken from, at equal parameters: what the quintic through six nodes in a
+    /// row says of the scheme's cubic, for rows and for columns, together. No bound: nodes do not
+    /// tell what is between them. Infinite for fewer than 5 nodes in a direction, which tell
+    /// nothing; 0 for sheets whose patches are given.
+    ///
+    /// O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn interpolation_errors(&self, job: &Job<'_>) -> Result<Vec<f64>> {
+        let [rows, columns] = self.cells();
+        let Sheet::Grid(grid) = self else {
+            return alloc::filled(0.0, rows * columns);
+        };
+        let defects = grid.axes().map(Defects::of);
+        by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
+            let along = |row: usize, j: usize| defects[1].along(j, |column| grid.nodes().get(row, column));
+            let across = |column: usize| defects[0].along(i, |row| grid.nodes().get(row, column));
+            let mut left = across(0);
+            for (j, error) in errors.iter_mut().enumerate() {
+                let right = across(j + 1);
+                *error = along(i, j).max(along(i + 1, j)) + left.max(right);
+                left = right;
+            }
+        })
+    }
+
+    /// Bounds of how far the surface over the cell at (i, j) is from the bilinear patch through its
+    /// corners, and from the two triangles that either diagonal makes of them, both at equal
+    /// parameters.
+    pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
+        each_sheet!(self, cells => {
+            let patch = Cells::patch(cells, i, j);
+            let ([[a, b], [c, d]], bilinear) = (patch.corners(), patch.deviation());
+            [bilinear, bilinear + 0.25 * ((a - b) - (c - d)).length()]
+        })
+    }
+
+    /// Whether the sides u = 0 and u = 1 of the whole sheet, v = 0 and v = 1 are one point each.
+    /// O(cells at the sides).
+    pub fn poles(&self) -> [[bool; 2]; 2] {
+        let last = self.cells().map(|count| count - 1);
+        [0, 1].map(|k| [self.line_is_point(k, 0, false), self.line_is_point(k, last[k], true)])
+    }
+
+    /// [`Sheet::flatness`] for each cell, row after row. O(cells).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn flatnesses(&self, job: &Job<'_>) -> Result<Vec<[f64; 2]>> {
+        by_cell(self.cells(), "bounding deviations", job, |[i, j]| self.flatness(i, j))
+    }
+
+    /// The largest angle between the normals on both sides of borders between cells, at the corners
+    /// and the middle of each border: 0, or rounding, where the surface is smooth. Places without a
+    /// normal do not count. O(cells).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn crease(&self, job: &Job<'_>) -> Result<f64> {
+        each_sheet!(self, cells => crease_of(cells, self.is_closed(), job))
+    }
+}
+
+/// [`Sheet::crease`]: by consecutive cells, each with the next ones in u and in v.
+fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool; 2], job: &Job<'_>) -> Result<f64> {
+    let [rows, columns] = cells.counts();
+    let in_chunk = |range: Range<usize>| {
+        let mut worst = CreaseAngle::default();
+        let mut next = None;
+        for (i, j) in range.map(|k| (k / columns, k % columns)) {
+            let patch = next.take().unwrap_or_else(|| cells.patch(i, j));
+            if i + 1 < rows || closed_u {
+                let below = cells.patch((i + 1) % rows, j);
+                worst.join(patch.normals_at_side(false, true), below.normals_at_side(false, false));
+            }
+            if j + 1 < columns || closed_v {
+                let right = cells.patch(i, (j + 1) % columns);
+                worst.join(patch.normals_at_side(true, true), right.normals_at_side(true, false));
+                next = (j + 1 < columns).then_some(right);
+            }
+        }
+        worst.angle
+    };
+    let parts = par::map_cancellable(job, "comparing normals", par::ranges(rows * columns, CELLS_PER_TASK), in_chunk)?;
+    Ok(parts.into_iter().fold(0.0, f64::max))
+}
+
+/// The largest angle so far, and the square of the chord between its unit vectors, which rises with
+/// it and costs less.
+#[derive(Default)]
+struct CreaseAngle {
+    chord: f64,
+    angle: f64,
+}
+
+impl CreaseAngle {
+    /// Compares normals on both sides; those that are 0 do not count.
+    fn join(&mut self, one: [DVec3; 3], other: [DVec3; 3]) {
+        for (a, b) in one.into_iter().zip(other) {
+            let chord = a.distance_squared(b);
+            if chord > self.chord && a != DVec3::ZERO && b != DVec3::ZERO {
+                *self = CreaseAngle { chord, angle: self.angle.max(angle(a, b)) };
+            }
+        }
+    }
+}
+
+/// The weights of the difference between the quintic and the scheme's cubic in each interval of an
+/// axis, at three parameters.
+struct Defects<'a> {
+    axis: &'a Axis,
+    /// By the place of the interval among its nodes; none if there are too few.
+    weights: Option<[[[f64; TAPS]; 3]; TAPS - 1]>,
+}
+
+impl<'a> Defects<'a> {
+    fn of(axis: &'a Axis) -> Self {
+        let nodes = if axis.is_closed() { TAPS } else { TAPS.min(axis.cells() + 1) };
+        let mut weights = [[[0.0; TAPS]; 3]; TAPS - 1];
+        for (place, at) in weights.iter_mut().enumerate() {
+            let Some(points) = axis.weights_at(place) else { continue };
+            for (k, weights) in at.iter_mut().enumerate() {
+                let t = 0.25 * (k + 1) as f64;
+                let s = 1.0 - t;
+                let cubic = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+                let x = place as f64 + t;
+                for (node, weight) in weights[..nodes].iter_mut().enumerate() {
+                    let others = (0..nodes).filter(|&other| other != node);
+                    let high: f64 = others.map(|other| (x - other as f64) / (node as f64 - other as f64)).product();
+                    *weight = high - cubic.iter().zip(points).map(|(b, point)| b * point[node]).sum::<f64>();
+                }
+            }
+        }
+        Defects { axis, weights: (nodes >= 5).then_some(weights) }
+    }
+
+    /// The largest difference in an interval of a line of nodes.
+    fn along(&self, cell: usize, node: impl Fn(usize) -> DVec3) -> f64 {
+        let Some(all) = &self.weights else { return f64::INFINITY };
+        let nodes = self.axis.taps(cell).0.map(node);
+        let difference = |weights: &[f64; TAPS]| weights.iter().zip(&nodes).map(|(&w, &node)| w * node).sum::<DVec3>();
+        all[self.axis.place(cell)].iter().map(|weights| difference(weights).length()).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,157 @@
+//! Best-first branch and bound: a queue of tasks by lower bound, and the loop that opens them.
+//!
+//! Invariant: whatever has been neither settled nor excluded is in the queue, under a lower bound
+//! of all its distances. When the loop ends early, the bound of the first task left is therefore
+//! one of them all. O(log n) a task.
+
+use gusset_base::error::Error;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Tasks that wait, that of the least lower bound first, and among equal bounds that of the least
+/// key; of equal keys any, but the same one for the same history.
+#[derive(Debug)]
+pub(super) struct Frontier<T, K = ()> {
+    heap: BinaryHeap<Entry<T, K>>,
+}
+
+#[derive(Debug)]
+struct Entry<T, K> {
+    bound: f64,
+    key: K,
+    task: T,
+}
+
+/// The entry of the least bound is the greatest, which the heap gives first.
+impl<T, K: Ord> Ord for Entry<T, K> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.total_cmp(&self.bound).then_with(|| other.key.cmp(&self.key))
+    }
+}
+
+impl<T, K: Ord> PartialOrd for Entry<T, K> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<T, K: Ord> PartialEq for Entry<T, K> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<T, K: Ord> Eq for Entry<T, K> {}
+
+impl<T, K: Ord> Default for Frontier<T, K> {
+    fn default() -> Self {
+        Frontier { heap: BinaryHeap::new() }
+    }
+}
+
+impl<T, K: Ord> Frontier<T, K> {
+    pub(super) fn clear(&mut self) {
+        self.heap.clear();
+    }
+
+    /// Adds a task, none of whose distances is less than `bound`.
+    pub(super) fn push(&mut self, bound: f64, key: K, task: T) -> Result<(), Error> {
+        let bytes = size_of::<Entry<T, K>>() as u64;
+        self.heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+        self.heap.push(Entry { bound, key, task });
+        Ok(())
+    }
+}
+
+/// A search whose tasks are opened by rising lower bounds.
+pub(super) trait BranchAndBound {
+    /// Something that may hold an answer.
+    type Task;
+    /// The order among equal bounds.
+    type Key: Ord;
+    /// Why the whole search ends early.
+    type Stop;
+
+    /// Where tasks wait.
+    fn frontier(&mut self) -> &mut Frontier<Self::Task, Self::Key>;
+
+    /// False if neither a task of this bound nor, therefore, any that waits is worth opening.
+    fn is_wanted(&mut self, bound: f64) -> bool;
+
+    /// Takes answers from a task, and adds its parts to the frontier.
+    fn branch(&mut self, bound: f64, task: Self::Task) -> Result<(), Self::Stop>;
+
+    /// Opens tasks until none is left or wanted. If tasks are left, the least of their bounds.
+    fn run(&mut self) -> Result<Option<f64>, Self::Stop> {
+        while let Some(Entry { bound, task, .. }) = self.frontier().heap.pop() {
+            if !self.is_wanted(bound) {
+                return Ok(Some(bound));
+            }
+            self.branch(bound, task)?;
+        }
+        Ok(None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Finds the least of numbers by halving ranges of them, and counts what it opens.
+    struct LeastNumber<'a> {
+        numbers: &'a [f64],
+        frontier: Frontier<(usize, usize), usize>,
+        best: f64,
+        opened: usize,
+    }
+
+    impl BranchAndBound for LeastNumber<'_> {
+        type Task = (usize, usize);
+        type Key = usize;
+        type Stop = Error;
+
+        fn frontier(&mut self) -> &mut Frontier<(usize, usize), usize> {
+            &mut self.frontier
+        }
+
+        fn is_wanted(&mut self, bound: f64) -> bool {
+            bound < self.best
+        }
+
+        fn branch(&mut self, bound: f64, (from, to): (usize, usize)) -> Result<(), Error> {
+            self.opened += 1;
+            if to - from == 1 {
+                assert_eq!(bound, self.numbers[from]);
+                self.best = self.best.min(bound);
+                return Ok(());
+            }
+            for (from, to) in [(from, (from + to) / 2), ((from + to) / 2, to)] {
+                let least = self.numbers[from..to].iter().copied().fold(f64::INFINITY, f64::min);
+                self.frontier.push(least, from, (from, to))?;
+            }
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn exact_bounds_lead_straight_to_the_least() {
+        let numbers: Vec<f64> = (0..64).map(|k| f64::from(k * 37 % 64)).collect();
+        let mut search =
+            LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
+        search.frontier.push(0.0, 0, (0, 64)).unwrap();
+        // The second least is in a task that is left.
+        assert_eq!(search.run().unwrap(), Some(1.0));
+        assert_eq!((search.best, search.opened), (0.0, 7));
+    }
+
+    #[test]
+    fn equal_bounds_come_by_their_keys() {
+        let mut frontier = Frontier::default();
+        for key in [3, 1, 2] {
+            frontier.push(0.5, key, ()).unwrap();
+        }
+        frontier.push(0.25, 9, ()).unwrap();
+        let keys: Vec<i32> = std::iter::from_fn(|| frontier.heap.pop()).map(|entry| entry.key).collect();
+        assert_eq!(keys, [9, 1, 2, 3]);
+    }
+}

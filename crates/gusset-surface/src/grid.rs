@@ -1,0 +1,169 @@
+//! The surface through a grid of nodes, as bicubic Bézier patches made on demand.
+//!
+//! Along each direction the scheme of `axis` makes four Bézier points of six nodes; their tensor
+//! product makes the 16 of a patch from 6 x 6 nodes. Invariant: neighbours have the bits of their
+//! common side in common, as it follows from the same nodes by the same operations. O(1) a patch,
+//! and no memory but the nodes.
+
+use super::axis::{Axis, TAPS, Weights};
+use super::cells::{BLOCK, Cells};
+use super::displacements::displacements;
+use super::nodes::{Nodes, Window};
+use super::subdivision::Field;
+use super::tangents::tangents;
+use super::{Patch, Scheme};
+use crate::prelude::*;
+use std::ops::Range;
+
+/// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round
+/// it.
+///
+/// u counts rows and v columns: node (i, j) has the parameters (i, j).
+#[derive(Debug, Clone)]
+pub struct Grid<'a> {
+    nodes: Nodes<'a>,
+    u: Axis,
+    v: Axis,
+}
+
+impl<'a> Grid<'a> {
+    /// `closed`: whether the surface is closed in u (the last row of nodes is the first one again)
+    /// and in v (columns).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three
+    /// nodes and the repeated one; [`Error::SidesApart`] if a closed direction does not end where
+    /// it begins, with the place of the largest gap.
+    pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
+        let [u, v] = Axis::pair([nodes.rows(), nodes.columns()], closed, scheme)?;
+        nodes.check_finite()?;
+        nodes.check_closed(closed)?;
+        Ok(Grid { nodes, u, v })
+    }
+
+    /// The nodes.
+    pub fn nodes(&self) -> &Nodes<'a> {
+        &self.nodes
+    }
+
+    /// The numbers of cells in u and in v.
+    pub fn cells(&self) -> [usize; 2] {
+        [self.u.cells(), self.v.cells()]
+    }
+
+    /// Whether it is closed in u and in v.
+    pub fn is_closed(&self) -> [bool; 2] {
+        [self.u.is_closed(), self.v.is_closed()]
+    }
+
+    /// The two directions: how the cubics follow from the nodes.
+    pub(crate) fn axes(&self) -> [&Axis; 2] {
+        [&self.u, &self.v]
+    }
+
+    /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
+    pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
+        let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
+        // First across the rows, all coordinates of all columns at once, then along them. The outer
+        // points are nodes, or sums over one line of nodes: with the same bits for both cells that
+        // have them in common.
+        let direct = rows.map(|row| self.nodes.window(row, &columns));
+        let read =
+            if direct[0].is_none() { rows.map(|row| self.nodes.read(row, &columns)) } else { [[0.0; 3 * TAPS]; TAPS] };
+        let nodes: [&Window; TAPS] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
+        let (row, column) = (self.u.place(i), self.v.place(j));
+        let inner = [blended(&row_weights[1], &nodes), blended(&row_weights[2], &nodes)];
+        let mut points = [[DVec3::ZERO; 4]; 4];
+        for (points, line) in points.iter_mut().zip([nodes[row], &inner[0], &inner[1], nodes[row + 1]]) {
+            *points = bezier(line, column, column_weights);
+        }
+        Patch { points }
+    }
+}
+
+/// The sum of lines of nodes by their weights.
+#[inline(always)]
+fn blended(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
+    let mut sum = [0.0; 3 * TAPS];
+    for (weight, line) in weights.iter().zip(lines) {
+        sum.iter_mut().zip(*line).for_each(|(sum, x)| *sum += weight * x);
+    }
+    sum
+}
+
+/// The Bézier points between the points `place` and `place + 1` of a line.
+#[inline(always)]
+fn bezier(line: &Window, place: usize, weights: &Weights) -> [DVec3; 4] {
+    let point = |k: usize| DVec3::new(line[3 * k], line[3 * k + 1], line[3 * k + 2]);
+    let inner = |weights: &[f64; TAPS]| (0..TAPS).fold(DVec3::ZERO, |sum, k| sum + weights[k] * point(k));
+    [point(place), inner(&weights[1]), inner(&weights[2]), point(place + 1)]
+}
+
+/// The four Bézier points of the interval after node `place`.
+#[inline(always)]
+fn bezier_pairs(nodes: &[DVec2; TAPS], place: usize, weights: &Weights) -> [DVec2; 4] {
+    let inner = |weights: &[f64; TAPS]| (1..TAPS).fold(weights[0] * nodes[0], |sum, k| sum + weights[k] * nodes[k]);
+    [nodes[place], inner(&weights[1]), inner(&weights[2]), nodes[place + 1]]
+}
+
+impl Cells<4> for Grid<'_> {
+    fn counts(&self) -> [usize; 2] {
+        self.cells()
+    }
+
+    #[inline]
+    fn corner(&self, i: usize, j: usize) -> DVec3 {
+        self.nodes.get(i, j)
+    }
+
+    #[inline(always)]
+    fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
+        let mut line = [[0.0; 3]; BLOCK + 1];
+        match self.nodes.packed::<{ 3 * (BLOCK + 1) }>(i, j) {
+            Some(packed) if count == BLOCK => line.as_flattened_mut().copy_from_slice(packed),
+            _ => line = std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array()),
+        }
+        line
+    }
+
+    fn patch(&self, i: usize, j: usize) -> Patch<4> {
+        Grid::patch(self, i, j)
+    }
+
+    /// The same sums over heights of nodes in place of points: the first and the last of four
+    /// Bézier points are nodes.
+    fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
+        let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
+        let (from_row, from_column) = (self.u.place(i), self.v.place(j));
+        let mut along = [[DVec2::ZERO; 4]; TAPS];
+        for (points, &row) in along.iter_mut().zip(&rows) {
+            let mut heights = [DVec2::ZERO; TAPS];
+            for (height, &column) in heights.iter_mut().zip(&columns) {
+                let from = self.nodes.get(row, column) - origin;
+                *height = DVec2::new(from.dot(across[0]), from.dot(across[1]));
+            }
+            *points = bezier_pairs(&heights, from_column, column_weights);
+        }
+        let mut fields = [Field { c: [[0.0; 4]; 4] }; 2];
+        for b in 0..4 {
+            let mut column = [DVec2::ZERO; TAPS];
+            column.iter_mut().zip(&along).for_each(|(height, row)| *height = row[b]);
+            for (a, pair) in bezier_pairs(&column, from_row, row_weights).into_iter().enumerate() {
+                (fields[0].c[a][b], fields[1].c[a][b]) = (pair.x, pair.y);
+            }
+        }
+        fields
+    }
+
+    fn is_smooth_around(&self, i: usize, j: usize) -> bool {
+        self.u.is_smooth_around(i) && self.v.is_smooth_around(j)
+    }
+
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
+        displacements(&self.nodes, self.axes(), block_rows, boxes)
+    }
+
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
+        tangents(&self.nodes, self.axes(), block_rows, boxes)
+    }
+}

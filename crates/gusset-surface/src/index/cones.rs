@@ -1,0 +1,205 @@
+//! Cones that contain the unit normals of blocks.
+//!
+//! The paper bounds the angle of normals over a region by curvature times diameter; cones (Shirman
+//! and Abi-Ezzi 1993) are tighter and need no bound of the curvature. For each block, `tangents`
+//! gives bounding boxes of S_u and S_v. In a frame whose third axis is close to the cross product
+//! of their centres, the component ranges of S_u and S_v bound those of N = S_u x S_v, and so the
+//! largest angle between N and that axis. At each higher level a cone encloses those of its four
+//! children. Invariant: rounding only widens a cone. O(n) to build, 8 bytes per block.
+
+use super::super::cells::{BLOCK, Cells};
+use super::super::normal::angle;
+use super::super::ranges::{angles, cross};
+use super::schedule::block_rows_per_task;
+use crate::prelude::*;
+use std::f64::consts::PI;
+
+/// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is
+/// known, as at poles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct PackedCone {
+    axis: [i16; 3],
+    angle: u16,
+}
+
+/// Directions that make no greater angle with the axis than a given one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NormalCone {
+    /// Of length 1.
+    pub axis: DVec3,
+    /// In radians; pi if it is every direction.
+    pub angle: f64,
+}
+
+impl PackedCone {
+    const ALL: PackedCone = PackedCone { axis: [0, 0, i16::MAX], angle: u16::MAX };
+
+    /// The axis as it will be kept, and its direction as it will be used.
+    fn packed_axis(wanted: DVec3) -> Option<([i16; 3], DVec3)> {
+        let axis = wanted.try_normalize()?.to_array().map(|x| (x * 32767.0).round() as i16);
+        Some((axis, DVec3::from_array(axis.map(f64::from)).normalize()))
+    }
+
+    fn new(axis: [i16; 3], angle: f64) -> PackedCone {
+        // More than a unit in all, for the rounding of angles.
+        PackedCone { axis, angle: (angle * (65535.0 / PI) + 0.001).ceil().min(65535.0) as u16 }
+    }
+
+    /// The cone of the cross products of vectors of two boxes.
+    fn of_products([u, v]: [Aabb; 2]) -> PackedCone {
+        let parts = |of: Aabb| [of.centre(), 0.5 * of.size()];
+        let [[u, half_u], [v, half_v]] = [parts(u), parts(v)];
+        let Some((axis, third)) = PackedCone::packed_axis(u.cross(v)) else { return PackedCone::ALL };
+        let Some(first) = u.reject_from_normalized(third).try_normalize() else { return PackedCone::ALL };
+        let frame = [first, third.cross(first), third];
+        let ranges = |middle: DVec3, half: DVec3| {
+            frame.map(|axis| {
+                let (at, reach) = (axis.dot(middle), axis.abs().dot(half));
+                [at - reach, at + reach]
+            })
+        };
+        let normal = cross(ranges(u, half_u), ranges(v, half_v));
+        // Else it may vanish; this is also what NaN comes to.
+        if normal[2][0] > 0.0 { PackedCone::new(axis, angles(&normal, 0.0)[1]) } else { PackedCone::ALL }
+    }
+
+    /// A cone round others.
+    fn around(cones: &[PackedCone]) -> PackedCone {
+        if let &[cone] = cones {
+            return cone;
+        }
+        if cones.contains(&PackedCone::ALL) {
+            return PackedCone::ALL;
+        }
+        let sum = cones.iter().map(|cone| cone.unpack().axis).sum();
+        let Some((axis, direction)) = PackedCone::packed_axis(sum) else { return PackedCone::ALL };
+        let reach = |cone: &PackedCone| cone.unpack().angle + cone.unpack().angle_to(direction);
+        let angle = cones.iter().map(reach).fold(0.0, f64::max);
+        if angle < PI { PackedCone::new(axis, angle) } else { PackedCone::ALL }
+    }
+
+    pub(crate) fn unpack(self) -> NormalCone {
+        let axis = DVec3::from_array(self.axis.map(f64::from)).normalize();
+        NormalCone { axis, angle: f64::from(self.angle) * (PI / 65535.0) }
+    }
+}
+
+impl NormalCone {
+    /// The angle of the axis with a unit vector.
+    fn angle_to(&self, direction: DVec3) -> f64 {
+        angle(self.axis, direction)
+    }
+
+    /// The least and the greatest angle of its directions with a unit vector, or beyond.
+    pub(crate) fn angles(&self, direction: DVec3) -> [f64; 2] {
+        let middle = self.angle_to(direction);
+        [middle - self.angle, middle + self.angle]
+    }
+}
+
+/// The cones of a sheet: of the blocks, then level by level as the pyramid's.
+#[derive(Debug)]
+pub(crate) struct Cones {
+    levels: Vec<Level>,
+}
+
+#[derive(Debug)]
+struct Level {
+    columns: usize,
+    cones: Vec<PackedCone>,
+}
+
+impl Cones {
+    /// `reach`: the greatest coordinate of the sheet.
+    pub(super) fn build<const N: usize>(cells: &impl Cells<N>, reach: f64, job: &Job<'_>) -> Result<Cones> {
+        let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
+        // The rounding of sums of nodes and of their products, here and where patches are made.
+        let noise = 1024.0 * f64::EPSILON * reach;
+        let mut base = alloc::filled(PackedCone::ALL, rows * columns)?;
+        let rows_together = block_rows_per_task(columns);
+        let parts = base.chunks_mut(rows_together * columns).enumerate();
+        par::map_cancellable(job, "normal cones", parts, |(k, cones)| {
+            let first = rows_together * k;
+            let mut boxes = alloc::filled([Aabb::EMPTY; 2], cones.len())?;
+            cells.tangents(first..first + cones.len() / columns, &mut boxes)?;
+            for (cone, boxes) in cones.iter_mut().zip(boxes) {
+                *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
+            }
+            Ok(())
+        })?
+        .into_iter()
+        .collect::<Result<()>>()?;
+        let mut levels = vec![Level { columns, cones: base }];
+        while let Some(last) = levels.last().filter(|last| last.columns > 2 || last.cones.len() > 2 * last.columns) {
+            levels.push(last.above()?);
+        }
+        Ok(Cones { levels })
+    }
+
+    /// The cone of block (r, c) of a level, if there is such a block.
+    pub(crate) fn get(&self, level: usize, r: usize, c: usize) -> Option<NormalCone> {
+        let level = self.levels.get(level)?;
+        let cone = if c < level.columns { level.cones.get(r * level.columns + c) } else { None };
+        cone.map(|cone| cone.unpack())
+    }
+
+    /// The number of levels; the last one has two rows and columns of blocks at most.
+    pub(crate) fn levels(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Bytes of memory.
+    pub(crate) fn bytes(&self) -> usize {
+        self.levels.iter().map(|level| size_of_val(&level.cones[..])).sum()
+    }
+
+    /// Replaces every cone by that of all directions, as if there were none.
+    #[cfg(test)]
+    pub(super) fn disable(&mut self) {
+        self.levels.iter_mut().for_each(|level| level.cones.fill(PackedCone::ALL));
+    }
+}
+
+impl Level {
+    fn above(&self) -> Result<Level> {
+        let (below, columns) = (self.cones.len() / self.columns, self.columns.div_ceil(2));
+        let mut cones = alloc::with_capacity(below.div_ceil(2) * columns)?;
+        for (r, c) in (0..below.div_ceil(2)).flat_map(|r| (0..columns).map(move |c| (r, c))) {
+            let (mut four, mut count) = ([PackedCone::ALL; 4], 0);
+            for (r, c) in [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(down, on)| (2 * r + down, 2 * c + on)) {
+                if r < below && c < self.columns {
+                    four[count] = self.cones[r * self.columns + c];
+                    count += 1;
+                }
+            }
+            cones.push(PackedCone::around(&four[..count]));
+        }
+        Ok(Level { columns, cones })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A packed cone is no narrower than asked for, and one round others holds their directions.
+    #[test]
+    fn packed_cones_are_rounded_outwards() {
+        let direction_of =
+            |k: usize| DVec3::new((k as f64).sin(), (2.7 * k as f64).cos(), (0.3 * k as f64).sin() + 0.1);
+        for k in 0..2000 {
+            let angle = 1e-3 * k as f64 + 1e-7 * (k % 7) as f64;
+            let (packed, direction) = PackedCone::packed_axis(direction_of(k)).unwrap();
+            let cone = PackedCone::new(packed, angle);
+            let NormalCone { axis, angle: held } = cone.unpack();
+            assert!(held >= angle && held < angle + 1e-4, "{angle} {held}");
+            assert_eq!(axis, direction);
+            let other = PackedCone::new(PackedCone::packed_axis(direction_of(k + 1)).unwrap().0, 0.1);
+            let both = PackedCone::around(&[cone, other]).unpack();
+            for one in [cone, other] {
+                let one = one.unpack();
+                assert!(both.angle == PI || both.angle >= one.angle + one.angle_to(both.axis), "{k}");
+            }
+        }
+    }
+}

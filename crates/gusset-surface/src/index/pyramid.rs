@@ -1,0 +1,293 @@
+//! The pyramid of boxes of one sheet.
+
+use super::super::cells::{BLOCK, Cells};
+use super::boxes::{ChildBoxes, OrientedBox};
+use super::cones::Cones;
+use super::schedule::block_rows_per_task;
+use crate::prelude::*;
+use std::sync::OnceLock;
+
+/// Levels that have oriented boxes, from the lowest on.
+const ORIENTED_LEVELS: usize = 4;
+
+/// The pyramid of one sheet.
+#[derive(Debug)]
+pub(crate) struct Pyramid {
+    origin: DVec3,
+    /// From the blocks up to the root's four children.
+    levels: Vec<Level>,
+    /// By block: boxes of the vectors from the bilinear patches of its cells to the surface.
+    displacements: Vec<PackedBox>,
+    cones: OnceLock<Cones>,
+}
+
+/// A box of vectors in 10 bytes: low x, y, z and high x, y, z in 127ths of the greatest length.
+#[derive(Debug, Clone, Copy, Default)]
+struct PackedBox {
+    max_length: f32,
+    sides: [i8; 6],
+}
+
+impl PackedBox {
+    /// Rounded outwards.
+    fn new(bounds: Aabb) -> PackedBox {
+        let max_length = (bounds.max_norm() as f32).next_up();
+        let unit = f64::from(max_length) / 127.0;
+        // No vector is longer than `max_length`: quotients are within -127 to 127 but for rounding.
+        let low = bounds.low.to_array().map(|x| (x / unit - 1e-9).floor() as i8);
+        let high = bounds.high.to_array().map(|x| (x / unit + 1e-9).ceil() as i8);
+        PackedBox { max_length, sides: [low[0], low[1], low[2], high[0], high[1], high[2]] }
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> Aabb {
+        let unit = f64::from(self.max_length) / 127.0;
+        let [a, b, c, d, e, f] = self.sides.map(|x| f64::from(x) * unit);
+        Aabb { low: DVec3::new(a, b, c), high: DVec3::new(d, e, f) }
+    }
+}
+
+/// The boxes of one level.
+#[derive(Debug)]
+pub(crate) struct Level {
+    rows: usize,
+    columns: usize,
+    /// By block of the level above.
+    child_boxes: Vec<ChildBoxes>,
+    oriented: Vec<OrientedBox>,
+}
+
+impl Level {
+    fn new(rows: usize, columns: usize, oriented: bool) -> Result<Self> {
+        Ok(Level {
+            rows,
+            columns,
+            child_boxes: alloc::filled(ChildBoxes::EMPTY, rows.div_ceil(2) * columns.div_ceil(2))?,
+            oriented: alloc::filled(OrientedBox::default(), if oriented { rows * columns } else { 0 })?,
+        })
+    }
+
+    /// True if there is a block (r, c).
+    #[inline(always)]
+    pub(crate) fn has(&self, r: usize, c: usize) -> bool {
+        r < self.rows && c < self.columns
+    }
+
+    /// The boxes of the children of block (r, c) of the level above.
+    #[inline(always)]
+    pub(crate) fn child_boxes(&self, r: usize, c: usize) -> &ChildBoxes {
+        &self.child_boxes[r * self.columns.div_ceil(2) + c]
+    }
+
+    /// The oriented box of block (r, c), if this level has them.
+    #[inline(always)]
+    pub(crate) fn oriented(&self, r: usize, c: usize) -> Option<&OrientedBox> {
+        self.oriented.get(r * self.columns + c)
+    }
+}
+
+impl Pyramid {
+    /// Builds the index on the job's threads.
+    pub(crate) fn build<const N: usize>(cells: &impl Cells<N>, job: &Job<'_>) -> Result<Self> {
+        let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
+        let origin = middle(cells);
+        let mut base = Level::new(rows, columns, true)?;
+        let mut displacements = alloc::filled(PackedBox::default(), rows * columns)?;
+        let (across, rows_together) = (columns.div_ceil(2), block_rows_per_task(columns));
+        let parts = base.child_boxes.chunks_mut(rows_together / 2 * across);
+        let parts = parts.zip(base.oriented.chunks_mut(rows_together * columns));
+        let parts = parts.zip(displacements.chunks_mut(rows_together * columns)).enumerate();
+        par::map_cancellable(&job.part(0.0, 0.8), "index", parts, |(k, ((groups, oriented), displacements))| {
+            let first = rows_together * k;
+            let mut bounds = alloc::filled(Aabb::EMPTY, displacements.len())?;
+            cells.displacements(first..first + displacements.len() / columns, &mut bounds)?;
+            let parts = oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
+            for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
+                let groups = &mut groups[r / 2 * across..][..across];
+                build_row(cells, first + r, origin, bounds, groups, oriented, displacements);
+            }
+            Ok(())
+        })?
+        .into_iter()
+        .collect::<Result<()>>()?;
+        job.step(0.8, "index")?;
+        let mut levels = vec![base];
+        while let Some(last) = levels.last().filter(|last| last.child_boxes.len() > 1) {
+            let next = level_above(last, levels.len() < ORIENTED_LEVELS)?;
+            levels.push(next);
+        }
+        Ok(Pyramid { origin, levels, displacements, cones: OnceLock::new() })
+    }
+
+    /// The point that coordinates of boxes are relative to.
+    pub(crate) fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The levels, the blocks first.
+    pub(crate) fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// An upper bound of the distances of the surface from the bilinear patches of the cells of
+    /// block (r, c), at equal parameters.
+    #[inline(always)]
+    pub(crate) fn deviation(&self, r: usize, c: usize) -> f64 {
+        self.displacements[r * self.levels[0].columns + c].max_length.into()
+    }
+
+    /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface,
+    /// at equal parameters.
+    #[inline(always)]
+    pub(crate) fn displacement(&self, r: usize, c: usize) -> Aabb {
+        self.displacements[r * self.levels[0].columns + c].unpack()
+    }
+
+    /// A box round everything.
+    pub(crate) fn bounds(&self) -> Aabb {
+        let whole = self.levels.last().map_or(Aabb::EMPTY, |level| level.child_boxes(0, 0).whole());
+        Aabb { low: whole.low + self.origin, high: whole.high + self.origin }
+    }
+
+    /// Bytes of memory, without the cones.
+    pub(crate) fn bytes(&self) -> usize {
+        let level = |level: &Level| size_of_val(&level.child_boxes[..]) + size_of_val(&level.oriented[..]);
+        self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])
+    }
+
+    /// The cones, built at the first call. Two threads may build them at once, to the same bits;
+    /// neither waits for the other, which may be its own caller.
+    pub(crate) fn cones<const N: usize>(&self, cells: &impl Cells<N>, job: &Job<'_>) -> Result<&Cones> {
+        if let Some(cones) = self.cones.get() {
+            return Ok(cones);
+        }
+        let Aabb { low, high } = self.bounds();
+        let made = Cones::build(cells, low.abs().max(high.abs()).max_element(), job)?;
+        // What a surface keeps is not to be in the reserve.
+        job.memory()?;
+        Ok(self.cones.get_or_init(|| made))
+    }
+
+    /// The cones, if they were built.
+    pub(crate) fn known_cones(&self) -> Option<&Cones> {
+        self.cones.get()
+    }
+
+    /// Makes the cones exclude nothing, for a comparison.
+    #[cfg(test)]
+    pub(crate) fn disable_cones(&mut self) {
+        self.cones.get_mut().into_iter().for_each(Cones::disable);
+    }
+}
+
+/// A point amid the surface: the middle of the box of some of its corners.
+fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
+    let [rows, columns] = cells.counts();
+    let places = (0..=8).flat_map(|k| (0..=8).map(move |n| (k * rows / 8, n * columns / 8)));
+    Aabb::of(places.map(|(i, j)| cells.corner(i, j))).centre()
+}
+
+/// Builds the boxes of a row of blocks; `bounds`: those of the displacements of its blocks.
+fn build_row<const N: usize>(
+    cells: &impl Cells<N>,
+    row: usize,
+    origin: DVec3,
+    bounds: &[Aabb],
+    groups: &mut [ChildBoxes],
+    oriented: &mut [OrientedBox],
+    displacements: &mut [PackedBox],
+) {
+    let [rows, columns] = cells.counts();
+    let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
+    let mut points = [DVec3::ZERO; (BLOCK + 1) * (BLOCK + 1)];
+    for (c, &displacement) in bounds.iter().enumerate() {
+        let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
+        let mut count = 0;
+        let mut hull = Aabb::EMPTY;
+        for i in first..=last {
+            for j in left..=right {
+                points[count] = cells.corner(i, j) - origin;
+                hull.add(points[count]);
+                count += 1;
+            }
+        }
+        // Enlarged by the rounding of the coordinates on the way.
+        let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
+        let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
+        displacements[c] = PackedBox::new(displacement);
+        groups[c / 2].set(2 * (row % 2) + c % 2, hull.sum(displacement));
+        let width = right - left + 1;
+        let (a, b) = (points[0], points[width - 1]);
+        let (d, e) = (points[count - width], points[count - 1]);
+        oriented[c] = OrientedBox::around(&points[..count], d + e - a - b, b + e - a - d, displacement);
+    }
+}
+
+/// The level above another.
+fn level_above(below: &Level, with_oriented: bool) -> Result<Level> {
+    let (rows, columns) = (below.rows.div_ceil(2), below.columns.div_ceil(2));
+    let mut level = Level::new(rows, columns, with_oriented)?;
+    for r in 0..rows {
+        for c in 0..columns {
+            let group = below.child_boxes(r, c);
+            level.child_boxes[r / 2 * columns.div_ceil(2) + c / 2].set(2 * (r % 2) + c % 2, group.whole());
+            if with_oriented {
+                level.oriented[r * columns + c] = oriented_above(below, r, c);
+            }
+        }
+    }
+    Ok(level)
+}
+
+/// The oriented box round those of the children of block (r, c).
+fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
+    let mut points = [DVec3::ZERO; 32];
+    let mut centres = [None; 4];
+    let mut count = 0;
+    for (child, centre) in centres.iter_mut().enumerate() {
+        let (row, column) = (2 * r + child / 2, 2 * c + child % 2);
+        if row < below.rows && column < below.columns {
+            let corners = below.oriented[row * below.columns + column].corners();
+            points[count..count + 8].copy_from_slice(&corners);
+            *centre = Some(0.5 * (corners[0] + corners[7]));
+            count += 8;
+        }
+    }
+    // Across the children, or along the axes of a single one.
+    let span = |pairs: [(usize, usize); 2], own: DVec3| {
+        let steps = pairs.into_iter().filter_map(|(a, b)| Some(centres[b]? - centres[a]?));
+        let sum: DVec3 = steps.sum();
+        if sum == DVec3::ZERO { own } else { sum }
+    };
+    let along_u = span([(0, 2), (1, 3)], points[1] - points[0]);
+    let along_v = span([(0, 1), (2, 3)], points[2] - points[0]);
+    let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
+    OrientedBox::around(&points[..count], along_u, along_v, exactly)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sides go outwards by less than a unit, and no vector of the box is longer than said.
+    #[test]
+    fn packed_boxes_hold_their_boxes() {
+        for k in 0..4000_u32 {
+            let part = |by: u32| f64::from(k.wrapping_mul(by) >> 8) / f64::from(1 << 23) - 1.0;
+            let (a, b) = (
+                DVec3::new(part(2_654_435_761), part(2_246_822_519), part(3_266_489_917)),
+                DVec3::new(part(668_265_263), part(374_761_393), part(2_869_860_233)),
+            );
+            // Thin ones, those that touch 0, and points too.
+            let b = [b, a + 1e-3 * b, a, DVec3::ZERO][k as usize % 4];
+            let bounds = Aabb::of([a, b]);
+            let packed = PackedBox::new(bounds);
+            let (held, length) = (packed.unpack(), f64::from(packed.max_length));
+            assert!(length >= bounds.max_norm() && length <= bounds.max_norm() * (1.0 + 1e-6), "{bounds:?}");
+            let off = (bounds.low - held.low).min(held.high - bounds.high);
+            assert!(off.min_element() >= 0.0, "{bounds:?} {held:?}");
+            let off = (bounds.low - held.low).max(held.high - bounds.high);
+            assert!(off.max_element() <= length / 127.0 * (1.0 + 1e-6), "{bounds:?} {held:?}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Many lines at once.
+
+use super::line::{Hit, HitSelection, Line};
+use super::search::Workspace;
+use crate::Surface;
+use crate::prelude::*;
+
+/// Lines that one thread takes at once.
+const BATCH: usize = 512;
+
+/// The hits of many lines.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lines {
+    /// 0, then the end of each line's hits among all.
+    pub ends: Vec<u64>,
+    /// The hits, line after line, each by rising t.
+    pub hits: Vec<Hit>,
+}
+
+impl Lines {
+    /// The hits of line k.
+    pub fn hits_of(&self, k: usize) -> &[Hit] {
+        &self.hits[self.ends[k] as usize..self.ends[k + 1] as usize]
+    }
+}
+
+impl Surface<'_> {
+    /// Where many lines meet the surface, on the job's threads: for each the same hits as
+    /// [`Surface::line`] gives.
+    ///
+    /// # Errors
+    /// [`Error::BadLine`] with the first line that is not finite or has no direction,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
+        let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
+        all.ends.push(0);
+        let each = |lines: &[Line], workspace: &mut Workspace| {
+            let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
+            for line in lines {
+                self.find_hits(line, selection, workspace)?;
+                counts.push(workspace.hits.len() as u64);
+                alloc::append(&mut hits, &workspace.hits)?;
+            }
+            Ok((counts, hits))
+        };
+        batches(lines, job, each, |(counts, hits)| {
+            for count in counts {
+                all.ends.push(all.ends[all.ends.len() - 1] + count);
+            }
+            alloc::append(&mut all.hits, &hits)
+        })?;
+        Ok(all)
+    }
+
+    /// The first hit of each of many lines, as [`Surface::line`] gives it.
+    ///
+    /// # Errors
+    /// As for [`Surface::lines`].
+    pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
+        let mut all = alloc::with_capacity(lines.len())?;
+        let each = |lines: &[Line], workspace: &mut Workspace| {
+            let mut hits = alloc::with_capacity(lines.len())?;
+            for line in lines {
+                self.find_hits(line, HitSelection::First, workspace)?;
+                hits.push(workspace.hits.first().copied());
+            }
+            Ok(hits)
+        };
+        batches(lines, job, each, |hits| alloc::append(&mut all, &hits))?;
+        Ok(all)
+    }
+}
+
+/// Checks lines, works on them in batches, and adds up what comes of them in their order.
+fn batches<R: Send>(
+    lines: &[Line],
+    job: &Job<'_>,
+    each: impl Fn(&[Line], &mut Workspace) -> Result<R> + Sync,
+    mut add: impl FnMut(R) -> Result<()>,
+) -> Result<()> {
+    job.step(0.0, "lines")?;
+    for (k, line) in lines.iter().enumerate() {
+        line.check().map_err(|error| match error {
+            Error::OptionOutOfRange { option, value } => {
+                let why = match option {
+                    "origin" => "begins beyond 1e150",
+                    "direction" => "has no direction",
+                    _ => "has no points between its ends",
+                };
+                Error::BadLine { line: k as u64, why, value }
+            }
+            other => other,
+        })?;
+    }
+    // A workspace for each thread's share of a round: they are handed on from batch to batch.
+    let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
+    let mut workspaces = alloc::collect((0..threads).map(|_| Workspace::default()))?;
+    let round = BATCH * threads;
+    for (k, some) in lines.chunks(round).enumerate() {
+        job.step((k * round) as f64 / lines.len() as f64, "lines")?;
+        let parts = some.chunks(BATCH).zip(&mut workspaces);
+        for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace))? {
+            add(part?)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,237 @@
+//! Common points of a curve and the surface.
+//!
+//! Parts of the curve go down the index together with blocks of cells: of the two the larger is
+//! divided, and pairs that are apart are dropped. What a part of the curve and a cell have in
+//! common, `solve` finds with proof.
+
+use super::curve_search::{CurveFind, CurvePart, CurveSearch};
+use super::hits::MAX_POINT_LENGTH;
+use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
+use super::search::Workspace;
+use crate::prelude::*;
+use crate::{Surface, each_sheet};
+use gusset_base::geom::bernstein::elevate;
+use gusset_base::sort;
+use gusset_curve::{CurveView, Place as CurvePlace};
+use std::cmp::Ordering;
+
+/// A point that a curve and a surface have in common.
+pub type CurveHit = Hit<CurvePlace>;
+
+/// The highest degree of a segment.
+const MAX_SEGMENT_DEGREE: usize = 7;
+/// Segments that one thread takes at once.
+const BATCH: usize = 64;
+/// Finds on the same curve whose parameters differ by no more may be one.
+const SAME_PARAMETER: f64 = 1e-6;
+
+impl Surface<'_> {
+    /// Where a curve meets the surface, in the order of the curve.
+    ///
+    /// A point at a joint of segments, on a side between cells or sheets, or at a pole is found
+    /// once. None is missed: where touching or coincidence cannot be resolved, a hit is given for
+    /// each such place and marked tangent. About O(log cells) for each cell that the curve comes
+    /// near to; bounded for each cell and segment that run in each other. The segments are shared
+    /// out to the job's threads.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150,
+    /// [`Error::EmptyCurve`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn curve(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveHit>> {
+        if curve.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let mut degrees = curve.segments().map(|segment| segment.len() - 1);
+        degrees.try_for_each(|degree| Error::require(degree <= MAX_SEGMENT_DEGREE, "degree", degree as f64))?;
+        let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
+        numbers.try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "curve", x))?;
+        let finds = self.finds(curve, selection, job)?;
+        let mut hits = self.hits(curve, finds)?;
+        if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
+            // The unresolved part may go on in later segments.
+            hits = self.hits(curve, self.finds(curve, HitSelection::All, job)?)?;
+        }
+        if selection != HitSelection::All {
+            hits.truncate(1);
+        }
+        Ok(hits)
+    }
+
+    /// The finds of all segments, or of the first ones up to some that have any.
+    fn finds(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveFind>> {
+        let mut finds = Vec::new();
+        let count = curve.len();
+        let round = BATCH * par::at_most(count.div_ceil(BATCH), job.threads());
+        for from in (0..count).step_by(round) {
+            job.step(from as f64 / count as f64, "curve and surface")?;
+            let to = count.min(from + round);
+            for part in par::map(job.threads(), par::ranges(to - from, BATCH), |range| {
+                let mut finder = Finder::default();
+                for k in range {
+                    self.segment(from + k, curve.segment(from + k), &mut finder)?;
+                }
+                Ok(finder.finds)
+            })? {
+                alloc::append(&mut finds, &part?)?;
+            }
+            if selection != HitSelection::All && !finds.is_empty() {
+                break;
+            }
+        }
+        Ok(finds)
+    }
+
+    /// Adds the finds of segment k.
+    fn segment(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
+        if controls.iter().all(|&point| point == controls[0]) {
+            // No more than the ends of its neighbours.
+            return Ok(());
+        }
+        match controls.len() {
+            2 => self.straight(k, [controls[0], controls[1]], finder),
+            3 | 4 => self.curved::<4>(k, controls, finder),
+            _ => self.curved::<8>(k, controls, finder),
+        }
+    }
+
+    fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
+        self.find_hits(&Line::segment(a, b), HitSelection::All, &mut finder.lines)?;
+        for hit in &finder.lines.hits {
+            let ends = hit.span.map(|t| a.lerp(b, t));
+            let find = CurveFind {
+                at: k as f64 + hit.at,
+                span: hit.span.map(|t| k as f64 + t),
+                ends,
+                length: ends[0].distance(ends[1]),
+                place: hit.place,
+                point: hit.point,
+                gap: a.lerp(b, hit.at).distance(hit.point),
+                tangent: hit.tangent,
+                runs_inside: false,
+                touches: hit.tangent && hit.span[0] == hit.span[1],
+            };
+            alloc::push(&mut finder.finds, find)?;
+        }
+        Ok(())
+    }
+
+    fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
+        let part = CurvePart::whole(raised::<M>(controls));
+        for sheet in 0..self.len() {
+            let (kind, index) = self.indexed(sheet);
+            each_sheet!(kind, cells => {
+                let search = CurveSearch { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
+                search.run(&part, &mut finder.finds)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Makes hits of finds: each once, in the order of the curve.
+    fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<CurveFind>) -> Result<Vec<CurveHit>> {
+        let merge_distance = self.merge_distance();
+        merge_overlapping(&mut finds, merge_distance);
+        for find in finds.iter_mut().filter(|find| find.tangent) {
+            find.runs_inside = find.length > self.longest_touch();
+            let point =
+                find.length <= MAX_POINT_LENGTH * merge_distance || self.passes(find.place, direction(curve, find.at));
+            find.tangent = find.runs_inside || find.touches || !point;
+        }
+        sort::stable(&mut finds, &in_order);
+        let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
+        for find in finds {
+            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
+            let known = near.any(|other| is_same(other, &find, merge_distance));
+            if !known {
+                kept.push(find);
+            }
+        }
+        // A closed curve's end is its start.
+        let round = curve.len() as f64;
+        if let [first, .., last] = &kept[..]
+            && curve.is_closed()
+            && !(first.tangent || last.tangent)
+            && last.at - round + SAME_PARAMETER >= first.at
+            && first.point.distance(last.point) <= merge_distance
+        {
+            kept.pop();
+        }
+        for find in kept.iter_mut().filter(|find| !find.tangent) {
+            find.tangent = self.is_touched(find.place, direction(curve, find.at), find.point.abs().max_element());
+        }
+        alloc::collect(kept.iter().map(|find| {
+            let span = if find.tangent { find.span } else { [find.at; 2] };
+            Hit {
+                at: place(curve, find.at),
+                span: span.map(|at| place(curve, at)),
+                place: find.place,
+                point: find.point,
+                normal: self.normal(find.place),
+                tangent: find.tangent,
+                multiplicity: if find.tangent { 2 * u32::from(!find.runs_inside) } else { 1 },
+            }
+        }))
+    }
+}
+
+/// The place of a number: segment and parameter added.
+fn place(curve: &CurveView<'_>, at: f64) -> CurvePlace {
+    let segment = (at as usize).min(curve.len() - 1);
+    CurvePlace { segment: segment as u32, t: at - segment as f64 }
+}
+
+/// The unit vector along the curve.
+fn direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
+    curve.tangents_at(&[place(curve, at)]).map_or(DVec3::ZERO, |found| found[0])
+}
+
+/// By the place on the curve, then by cells.
+fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
+    a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
+}
+
+/// Merges unresolved finds that overlap along the curve: the first where it runs on, else the
+/// nearest.
+fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
+    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+    sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+    finds.dedup_by(|next, all| {
+        let joins = all.tangent && next.tangent && runs_on(all, next, merge_distance);
+        if joins {
+            all.length += next.length;
+            if next.span[1] > all.span[1] {
+                (all.span[1], all.ends[1]) = (next.span[1], next.ends[1]);
+            }
+            if next.gap < all.gap {
+                (all.at, all.place, all.point, all.gap) = (next.at, next.place, next.point, next.gap);
+            }
+        }
+        joins
+    });
+}
+
+/// True if an unresolved find begins where another is, or ends.
+fn runs_on(first: &CurveFind, next: &CurveFind, merge_distance: f64) -> bool {
+    let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
+    next.span[0] <= first.span[1] || near
+}
+
+/// True for two finds of one crossing: the same place of the curve and of the surface.
+fn is_same(a: &CurveFind, b: &CurveFind, merge_distance: f64) -> bool {
+    !a.tangent && !b.tangent && a.point.distance(b.point) <= merge_distance
+}
+
+/// The control points of a segment, raised to degree M - 1.
+pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
+    let mut points = [DVec3::ZERO; M];
+    points[..controls.len()].copy_from_slice(controls);
+    elevate(&mut points, controls.len() - 1);
+    points
+}
+
+/// The finds of one thread.
+#[derive(Default)]
+struct Finder {
+    lines: Workspace,
+    finds: Vec<CurveFind>,
+}

@@ -1,0 +1,192 @@
+//! The search of the index for a curved segment.
+
+use super::search::MAX_RELATIVE_ROUNDING;
+use crate::Place;
+use crate::cells::{Cells, cells_of_block};
+use crate::index::Pyramid;
+use crate::prelude::*;
+use crate::subdivision::{Crossings, CurveWorkspace, crossings};
+use gusset_base::geom::bernstein::{evaluate, halves};
+
+/// A hit as one cell has it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CurveFind {
+    /// The segment and the parameter on it, as one number each.
+    pub(super) at: f64,
+    pub(super) span: [f64; 2],
+    /// Where the curve is at the ends of the span, and how long it is.
+    pub(super) ends: [DVec3; 2],
+    pub(super) length: f64,
+    pub(super) place: Place,
+    pub(super) point: DVec3,
+    /// How far the curve is from the surface there.
+    pub(super) gap: f64,
+    pub(super) tangent: bool,
+    pub(super) runs_inside: bool,
+    /// True for a touch that is resolved: at a crease, say.
+    pub(super) touches: bool,
+}
+
+/// Memory for the cells of a segment, used again and again.
+#[derive(Default)]
+struct CurveSolver<const M: usize, const N: usize> {
+    workspace: CurveWorkspace<M, N>,
+    found: Crossings,
+    /// How far control points may be off.
+    rounding_error: f64,
+}
+
+/// A part of a segment.
+#[derive(Clone)]
+pub(super) struct CurvePart<const M: usize> {
+    points: [DVec3; M],
+    from: f64,
+    size: f64,
+}
+
+impl<const M: usize> CurvePart<M> {
+    /// A whole segment.
+    pub(super) fn whole(points: [DVec3; M]) -> Self {
+        CurvePart { points, from: 0.0, size: 1.0 }
+    }
+
+    fn bounds(&self) -> Aabb {
+        Aabb::of(self.points)
+    }
+}
+
+/// A part of a segment and a block of cells, which has a box of this diagonal.
+struct Entry<const M: usize> {
+    part: CurvePart<M>,
+    diagonal: f64,
+    level: usize,
+    row: usize,
+    column: usize,
+}
+
+/// Parts below this size are not halved: even of curves 1e20 times as long as the surface, they are
+/// short.
+const MIN_PART_SIZE: f64 = 1e-30;
+
+/// The search of a sheet for a segment.
+pub(super) struct CurveSearch<'a, C, const M: usize, const N: usize> {
+    pub(super) cells: &'a C,
+    pub(super) index: &'a Pyramid,
+    pub(super) sheet: u32,
+    /// Its number on the curve.
+    pub(super) segment: usize,
+    pub(super) tolerance: f64,
+}
+
+impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
+    /// Adds what the sheet and the segment have in common.
+    pub(super) fn run(&self, whole: &CurvePart<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
+        let origin = self.index.origin();
+        let part = CurvePart { points: whole.points.map(|point| point - origin), ..*whole };
+        let (levels, bounds) = (self.index.levels(), self.index.bounds());
+        let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
+        let diagonal = bounds.diagonal();
+        let rounding_error =
+            (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
+        let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
+        let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
+        let mut solver = CurveSolver { rounding_error, ..CurveSolver::default() };
+        while let Some(entry) = waiting.pop() {
+            let Entry { part, diagonal, level, row, column } = entry;
+            let bounds = part.bounds().inflated(rounding_error);
+            if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_PART_SIZE {
+                for (half, points) in halves(&part.points).into_iter().enumerate() {
+                    let size = 0.5 * part.size;
+                    let part = CurvePart { points, size, from: part.from + half as f64 * size };
+                    let near = if level == levels.len() {
+                        part.bounds().overlaps(&whole)
+                    } else {
+                        self.touches(&part, rounding_error, level, row, column)
+                    };
+                    if near {
+                        waiting.push(Entry { part, diagonal, level, row, column });
+                    }
+                }
+            } else if level == 0 {
+                self.block(&part, [row, column], &mut solver, finds)?;
+            } else {
+                for child in 0..4 {
+                    let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
+                    if self.touches(&part, rounding_error, level - 1, row, column) {
+                        let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).get(child).diagonal();
+                        waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// False if the part is apart from the boxes of block (row, column) of a level.
+    fn touches(&self, part: &CurvePart<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
+        let level = &self.index.levels()[level];
+        let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
+        !block.is_empty()
+            && part.bounds().inflated(rounding_error).overlaps(&block)
+            && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
+    }
+
+    /// Adds what the cells of a block have.
+    fn block(
+        &self,
+        part: &CurvePart<M>,
+        block: [usize; 2],
+        solver: &mut CurveSolver<M, N>,
+        finds: &mut Vec<CurveFind>,
+    ) -> Result<()> {
+        let deviation = self.index.deviation(block[0], block[1]) + solver.rounding_error;
+        let along = part.bounds();
+        for [i, j] in cells_of_block(block, self.cells.counts()) {
+            let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
+            let cell = Aabb::of(corners.map(|(i, j)| self.cells.corner(i, j) - self.index.origin()));
+            if cell.inflated(deviation).overlaps(&along) {
+                self.cell(part, [i, j], solver, finds)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds what one cell has.
+    fn cell(
+        &self,
+        part: &CurvePart<M>,
+        [i, j]: [usize; 2],
+        solver: &mut CurveSolver<M, N>,
+        finds: &mut Vec<CurveFind>,
+    ) -> Result<()> {
+        let origin = self.index.origin();
+        let patch = self.cells.patch(i, j);
+        let mut local = patch;
+        local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
+        let CurveSolver { workspace, found, rounding_error } = solver;
+        crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
+        let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
+        let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
+        let unresolved = found.unresolved.iter().map(|cluster| {
+            let (at, span) = (cluster.best.middle, [cluster.low.x, cluster.high.x].map(|t| t.clamp(0.0, 1.0)));
+            (at.x, span, DVec2::new(at.y, at.z), true)
+        });
+        for (t, span, at, tangent) in simple.chain(unresolved) {
+            let ends = span.map(|t| evaluate(&part.points, t) + origin);
+            let find = CurveFind {
+                at: along(t),
+                span: span.map(along),
+                ends,
+                length: ends[0].distance(ends[1]),
+                place: Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y },
+                point: patch.point(at.x, at.y),
+                gap: evaluate(&part.points, t).distance(local.point(at.x, at.y)),
+                tangent,
+                runs_inside: false,
+                touches: false,
+            };
+            alloc::push(finds, find)?;
+        }
+        Ok(())
+    }
+}

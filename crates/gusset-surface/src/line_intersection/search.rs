@@ -1,0 +1,335 @@
+//! The search of the index for a line.
+
+use super::line::{Hit, HitSelection, Line};
+use crate::cells::{BLOCK, Cells};
+use crate::index::{OrientedBox, Pyramid, Slab};
+use crate::prelude::*;
+use crate::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
+use crate::{Patch, Place};
+use gusset_base::geom::aabb::range;
+use gusset_base::geom::subdivision::UnresolvedCluster;
+
+/// Memory for searches of patches of degree N - 1, used again and again.
+#[derive(Default)]
+pub(super) struct Solver<const N: usize> {
+    roots: Roots<N>,
+    workspace: CurveWorkspace<2, N>,
+    crossings: Crossings,
+}
+
+/// The same for sheets of all kinds, and what was found.
+#[derive(Default)]
+pub(super) struct Workspace {
+    pub(super) hits: Vec<Hit>,
+    pub(super) cubic: Solver<4>,
+    pub(super) high: Solver<8>,
+}
+
+/// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a
+/// hit: a line from so far away is taken from its foot on, as that is rounded.
+pub(super) const MAX_RELATIVE_ROUNDING: f64 = 1e-6;
+
+/// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's
+/// origin.
+struct Ray {
+    line: Line,
+    /// The foot, relative to the index's origin, and in space.
+    local: DVec3,
+    foot: DVec3,
+    along: DVec3,
+    length: f64,
+    /// Two directions across the line, and each other.
+    across: [DVec3; 2],
+    /// The parameter of the foot.
+    start: f64,
+    /// How far the foot and the nodes may be off for rounding.
+    rounding_error: f64,
+}
+
+impl Ray {
+    fn new(line: &Line, index: &Pyramid) -> Ray {
+        let (along, length) = line.along();
+        let from = line.origin - index.origin();
+        let distance = -from.dot(along);
+        let local = from + distance * along;
+        let (first, second) = along.any_orthonormal_pair();
+        let bounds = index.bounds();
+        Ray {
+            line: *line,
+            local,
+            foot: local + index.origin(),
+            along,
+            length,
+            across: [first, second],
+            start: distance / length,
+            rounding_error: rounding_error(line, index.origin(), [bounds.low, bounds.high]),
+        }
+    }
+
+    /// The distance from the foot of a parameter.
+    fn distance(&self, t: f64) -> f64 {
+        (t - self.start) * self.length
+    }
+
+    /// The parameter of a point.
+    fn parameter(&self, point: DVec3) -> f64 {
+        (point - self.line.origin).dot(self.along) / self.length
+    }
+}
+
+/// How far points of a line and of what is in a box may be off for rounding, taken from an origin.
+pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
+    let extent = low.abs().max(high.abs()).length();
+    let extent = extent + line.origin.distance(origin) + line.origin.length();
+    (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_ROUNDING * low.distance(high))
+}
+
+/// A block that waits: where the line enters it, and where it is.
+#[derive(Debug, Clone, Copy, Default)]
+struct Entry {
+    enters: f64,
+    level: u32,
+    row: u32,
+    column: u32,
+}
+
+/// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most
+/// 30 levels.
+const MAX_STACK: usize = 3 * 30 + 4;
+
+/// The search of one sheet.
+pub(super) struct LineSearch<'a> {
+    pub(super) index: &'a Pyramid,
+    pub(super) sheet: u32,
+    pub(super) line: &'a Line,
+    pub(super) selection: HitSelection,
+    pub(super) tolerance: f64,
+}
+
+impl LineSearch<'_> {
+    /// Adds the hits of the sheet, whose cells are given. Of all, every cell's; else those up to
+    /// the first, and what may be one with it.
+    pub(super) fn run<const N: usize>(
+        &self,
+        cells: &impl Cells<N>,
+        solver: &mut Solver<N>,
+        hits: &mut Vec<Hit>,
+    ) -> Result<()> {
+        let LineSearch { index, sheet, line, selection, tolerance } = *self;
+        let ray = Ray::new(line, index);
+        let slack = ray.rounding_error;
+        let slab = Slab::new(ray.local, ray.along, slack);
+        let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
+        let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
+        let levels = index.levels();
+        let mut stack = [Entry::default(); MAX_STACK];
+        let mut count = 1;
+        stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+        let mut farthest = self.farthest(&ray, to, hits);
+        while count > 0 {
+            count -= 1;
+            let Entry { enters, level, row, column } = stack[count];
+            if enters > farthest {
+                continue;
+            }
+            let (row, column) = (row as usize, column as usize);
+            if level == 0 {
+                let known = hits.len();
+                leaf.search(row, column, hits)?;
+                if hits.len() > known {
+                    if selection == HitSelection::Any {
+                        return Ok(());
+                    }
+                    farthest = self.farthest(&ray, farthest, &hits[known..]);
+                }
+                continue;
+            }
+            let level_below = &levels[level as usize - 1];
+            let [near, far] = slab.through(level_below.child_boxes(row, column), from, farthest);
+            let waiting = count;
+            for child in 0..4 {
+                let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
+                let misses = |oriented: &OrientedBox| !oriented.meets_line(ray.local, ray.along);
+                if near[child] > far[child] || level_below.oriented(row, column).is_some_and(misses) {
+                    continue;
+                }
+                // Sorted as they come: the nearest is taken first, being last.
+                let mut at = count;
+                while at > waiting && stack[at - 1].enters < near[child] {
+                    stack[at] = stack[at - 1];
+                    at -= 1;
+                }
+                stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+                count += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// Where along the ray what is beyond does not matter, given some hits: farther than what is one
+    /// with the first of them may be.
+    fn farthest(&self, ray: &Ray, known: f64, hits: &[Hit]) -> f64 {
+        if self.selection != HitSelection::First {
+            return known;
+        }
+        let extent = 4.0 * self.tolerance + 1e4 * ray.rounding_error;
+        hits.iter().map(|hit| ray.distance(hit.at) + extent).fold(known, f64::min)
+    }
+}
+
+/// The search of a block.
+struct Leaf<'a, C, const N: usize> {
+    cells: &'a C,
+    index: &'a Pyramid,
+    sheet: u32,
+    ray: &'a Ray,
+    tolerance: f64,
+    solver: &'a mut Solver<N>,
+}
+
+impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+    fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
+        let [rows, columns] = self.cells.counts();
+        let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
+        let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
+        let deviation = self.index.deviation(row, column) + self.ray.rounding_error;
+        let mut corners = [[DVec2::ZERO; BLOCK + 1]; BLOCK + 1];
+        for i in first..=last {
+            for j in left..=right {
+                let from = self.cells.corner(i, j) - self.ray.foot;
+                corners[i - first][j - left] = DVec2::new(from.dot(self.ray.across[0]), from.dot(self.ray.across[1]));
+            }
+        }
+        for (r, i) in (first..last).enumerate() {
+            for (c, j) in (left..right).enumerate() {
+                let quad = [corners[r][c], corners[r][c + 1], corners[r + 1][c + 1], corners[r + 1][c]];
+                if may_hold_origin(&quad, deviation) {
+                    self.cell(i, j, hits)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
+        let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
+        if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
+            return self.touching(i, j, hits);
+        }
+        let roots = &self.solver.roots.simple;
+        if roots.is_empty() {
+            return Ok(());
+        }
+        let patch = self.cells.patch(i, j);
+        roots.iter().try_for_each(|&root| self.add(&patch, [i, j], root, None, hits))
+    }
+
+    /// Where the fields cannot tell: the part of the line in the cell's box as a curve.
+    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
+        let patch = self.cells.patch(i, j);
+        let Some(segment) = self.segment(&patch) else { return Ok(()) };
+        let [start, end] = segment;
+        let found = &mut self.solver.crossings;
+        crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
+        for crossing in &self.solver.crossings.simple {
+            self.add(&patch, [i, j], crossing.place, None, hits)?;
+        }
+        for &UnresolvedCluster { best, low, high } in &self.solver.crossings.unresolved {
+            let span = [low.x, high.x].map(|at| self.ray.parameter(start.lerp(end, at.clamp(0.0, 1.0))));
+            self.add(&patch, [i, j], DVec2::new(best.middle.y, best.middle.z), Some(span), hits)?;
+        }
+        Ok(())
+    }
+
+    /// The part of the line that is as far along as the patch.
+    fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
+        let ray = self.ray;
+        let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
+        let [low, high] = range(along);
+        let slack = ray.rounding_error + self.tolerance;
+        let from = (low - slack).max(ray.distance(ray.line.from) - ray.rounding_error);
+        let to = (high + slack).min(ray.distance(ray.line.to) + ray.rounding_error);
+        (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
+    }
+
+    /// Adds a hit, if the line goes so far.
+    fn add(
+        &self,
+        patch: &Patch<N>,
+        [i, j]: [usize; 2],
+        at: DVec2,
+        span: Option<[f64; 2]>,
+        hits: &mut Vec<Hit>,
+    ) -> Result<()> {
+        let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
+        let t = ray.parameter(jet.point);
+        let slack = ray.rounding_error / ray.length;
+        if t < ray.line.from - slack || t > ray.line.to + slack {
+            return Ok(());
+        }
+        let t = t.clamp(ray.line.from, ray.line.to);
+        let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
+        // A root that is off the line is unresolved, as in cells a million times as long as wide.
+        let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
+        let is_off = miss > self.tolerance.max(4.0 * ray.rounding_error);
+        let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
+        let tangent = span.is_some();
+        let hit = Hit {
+            at: t,
+            // The nearest place may lie beyond, by the tolerance.
+            span: span
+                .map_or([t; 2], |[low, high]| [low.min(t), high.max(t)].map(|t| t.clamp(ray.line.from, ray.line.to))),
+            place,
+            point: jet.point,
+            // Where the surface is not regular, the sheet knows a limit.
+            normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
+            tangent,
+            multiplicity: if tangent { 2 } else { 1 },
+        };
+        alloc::push(hits, hit)
+    }
+}
+
+/// False if the origin is farther than `by` from the hull of four points, as one of the lines
+/// through two of them shows.
+#[inline(always)]
+fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
+    let [a, b, c, d] = *quad;
+    let (low, high) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
+    if low.x > by || low.y > by || high.x < -by || high.y < -by {
+        return false;
+    }
+    // Seen across a side, from a to b: the origin is this far to its left, and the other corners so
+    // far.
+    let separated = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| {
+        let side = b - a;
+        let (origin, c, d) = (-side.perp_dot(a), side.perp_dot(c - a), side.perp_dot(d - a));
+        let (low, high) = (c.min(d).min(0.0), c.max(d).max(0.0));
+        let outside = (low - origin).max(origin - high);
+        outside > 0.0 && outside * outside > by * by * side.length_squared()
+    };
+    !(separated(a, b, c, d) || separated(b, c, d, a) || separated(c, d, a, b) || separated(d, a, b, c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Quadrilaterals, seen along the line, that are just within the bound and just beyond it.
+    #[test]
+    fn the_bound_of_a_quadrilateral_is_the_whole_one() {
+        let mut random = fastrand::Rng::with_seed(7);
+        for _ in 0..10_000 {
+            let by = 0.01 + random.f64();
+            let corner = |k: u32, size: f64| size * DVec2::from_angle(std::f64::consts::FRAC_PI_2 * f64::from(k));
+            let shape = [0, 1, 2, 3].map(|k| corner(k, 0.1 + random.f64()));
+            let (from, to) = (shape[0], shape[1]);
+            let out = -(to - from).normalize().perp();
+            let near = from.lerp(to, random.f64());
+            for (share, expected) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+                let quad = shape.map(|corner| corner - near - share * by * out);
+                assert_eq!(may_hold_origin(&quad, by), expected, "{quad:?} {by}");
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Whether a line passes through the surface at a side, a corner or a pole, where tangents may
+//! jump.
+//!
+//! Seen along the line, the tangents into the cells round a point turn about it. Where the line
+//! passes through, once; where what it enters by one cell it leaves by another, not at all. In
+//! general it is through if the turns are odd: each is a sheet between its two sides.
+
+use crate::{Place, Surface};
+use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+
+/// Turns this near to a whole number are one: those of cells all round a point.
+const TURN_TOLERANCE: f64 = 0.01;
+
+impl Surface<'_> {
+    /// The place on a side of its cell, if it is no farther from one than `tolerance`.
+    pub(super) fn on_side(&self, place: Place, tolerance: f64) -> Option<Place> {
+        let jet = self.jet(place);
+        let snapped = |x: f64, tangent: DVec3| {
+            let slack = tolerance / tangent.length();
+            if x <= slack && x <= 0.5 {
+                0.0
+            } else if 1.0 - x <= slack {
+                1.0
+            } else {
+                x
+            }
+        };
+        let there = Place { u: snapped(place.u, jet.u), v: snapped(place.v, jet.v), ..place };
+        let is_end = |x: f64| x == 0.0 || x == 1.0;
+        (is_end(there.u) || is_end(there.v)).then_some(there)
+    }
+
+    /// True if a line only touches the surface at places on sides of cells that are one point: it
+    /// stays on one side of what is round it. False also at a border, where cells are not all
+    /// round.
+    pub(super) fn only_touches(&self, places: &[Place], direction: DVec3) -> bool {
+        let mut cells: Vec<Place> = Vec::new();
+        for place in places {
+            if !cells.iter().any(|known| (known.sheet, known.cell) == (place.sheet, place.cell)) {
+                cells.extend(self.cells_round(*place));
+            }
+        }
+        let along = direction.normalize();
+        let (x, y) = along.any_orthonormal_pair();
+        // Counter-clockwise seen against the direction; which way does not matter.
+        let seen = |tangent: DVec3| DVec2::new(tangent.dot(x), tangent.dot(y));
+        let (mut forth, mut back) = (0.0, 0.0);
+        for &place in &cells {
+            let angle = self.angle(place, seen) / TAU;
+            *if angle < 0.0 { &mut back } else { &mut forth } += angle;
+        }
+        let (turns, turned) = (forth + back, forth.min(-back) > 0.0);
+        let whole = turns.round();
+        // A fan that turns little, and never back, is at a border.
+        (turns - whole).abs() <= TURN_TOLERANCE && whole % 2.0 == 0.0 && (turned || whole != 0.0)
+    }
+
+    /// True if a direction only touches the surface at a place next to a side, as far as rounding
+    /// of numbers up to `largest` tells.
+    pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
+        let (size, sine) = (self.diagonal(), self.normal(place).dot(direction).abs());
+        let rounding_error = 64.0 * f64::EPSILON * largest.max(size);
+        let tolerance = rounding_error / sine.max((rounding_error / size).sqrt());
+        let on_side = self.on_side(place, tolerance);
+        on_side.is_some_and(|place| self.only_touches(&[place], direction))
+    }
+
+    /// True if the side of its cell that a place is on, across u (direction 0) or v, is one point.
+    fn is_pole(&self, place: Place, direction: usize) -> bool {
+        let at = if direction == 0 { place.u } else { place.v };
+        let [i, j] = place.cell.map(|k| k as usize);
+        (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).side_is_point(direction, i, j, at == 1.0)
+    }
+
+    /// The cells of the sheet that have a place on a side, each with where it is there. At a pole,
+    /// all that have it as their side.
+    fn cells_round(&self, place: Place) -> Vec<Place> {
+        let sheet = self.sheet(place.sheet as usize);
+        let (counts, closed) = (sheet.cells(), sheet.is_closed());
+        let lines = |direction: usize, at: f64| {
+            let (cell, count) = (place.cell[direction], counts[direction] as u32);
+            let wraps = closed[direction];
+            let next = if at == 0.0 {
+                (cell > 0 || wraps).then(|| ((cell + count - 1) % count, 1.0))
+            } else if at == 1.0 {
+                (cell + 1 < count || wraps).then(|| ((cell + 1) % count, 0.0))
+            } else {
+                None
+            };
+            std::iter::once((cell, at)).chain(next)
+        };
+        let point = self.jet(place).point;
+        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * self.diagonal();
+        let mut cells = Vec::new();
+        for direction in 0..2 {
+            if self.is_pole(place, direction) {
+                let at = if direction == 0 { place.u } else { place.v };
+                for (line, at) in lines(direction, at) {
+                    cells.extend((0..counts[1 - direction] as u32).map(|k| match direction {
+                        0 => Place { cell: [line, k], u: at, v: 0.5, ..place },
+                        _ => Place { cell: [k, line], u: 0.5, v: at, ..place },
+                    }));
+                }
+                cells.retain(|other| self.is_pole(*other, direction) && is_here(other));
+                return cells;
+            }
+        }
+        for (i, u) in lines(0, place.u) {
+            cells.extend(lines(1, place.v).map(|(j, v)| Place { cell: [i, j], u, v, ..place }));
+        }
+        cells
+    }
+
+    /// The angle that the tangents from a place into its cell take up, as they are seen.
+    fn angle(&self, place: Place, seen: impl Fn(DVec3) -> DVec2) -> f64 {
+        let between = |[a, b]: [DVec2; 2]| libm::atan2(a.perp_dot(b), a.dot(b));
+        let at = |u: f64, v: f64| self.jet(Place { u, v, ..place });
+        // At a pole those of the lines to it, turning as S_u to S_v do.
+        let fan = [0.0, 0.5, 1.0];
+        let turn = |[a, b, c]: [DVec2; 3]| between([a, b]) + between([b, c]);
+        if self.is_pole(place, 0) {
+            let inwards = if place.u == 0.0 { 1.0 } else { -1.0 };
+            return turn(fan.map(|v| seen(inwards * at(place.u, if place.u == 0.0 { v } else { 1.0 - v }).u)));
+        }
+        if self.is_pole(place, 1) {
+            let inwards = if place.v == 0.0 { 1.0 } else { -1.0 };
+            return turn(fan.map(|u| seen(inwards * at(if place.v == 1.0 { u } else { 1.0 - u }, place.v).v)));
+        }
+        let jet = at(place.u, place.v);
+        let tangents = [jet.u, jet.v, -jet.u, -jet.v].map(&seen);
+        let inside = [place.u < 1.0, place.v < 1.0, place.u > 0.0, place.v > 0.0];
+        (0..4)
+            .map(|k| (k, (k + 1) % 4))
+            .filter(|&(a, b)| inside[a] && inside[b])
+            .map(|(a, b)| between([tangents[a], tangents[b]]))
+            .sum()
+    }
+}

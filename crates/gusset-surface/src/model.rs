@@ -1,0 +1,201 @@
+//! Surfaces: sheets with their index.
+
+use super::index::{Cones, NormalCone, Pyramid};
+use super::{Jet, Sheet, each_sheet};
+use crate::prelude::*;
+
+/// A place on a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// The sheet.
+    pub sheet: u32,
+    /// Row and column of the cell.
+    pub cell: [u32; 2],
+    /// Parameters within the cell, 0 to 1.
+    pub u: f64,
+    /// The same across.
+    pub v: f64,
+}
+
+/// The greatest absolute coordinate that a sheet of a surface may have: boxes are in single
+/// precision.
+pub const LARGEST_COORDINATE: f64 = 1e37;
+/// The least that the greatest absolute coordinate of a sheet of a surface may be, if it is not 0:
+/// boxes of smaller surfaces would be far larger than these.
+pub const SMALLEST_COORDINATE: f64 = 1e-30;
+
+/// A surface and its index. Immutable: any number of threads may ask.
+#[derive(Debug)]
+pub struct Surface<'a> {
+    sheets: Vec<(Sheet<'a>, Pyramid)>,
+    bounds: Aabb,
+    tolerance: f64,
+}
+
+impl<'a> Surface<'a> {
+    /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are
+    /// proved; `None`: 1e-9 of the diagonal of the surface's box.
+    ///
+    /// The greatest absolute coordinate of each sheet is from [`SMALLEST_COORDINATE`] to
+    /// [`LARGEST_COORDINATE`], or 0.
+    ///
+    /// # Errors
+    /// [`Error::EmptyMesh`] without sheets, [`Error::SheetOutOfRange`], [`Error::OptionOutOfRange`]
+    /// for a tolerance that is negative or not finite, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
+        let mut indexed = alloc::with_capacity(sheets.len())?;
+        let mut bounds = Aabb::EMPTY;
+        let count = sheets.len();
+        for (k, sheet) in sheets.into_iter().enumerate() {
+            let part = job.share(k, count);
+            let index = each_sheet!(&sheet, cells => Pyramid::build(cells, &part))?;
+            check_range(k, index.bounds())?;
+            bounds = bounds.union(index.bounds());
+            indexed.push((sheet, index));
+        }
+        if indexed.is_empty() {
+            return Err(Error::EmptyMesh { what: "sheets" });
+        }
+        let tolerance = tolerance.unwrap_or(1e-9 * bounds.diagonal());
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
+        Ok(Surface { sheets: indexed, bounds, tolerance })
+    }
+
+    /// The number of sheets.
+    pub fn len(&self) -> usize {
+        self.sheets.len()
+    }
+
+    /// False: there is a sheet at least.
+    pub fn is_empty(&self) -> bool {
+        self.sheets.is_empty()
+    }
+
+    /// Sheet k.
+    pub fn sheet(&self, k: usize) -> &Sheet<'a> {
+        &self.sheets[k].0
+    }
+
+    /// Sheet k and its index.
+    pub(crate) fn indexed(&self, k: usize) -> (&Sheet<'a>, &Pyramid) {
+        let (sheet, index) = &self.sheets[k];
+        (sheet, index)
+    }
+
+    /// The corners of a box round the surface.
+    pub fn bounds(&self) -> [DVec3; 2] {
+        [self.bounds.low, self.bounds.high]
+    }
+
+    /// The length to which answers are proved.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The position and the derivatives at a place, by the parameters of its cell.
+    pub fn jet(&self, place: Place) -> Jet {
+        let [i, j] = place.cell;
+        self.sheet(place.sheet as usize).jet(i as usize, j as usize, place.u, place.v)
+    }
+
+    /// The unit normal at a place, or its limit at a pole; 0 if there is none.
+    pub fn normal(&self, place: Place) -> DVec3 {
+        let [i, j] = place.cell;
+        self.sheet(place.sheet as usize).normal(i as usize, j as usize, place.u, place.v)
+    }
+
+    /// The same, of a place whose derivatives are known.
+    #[inline]
+    pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
+        jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
+    }
+
+    /// True if the tangents at a place give a normal, beyond doubt.
+    pub(crate) fn is_regular(&self, place: Place) -> bool {
+        self.jet(place).regular_normal(self.slope_noise()).is_some()
+    }
+
+    /// No less than what derivatives of any patch may be off by for rounding of its control points.
+    #[inline]
+    fn slope_noise(&self) -> f64 {
+        1024.0 * f64::EPSILON * self.max_coordinate()
+    }
+
+    /// The greatest absolute coordinate of the box.
+    #[inline]
+    pub(crate) fn max_coordinate(&self) -> f64 {
+        self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
+    }
+
+    /// The diagonal of the box.
+    pub(crate) fn diagonal(&self) -> f64 {
+        self.bounds.diagonal()
+    }
+
+    /// The number of corners of cells of all sheets: of grids, their nodes.
+    pub fn node_count(&self) -> u64 {
+        self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64 + 1).iter().product::<u64>()).sum()
+    }
+
+    /// The number of cells of all sheets.
+    pub fn cell_count(&self) -> u64 {
+        self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64).iter().product::<u64>()).sum()
+    }
+
+    /// Builds the cones of normals that questions about angles are answered with, if there are none
+    /// yet: else the first such question does. They take about 2/3 of a byte a node. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn build_cones(&self, job: &Job<'_>) -> Result<()> {
+        (0..self.len()).try_for_each(|k| self.cones(k, &job.share(k, self.len())).map(|_| ()))
+    }
+
+    /// The cones of sheet k, built if there are none yet.
+    pub(crate) fn cones(&self, k: usize, job: &Job<'_>) -> Result<&Cones> {
+        let (sheet, index) = &self.sheets[k];
+        each_sheet!(sheet, cells => index.cones(cells, job))
+    }
+
+    /// A cone that contains all unit normals of a block of a sheet, limits at poles too. Block (r,
+    /// c) of level k has the cells from row 4 r 2^k and column 4 c 2^k on, 4 * 2^k of each or as
+    /// many as there are. `None` if there is no such block, or cones were not built; the last level
+    /// has two rows and columns of blocks at most.
+    pub fn normal_cone(&self, sheet: usize, level: usize, [r, c]: [usize; 2]) -> Option<NormalCone> {
+        self.sheets.get(sheet)?.1.known_cones()?.get(level, r, c)
+    }
+
+    /// Bytes of the cones of normals: 0 before they are built.
+    pub fn cone_bytes(&self) -> usize {
+        self.sheets.iter().filter_map(|(_, index)| index.known_cones()).map(Cones::bytes).sum()
+    }
+
+    /// Bytes of the index without the cones.
+    pub fn index_bytes(&self) -> usize {
+        self.sheets.iter().map(|(_, index)| index.bytes()).sum()
+    }
+}
+
+#[cfg(test)]
+impl Surface<'_> {
+    /// Builds cones that tell nothing, as if there were none.
+    pub(crate) fn disable_cones(&mut self, job: &Job<'_>) -> Result<()> {
+        self.build_cones(job)?;
+        self.sheets.iter_mut().for_each(|(_, index)| index.disable_cones());
+        Ok(())
+    }
+}
+
+/// [`Error::SheetOutOfRange`] for a sheet whose box has no fit in single precision.
+fn check_range(sheet: usize, bounds: Aabb) -> Result<()> {
+    // NaN, which comes of overflows, is out of range too.
+    let largest = [bounds.low, bounds.high]
+        .iter()
+        .flat_map(|corner| corner.abs().to_array())
+        .fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most });
+    if largest == 0.0 || (SMALLEST_COORDINATE..=LARGEST_COORDINATE).contains(&largest) {
+        return Ok(());
+    }
+    Err(Error::SheetOutOfRange { sheet: sheet as u64, value: if largest.is_nan() { f64::INFINITY } else { largest } })
+}

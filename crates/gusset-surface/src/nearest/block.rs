@@ -1,0 +1,66 @@
+//! Blocks of the index with lower bounds of their distances.
+//!
+//! A block's bound is the greater one of those by its axis-aligned and its oriented box, each of
+//! which contains the block.
+
+use crate::cells::{BLOCK, Cells, cells_of_block};
+use crate::index::Pyramid;
+use glam::DVec3;
+
+/// A block of any level, with a lower bound of its distance.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Block {
+    pub(super) bound: f64,
+    pub(super) level: usize,
+    pub(super) row: usize,
+    pub(super) column: usize,
+}
+
+impl Block {
+    /// The whole sheet.
+    pub(super) fn root(index: &Pyramid) -> Block {
+        Block { bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
+    }
+
+    /// The blocks that it consists of, with their bounds.
+    pub(super) fn children(&self, index: &Pyramid, query: DVec3) -> [Option<Block>; 4] {
+        let (level, local) = (&index.levels()[self.level - 1], query - index.origin());
+        let distances = level.child_boxes(self.row, self.column).distances_squared(local);
+        std::array::from_fn(|child| {
+            let (row, column) = (2 * self.row + child / 2, 2 * self.column + child % 2);
+            let boxed = distances[child];
+            let exists = boxed < f64::INFINITY;
+            exists.then(|| {
+                let oriented = level.oriented(row, column).map_or(0.0, |oriented| oriented.distance_squared(local));
+                Block { bound: boxed.max(oriented).sqrt(), level: self.level - 1, row, column }
+            })
+        })
+    }
+
+    /// A cell in the middle.
+    pub(super) fn middle<const N: usize>(&self, cells: &impl Cells<N>) -> [usize; 2] {
+        let at = |k: usize, count: usize| ((((2 * k + 1) * BLOCK) << self.level) / 2).min(count - 1);
+        let [rows, columns] = cells.counts();
+        [at(self.row, rows), at(self.column, columns)]
+    }
+
+    /// The cells of a block of the lowest level.
+    pub(super) fn cells<const N: usize, C: Cells<N>>(&self, cells: &C) -> impl Iterator<Item = [usize; 2]> + use<N, C> {
+        cells_of_block([self.row, self.column], cells.counts())
+    }
+}
+
+/// The blocks of the lowest level whose bounds are within a fixed limit. Without an upper bound
+/// that falls, their order does not matter: depth first.
+pub(super) fn blocks_within(index: &Pyramid, query: DVec3, limit: f64) -> impl Iterator<Item = Block> {
+    let mut stack = vec![Block::root(index)];
+    std::iter::from_fn(move || {
+        while let Some(block) = stack.pop() {
+            if block.level == 0 {
+                return Some(block);
+            }
+            stack.extend(block.children(index, query).into_iter().flatten().filter(|child| child.bound <= limit));
+        }
+        None
+    })
+}

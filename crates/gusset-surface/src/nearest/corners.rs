@@ -1,0 +1,182 @@
+//! Corners of a block's cells, and lower bounds of the distances of all its cells at once.
+//!
+//! A cell's surface is its bilinear patch, which lies in the hull of the four corners, plus a
+//! vector of the block's [`DisplacementBox`]. So each bound is one of the corners, less the reach
+//! of that box. All run over arrays of fixed size, one axis after the other, without branches.
+
+use crate::cells::{BLOCK, Cells};
+use glam::DVec3;
+use gusset_base::geom::aabb::Aabb;
+
+/// A box of the vectors from the bilinear patches of a block's cells to the surface.
+pub(super) struct DisplacementBox {
+    low: [f64; 3],
+    high: [f64; 3],
+    middle: DVec3,
+    half: DVec3,
+    /// An upper bound of the lengths of the vectors.
+    pub(super) max_length: f64,
+}
+
+impl DisplacementBox {
+    pub(super) fn new(bounds: Aabb) -> DisplacementBox {
+        let Aabb { low, high } = bounds;
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        DisplacementBox { low: low.to_array(), high: high.to_array(), middle, half, max_length: bounds.max_norm() }
+    }
+
+    /// How far the surface reaches in a direction from the bilinear patches.
+    #[inline(always)]
+    pub(super) fn along(&self, direction: DVec3) -> f64 {
+        self.middle.dot(direction) + self.half.dot(direction.abs())
+    }
+}
+
+/// The corners of a block's cells relative to the query, axis by axis, for vector instructions; in
+/// a block that the sheet's edge cuts off the last ones are repeated.
+pub(super) struct BlockCorners {
+    axes: [[[f64; BLOCK + 1]; BLOCK + 1]; 3],
+}
+
+/// The lesser number. Without regard to NaN, unlike [`f64::min`], it is one instruction.
+#[inline(always)]
+pub(super) fn min(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater number, likewise.
+#[inline(always)]
+fn max(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+impl BlockCorners {
+    #[inline(always)]
+    pub(super) fn new<const N: usize>(
+        cells: &impl Cells<N>,
+        [top, left]: [usize; 2],
+        [rows, columns]: [usize; 2],
+        query: DVec3,
+    ) -> BlockCorners {
+        let mut axes = [[[0.0; BLOCK + 1]; BLOCK + 1]; 3];
+        let [xs, ys, zs] = &mut axes;
+        for (r, ((xs, ys), zs)) in xs.iter_mut().zip(ys).zip(zs).enumerate() {
+            let line = cells.line(top + r.min(rows), left, columns);
+            for (c, [x, y, z]) in line.into_iter().enumerate() {
+                (xs[c], ys[c], zs[c]) = (x - query.x, y - query.y, z - query.z);
+            }
+        }
+        BlockCorners { axes }
+    }
+
+    /// The corners of a cell of the block: 00, 01, 10, 11.
+    #[inline(always)]
+    pub(super) fn quad(&self, r: usize, c: usize) -> [DVec3; 4] {
+        let [x, y, z] = &self.axes;
+        [(r, c), (r, c + 1), (r + 1, c), (r + 1, c + 1)].map(|(r, c)| DVec3::new(x[r][c], y[r][c], z[r][c]))
+    }
+
+    /// From the first corner to the last.
+    #[inline(always)]
+    pub(super) fn extent(&self) -> f64 {
+        let [x, y, z] = self.axes.each_ref().map(|axis| axis[BLOCK][BLOCK] - axis[0][0]);
+        (x * x + y * y + z * z).sqrt()
+    }
+
+    /// Lower bounds of the distances of the cells by half-spaces across a direction towards the
+    /// query, along which the surface reaches beyond the bilinear patches by `displacement` at
+    /// most.
+    #[inline(always)]
+    pub(super) fn half_spaces(&self, direction: DVec3, displacement: f64) -> [[f64; BLOCK]; BLOCK] {
+        let [x, y, z] = &self.axes;
+        let mut along = [[0.0; BLOCK + 1]; BLOCK + 1];
+        for r in 0..=BLOCK {
+            for c in 0..=BLOCK {
+                along[r][c] = x[r][c] * direction.x + y[r][c] * direction.y + z[r][c] * direction.z;
+            }
+        }
+        let mut bounds = [[0.0; BLOCK]; BLOCK];
+        for r in 0..BLOCK {
+            for c in 0..BLOCK {
+                let most = max(max(along[r][c], along[r][c + 1]), max(along[r + 1][c], along[r + 1][c + 1]));
+                bounds[r][c] = -most - displacement;
+            }
+        }
+        bounds
+    }
+
+    /// The least square of the distance of a corner.
+    #[inline(always)]
+    pub(super) fn min_square(&self) -> f64 {
+        let [x, y, z] = &self.axes;
+        let mut least = [f64::INFINITY; BLOCK + 1];
+        for r in 0..=BLOCK {
+            for (c, least) in least.iter_mut().enumerate() {
+                *least = min(*least, x[r][c] * x[r][c] + y[r][c] * y[r][c] + z[r][c] * z[r][c]);
+            }
+        }
+        least.into_iter().fold(f64::INFINITY, min)
+    }
+
+    /// Of each cell, 16 times the square of the distance of the middle of its corners.
+    #[inline(always)]
+    pub(super) fn middle_squares(&self) -> [[f64; BLOCK]; BLOCK] {
+        let mut squares = [[0.0; BLOCK]; BLOCK];
+        for axis in &self.axes {
+            for r in 0..BLOCK {
+                for c in 0..BLOCK {
+                    let sum = (axis[r][c] + axis[r][c + 1]) + (axis[r + 1][c] + axis[r + 1][c + 1]);
+                    squares[r][c] += sum * sum;
+                }
+            }
+        }
+        squares
+    }
+
+    /// The squares of the distances of boxes round the cells: the boxes of their corners, enlarged
+    /// by that of the displacements.
+    #[inline(always)]
+    pub(super) fn box_squares(&self, displacement: &DisplacementBox) -> [[f64; BLOCK]; BLOCK] {
+        let mut squares = [[0.0; BLOCK]; BLOCK];
+        for (k, axis) in self.axes.iter().enumerate() {
+            let (mut low, mut high) = ([[0.0; BLOCK]; BLOCK + 1], [[0.0; BLOCK]; BLOCK + 1]);
+            for r in 0..=BLOCK {
+                for c in 0..BLOCK {
+                    low[r][c] = min(axis[r][c], axis[r][c + 1]);
+                    high[r][c] = max(axis[r][c], axis[r][c + 1]);
+                }
+            }
+            for r in 0..BLOCK {
+                for c in 0..BLOCK {
+                    let (low, high) = (min(low[r][c], low[r + 1][c]), max(high[r][c], high[r + 1][c]));
+                    let outside = max(max(low + displacement.low[k], -high - displacement.high[k]), 0.0);
+                    squares[r][c] += outside * outside;
+                }
+            }
+        }
+        squares
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The reach of a box of displacements is that of its farthest corner, in any direction.
+    #[test]
+    fn the_reach_of_displacements_is_exact() {
+        let bounds = Aabb { low: DVec3::new(-1.0, 0.25, -3.0), high: DVec3::new(0.5, 2.0, -1.0) };
+        let displacement = DisplacementBox::new(bounds);
+        let corner = |k: usize| {
+            let side = |axis: usize| if k >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] };
+            DVec3::new(side(0), side(1), side(2))
+        };
+        for k in 0..100 {
+            let t = f64::from(k);
+            let direction = DVec3::new(t.sin(), (2.0 * t).cos(), (3.0 * t).sin());
+            let reach = (0..8).map(|k| corner(k).dot(direction)).fold(f64::NEG_INFINITY, f64::max);
+            assert!((displacement.along(direction) - reach).abs() < 1e-12, "{direction}");
+        }
+        assert_eq!(displacement.max_length, DVec3::new(1.0, 2.0, 3.0).length());
+    }
+}

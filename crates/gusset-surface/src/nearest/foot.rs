@@ -1,0 +1,152 @@
+//! Descent to a place of a patch where the distance is locally least.
+//!
+//! Minimises |S - q|^2 / 2 over 0 <= u, v <= 1 by projected Newton steps (Bertsekas 1982,
+//! "Projected Newton methods for optimization problems with simple constraints"), Gauss-Newton
+//! steps where the Hessian is not positive definite, steps down the slopes where those overshoot,
+//! and backtracking. Invariant: the distance
+//! falls with each step. Nothing is proved: `bounds` does that. At most [`MAX_STEPS`] steps.
+
+use crate::{Jet, Patch};
+use glam::{DMat2, DVec2, DVec3};
+
+/// Newton steps on a patch.
+pub(super) const MAX_STEPS: usize = 24;
+/// Newton steps on a part of a patch: if these do not suffice, splitting it does more.
+pub(super) const MAX_STEPS_ON_PART: usize = 6;
+/// Length in the parameters below which a full step is the last: the next one would be its square.
+const QUADRATIC_STEP: f64 = 1e-7;
+/// Parameters as near to a border are on it.
+const BORDER_ROUNDING: f64 = 1e-13;
+
+/// A point of a patch, with its derivatives there and its distance from the query.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Foot {
+    pub(super) place: DVec2,
+    pub(super) jet: Jet,
+    pub(super) distance: f64,
+}
+
+impl Foot {
+    pub(super) fn at<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> Foot {
+        let jet = patch.jet(place.x, place.y);
+        Foot { place, jet, distance: jet.point.distance(query) }
+    }
+
+    /// The gradient of |S - q|^2 / 2, its components out of the patch set to 0.
+    pub(super) fn projected_gradient(&self, query: DVec3) -> DVec2 {
+        let (gradient, _) = gradient_and_hessian(&self.jet, query);
+        DVec2::from_array([0, 1].map(|k| if is_blocked(self.place[k], gradient[k]) { 0.0 } else { gradient[k] }))
+    }
+}
+
+/// The place that descent from `start` leads to: from there no permitted step goes down, or nearly.
+pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
+    let mut foot = Foot::at(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
+    for _ in 0..steps {
+        let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
+        let free = [0, 1].map(|k| !is_blocked(foot.place[k], gradient[k]));
+        let Some(step) = newton_step(gradient, hessian, &foot.jet, free) else { break };
+        let (next, done) = match backtrack(patch, query, &foot, step) {
+            Trial::Down { next, whole } => {
+                (next, whole && (next.place - foot.place).abs().max_element() < QUADRATIC_STEP)
+            }
+            Trial::Ended => break,
+            Trial::Overshot => {
+                // Straight down the slopes, each by its own scale.
+                let squares = DVec2::new(foot.jet.u.length_squared(), foot.jet.v.length_squared());
+                let slope = gradient / squares.max(DVec2::splat(f64::MIN_POSITIVE));
+                let slope = DVec2::from_array([0, 1].map(|k| if free[k] { slope[k] } else { 0.0 }));
+                match backtrack(patch, query, &foot, slope) {
+                    Trial::Down { next, .. } => (next, false),
+                    _ => break,
+                }
+            }
+        };
+        foot = next;
+        if done {
+            break;
+        }
+    }
+    foot
+}
+
+/// What comes of a step.
+enum Trial {
+    /// The first of ever shorter ones that goes down, and whether it is the whole one.
+    Down { next: Foot, whole: bool },
+    /// The steps are so short that rounding decides.
+    Ended,
+    /// No step goes down.
+    Overshot,
+}
+
+/// Tries a step, and ever shorter ones from the size of the patch on.
+fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: DVec2) -> Trial {
+    let bounded = step.abs().max_element().max(1.0).recip();
+    let mut length = 1.0;
+    while length > 1e-3 * bounded {
+        let place = (foot.place - length * step).clamp(DVec2::ZERO, DVec2::ONE);
+        let moved = (place - foot.place).abs().max_element();
+        if moved <= 1e-14 {
+            return Trial::Ended;
+        }
+        let next = Foot::at(patch, query, place);
+        if next.distance < foot.distance {
+            return Trial::Down { next, whole: length == 1.0 };
+        }
+        // So near the minimum rounding decides.
+        if moved < QUADRATIC_STEP {
+            return Trial::Ended;
+        }
+        length = 0.25 * length.min(bounded);
+    }
+    Trial::Overshot
+}
+
+/// True at a border that the descent would cross: so near to it that a step there would end at once.
+fn is_blocked(at: f64, slope: f64) -> bool {
+    (at <= BORDER_ROUNDING && slope > 0.0) || (at >= 1.0 - BORDER_ROUNDING && slope < 0.0)
+}
+
+/// Gradient and Hessian of |S - q|^2 / 2.
+pub(super) fn gradient_and_hessian(jet: &Jet, query: DVec3) -> (DVec2, DMat2) {
+    let from = jet.point - query;
+    let mixed = jet.u.dot(jet.v) + from.dot(jet.uv);
+    let uu = jet.u.length_squared() + from.dot(jet.uu);
+    let vv = jet.v.length_squared() + from.dot(jet.vv);
+    (DVec2::new(from.dot(jet.u), from.dot(jet.v)), DMat2::from_cols(DVec2::new(uu, mixed), DVec2::new(mixed, vv)))
+}
+
+/// Newton's step in the free directions, or the Gauss-Newton step where Newton's would not go down;
+/// where tangents are parallel or 0, the better one along a single parameter.
+fn newton_step(gradient: DVec2, hessian: DMat2, jet: &Jet, free: [bool; 2]) -> Option<DVec2> {
+    let solve = |m: DMat2| match free {
+        [true, true] => {
+            let is_definite = m.x_axis.x > 0.0 && m.determinant() > 1e-12 * m.x_axis.x * m.y_axis.y;
+            is_definite.then(|| m.inverse() * gradient)
+        }
+        [true, false] => (m.x_axis.x > 0.0).then(|| DVec2::new(gradient.x / m.x_axis.x, 0.0)),
+        [false, true] => (m.y_axis.y > 0.0).then(|| DVec2::new(0.0, gradient.y / m.y_axis.y)),
+        [false, false] => None,
+    };
+    let gauss = || {
+        let mixed = jet.u.dot(jet.v);
+        DMat2::from_cols(DVec2::new(jet.u.length_squared(), mixed), DVec2::new(mixed, jet.v.length_squared()))
+    };
+    let single = || {
+        let of = |k: usize, along: DVec3| {
+            let (slope, square) = (gradient[k], along.length_squared());
+            // The descent it promises, within the patch: rounding in place of a tangent promises
+            // none.
+            let step = slope / square;
+            (free[k] && square > 0.0).then_some((slope.abs() * step.abs().min(1.0), step.clamp(-1.0, 1.0)))
+        };
+        match (of(0, jet.u), of(1, jet.v)) {
+            (Some((a, u)), Some((b, _))) if a >= b => Some(DVec2::new(u, 0.0)),
+            (_, Some((_, v))) => Some(DVec2::new(0.0, v)),
+            (Some((_, u)), None) => Some(DVec2::new(u, 0.0)),
+            (None, None) => None,
+        }
+    };
+    solve(hessian).or_else(|| solve(gauss())).or_else(single).filter(|step| step.is_finite())
+}

@@ -1,0 +1,283 @@
+//! Cells of a block that may hold the nearest point, by their corners and displacements alone.
+//!
+//! Corners are points of the surface, and so is the point next to the nearest one of a bilinear
+//! patch: both lower the upper bound before any patch is built. The bounds of `corners` then
+//! exclude most cells; those left become candidates with a lower bound and a start for the descent.
+//! O(1).
+
+use super::corners::{BlockCorners, DisplacementBox, min};
+use super::incumbent::UpperBound;
+use crate::cells::{BLOCK, Cells};
+use crate::index::Pyramid;
+use glam::{DVec2, DVec3};
+
+/// A cell that may hold the nearest point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CellCandidate {
+    /// No point of the cell is nearer.
+    pub(super) bound: f64,
+    /// The unit vector to the query from the nearest point of the cell's bilinear patch, and
+    /// parameters near it.
+    pub(super) direction: DVec3,
+    pub(super) start: DVec2,
+    pub(super) cell: [u32; 2],
+}
+
+/// A block of the lowest level.
+pub(super) struct Leaf<'a, C, const N: usize> {
+    pub(super) cells: &'a C,
+    pub(super) index: &'a Pyramid,
+    pub(super) row: usize,
+    pub(super) column: usize,
+}
+
+impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+    /// Lowers the upper bound, and adds the cells that may hold the nearest point to the
+    /// candidates. `direction`: the unit vector from the nearest answer to the query, or 0. The
+    /// block's extent.
+    pub(super) fn find_candidates(
+        &self,
+        query: DVec3,
+        direction: DVec3,
+        upper: &mut UpperBound,
+        candidates: &mut Vec<CellCandidate>,
+    ) -> f64 {
+        let [rows, columns] = self.cells.counts();
+        let (top, left) = (self.row * BLOCK, self.column * BLOCK);
+        let (rows, columns) = (BLOCK.min(rows - top), BLOCK.min(columns - left));
+        let corners = BlockCorners::new(self.cells, [top, left], [rows, columns], query);
+        upper.lower(corners.min_square().sqrt());
+        let displacement = DisplacementBox::new(self.index.displacement(self.row, self.column));
+        let prune_bound = upper.prune_bound();
+        // By the half-space through the nearest answer.
+        let mut bounds = [[0.0; BLOCK]; BLOCK];
+        if direction != DVec3::ZERO {
+            bounds = corners.half_spaces(direction, displacement.along(direction));
+            let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min);
+            if least > prune_bound {
+                return corners.extent();
+            }
+        }
+        let squares = corners.box_squares(&displacement);
+        let middles = corners.middle_squares();
+        // The cells that are left, the one whose middle is nearest first.
+        let mut order = [0_u8; BLOCK * BLOCK];
+        let mut count = 0;
+        for (r, bounds) in bounds[..rows].iter().enumerate() {
+            for (c, &bound) in bounds[..columns].iter().enumerate() {
+                if bound > prune_bound || squares[r][c] > prune_bound * prune_bound {
+                    continue;
+                }
+                let mut at = count;
+                while at > 0 && middles.as_flattened()[usize::from(order[at - 1])] > middles[r][c] {
+                    order[at] = order[at - 1];
+                    at -= 1;
+                }
+                order[at] = (BLOCK * r + c) as u8;
+                count += 1;
+            }
+        }
+        for &cell in &order[..count] {
+            let (r, c) = (usize::from(cell) / BLOCK, usize::from(cell) % BLOCK);
+            if squares[r][c] > upper.prune_bound() * upper.prune_bound() {
+                continue;
+            }
+            let quad = corners.quad(r, c);
+            if is_beyond(&quad, upper.prune_bound() + displacement.max_length) {
+                continue;
+            }
+            let NearestOnBilinear { distance, direction, start } = nearest_on_bilinear(&quad);
+            upper.lower(distance + displacement.max_length);
+            // The bilinear patch is in the hull of its corners.
+            let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min);
+            let bound = along - displacement.along(direction);
+            if bound > upper.prune_bound() {
+                continue;
+            }
+            candidates.push(CellCandidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });
+        }
+        corners.extent()
+    }
+}
+
+/// True if the hull of four corners is farther from the origin than `limit`, by the half-space
+/// across the direction of their middle: the sharpest test for cells far away.
+#[inline(always)]
+fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
+    let [a, b, c, d] = *corners;
+    let middle = (a + b) + (c + d);
+    let along = min(min(a.dot(middle), b.dot(middle)), min(c.dot(middle), d.dot(middle)));
+    along > 0.0 && along * along > limit * limit * middle.length_squared()
+}
+
+/// The nearest point of a bilinear patch, approximately.
+struct NearestOnBilinear {
+    /// An upper bound of the distance.
+    distance: f64,
+    /// A unit vector from near the nearest point to the origin.
+    direction: DVec3,
+    /// Parameters near the nearest point.
+    start: DVec2,
+}
+
+/// The nearest point of the bilinear patch through four corners (00, 01, 10, 11) to the origin.
+///
+/// With s and t from the middle, the patch is m + s u + t v + s t w: a quarter of |w| at most from
+/// the parallelogram without the twist w, whose nearest point is found.
+fn nearest_on_bilinear(corners: &[DVec3; 4]) -> NearestOnBilinear {
+    let [p00, p01, p10, p11] = *corners;
+    let (low, high) = (p00 + p01, p10 + p11);
+    let (left, right) = (p00 + p10, p01 + p11);
+    let (middle, u, v) = (0.25 * (low + high), 0.5 * (high - low), 0.5 * (right - left));
+    let twist = (p00 - p01) - (p10 - p11);
+    let (uu, uv, vv, mu, mv) = (u.length_squared(), u.dot(v), v.length_squared(), middle.dot(u), middle.dot(v));
+    let (area, inner) = (uu * vv - uv * uv, [uv * mv - vv * mu, uv * mu - uu * mv]);
+    let spans = area > 1e-12 * uu * vv;
+    let outside = inner.map(|x| x.abs() > 0.5 * area);
+    let value = |[s, t]: [f64; 2]| (middle + s * u + t * v).length_squared();
+    let (square, [s, t]) = if spans && outside == [false; 2] {
+        let place = inner.map(|x| x / area);
+        (value(place), place)
+    } else {
+        // On a side beyond which the nearest point of the plane lies; of a degenerate
+        // parallelogram, on any.
+        let clamped_ratio = |above: f64, below: f64| if below > 0.0 { (above / below).clamp(-0.5, 0.5) } else { 0.0 };
+        let mut best = (f64::INFINITY, [0.0; 2]);
+        let mut consider = |place: [f64; 2]| {
+            let square = value(place);
+            if square < best.0 {
+                best = (square, place);
+            }
+        };
+        for end in [-0.5, 0.5] {
+            if !spans || (outside[0] && inner[0] * end > 0.0) {
+                consider([end, clamped_ratio(-mv - end * uv, vv)]);
+            }
+            if !spans || (outside[1] && inner[1] * end > 0.0) {
+                consider([clamped_ratio(-mu - end * uv, uu), end]);
+            }
+        }
+        best
+    };
+    let distance = square.sqrt();
+    let direction = if distance > 0.0 { (middle + s * u + t * v) / -distance } else { DVec3::ZERO };
+    NearestOnBilinear { distance: distance + 0.25 * twist.length(), direction, start: DVec2::new(s + 0.5, t + 0.5) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Grid, Nodes, Scheme};
+    use gusset_base::job::Job;
+    use gusset_base::testing::cases;
+
+    /// One block of 4 x 3 cells through rough nodes.
+    fn rough(seed: u32) -> Grid<'static> {
+        let number = |k: u32| f64::from((seed * 1000 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24);
+        let nodes = (0..20).flat_map(|k| {
+            let flat = [f64::from(k / 4), f64::from(k % 4), 0.0];
+            [0, 1, 2].map(|axis| flat[axis as usize] + 0.8 * number(3 * k + axis))
+        });
+        Grid::new(Nodes::strided(nodes.collect::<Vec<_>>(), 5, 4, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap()
+    }
+
+    fn nearest_by_force(grid: &Grid<'_>, [i, j]: [usize; 2], query: DVec3) -> f64 {
+        let patch = grid.patch(i, j);
+        let places = (0..289).map(|k| [f64::from(k / 17) / 16.0, f64::from(k % 17) / 16.0]);
+        places.map(|[u, v]| patch.point(u, v).distance(query)).fold(f64::INFINITY, f64::min)
+    }
+
+    fn queries() -> impl Iterator<Item = DVec3> {
+        (0..60).map(|k| {
+            let t = f64::from(k);
+            DVec3::new(2.0 + 3.0 * t.sin(), 2.0 + 3.0 * (2.3 * t).cos(), 4.0 * (0.7 * t).sin())
+        })
+    }
+
+    /// Against points of all cells: bounds of candidates hold; a cell that is excluded has no point
+    /// within the prune bound; the upper bound is above the least distance.
+    #[test]
+    fn no_cell_is_excluded_wrongly() {
+        let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
+        for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
+            let grid = rough(seed);
+            let index = Pyramid::build(&grid, &Job::default()).unwrap();
+            let all: Vec<[usize; 2]> = (0..12).map(|k| [k / 3, k % 3]).collect();
+            let truth: Vec<f64> = all.iter().map(|&cell| nearest_by_force(&grid, cell, query)).collect();
+            let least = truth.iter().copied().fold(f64::INFINITY, f64::min);
+            let direction = (query - grid.patch(1, 1).point(0.5, 0.5)).normalize();
+            // The bound that an answer would give: near ties, where a bound too great excludes it.
+            for (limit, direction) in [(f64::INFINITY, DVec3::ZERO), (least, DVec3::ZERO), (least, direction)] {
+                candidates.clear();
+                let mut upper = UpperBound::new(limit, 0.0);
+                let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+                leaf.find_candidates(query, direction, &mut upper, &mut candidates);
+                // Points of the lattice are not the nearest, but near.
+                assert!(upper.distance >= least - 0.05, "{seed} {query}");
+                for (&[i, j], &truth) in all.iter().zip(&truth) {
+                    let found = candidates.iter().find(|candidate| candidate.cell == [i as u32, j as u32]);
+                    match found {
+                        Some(candidate) => assert!(candidate.bound <= truth, "{seed} {query} {i} {j}"),
+                        None => assert!(truth >= upper.distance, "{seed} {query} {i} {j}"),
+                    }
+                    asked += 1;
+                    excluded += usize::from(found.is_none());
+                }
+            }
+        }
+        // By corners alone, though the nodes have no order.
+        assert!(excluded * 25_920 > asked * 7_500, "{excluded} of {asked}");
+    }
+
+    /// Each bound of all cells of a block by itself, on a surface that its displacements matter to.
+    #[test]
+    fn bounds_of_blocks_hold() {
+        for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
+            let grid = rough(seed);
+            let index = Pyramid::build(&grid, &Job::default()).unwrap();
+            let displacement = DisplacementBox::new(index.displacement(0, 0));
+            let corners = BlockCorners::new(&grid, [0, 0], [4, 3], query);
+            let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
+            let spaces = corners.half_spaces(direction, displacement.along(direction));
+            let squares = corners.box_squares(&displacement);
+            for [i, j] in (0..12).map(|k| [k / 3, k % 3]) {
+                let truth = nearest_by_force(&grid, [i, j], query);
+                assert!(spaces[i][j] <= truth, "{seed} {query} {i} {j}");
+                assert!(squares[i][j].sqrt() <= truth, "{seed} {query} {i} {j}");
+                let quad = corners.quad(i, j);
+                assert!(!is_beyond(&quad, truth + displacement.max_length), "{seed} {query} {i} {j}");
+                let near = nearest_on_bilinear(&quad);
+                assert!(near.distance + displacement.max_length >= truth - 0.05, "{seed} {query} {i} {j}");
+                let [a, b, c, d] = quad;
+                let (s, t) = (near.start.x, near.start.y);
+                let point = (a * (1.0 - t) + b * t) * (1.0 - s) + (c * (1.0 - t) + d * t) * s;
+                assert!(point.length() <= near.distance + 1e-12, "{seed} {query} {i} {j}");
+            }
+        }
+    }
+
+    /// Without displacements, bounds of a plane are exact: none may be halved or left out.
+    #[test]
+    fn bounds_of_a_plane_are_exact() {
+        let nodes = (0..25).flat_map(|k| [f64::from(k / 5), f64::from(k % 5), 0.0]).collect::<Vec<_>>();
+        let grid = Grid::new(Nodes::strided(nodes, 5, 5, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap();
+        let index = Pyramid::build(&grid, &Job::default()).unwrap();
+        let displacement = DisplacementBox::new(index.displacement(0, 0));
+        let query = DVec3::new(-1.0, -2.0, 2.0);
+        let corners = BlockCorners::new(&grid, [0, 0], [4, 4], query);
+        for [i, j] in (0..16).map(|k| [k / 4, k % 4]) {
+            let corner = DVec3::new(i as f64, j as f64, 0.0);
+            let truth = corner.distance(query);
+            let direction = (query - corner) / truth;
+            assert!((corners.box_squares(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
+            assert!((corners.half_spaces(direction, displacement.along(direction))[i][j] - truth).abs() < 1e-9);
+            assert!((nearest_on_bilinear(&corners.quad(i, j)).distance - truth).abs() < 1e-9);
+        }
+        assert!((corners.min_square() - 9.0).abs() < 1e-12);
+        assert!(is_beyond(&corners.quad(3, 3), 5.0) && !is_beyond(&corners.quad(3, 3), 9.0));
+        let mut candidates = Vec::new();
+        let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+        leaf.find_candidates(query, DVec3::ZERO, &mut UpperBound::new(f64::INFINITY, 0.0), &mut candidates);
+        assert_eq!(candidates.iter().map(|candidate| candidate.cell).collect::<Vec<_>>(), [[0, 0]]);
+    }
+}

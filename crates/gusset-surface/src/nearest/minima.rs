@@ -1,0 +1,288 @@
+//! All places where the distance from a point is locally least, the nearest first.
+//!
+//! Best first over blocks of all sheets; each cell reached gives the minima of its patch
+//! (`patch_minima`), and sides across which tangents may jump give theirs. A minimum on a side or
+//! at a corner counts if no cell that meets the point has a way down from there. Invariant: a
+//! minimum that is missing is no nearer than the bound at which the search ended.
+
+use super::block::{Block, blocks_within};
+use super::closest::Closest;
+use super::descent_direction::{SIDE_ROUNDING, has_descent_direction};
+use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
+use super::patch_search::{PartFrontier, nearest_on_patch};
+use super::query::check;
+use super::search::cells_around;
+use crate::cells::Cells;
+use crate::frontier::{BranchAndBound, Frontier};
+use crate::prelude::*;
+use crate::{Place, Surface, each_sheet};
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::sort;
+
+/// Places where the distance from a point is locally least.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Minima {
+    /// The nearest first. Of each, `bound` is about the surface next to it; if `proven` is false,
+    /// it is not certain that it is a minimum: the distance is nearly the same all round, as at a
+    /// focus, or on a whole curve of places; for all such cells that touch there is one.
+    pub points: Vec<Closest>,
+    /// False if the search gave up: there may be others, none nearer than `bound`.
+    pub complete: bool,
+    /// No minimum that is missing is nearer: the distance at which the search ended.
+    pub bound: f64,
+}
+
+/// Cells left undecided before a search gives up.
+const MAX_UNDECIDED: usize = 512;
+/// Blocks and cells between two chances to cancel.
+const REPORT_INTERVAL: usize = 1 << 7;
+/// Points no farther apart than this many tolerances are one.
+const SAME_POINT: f64 = 16.0;
+
+/// A minimum and the cell where it was found.
+#[derive(Clone, Copy)]
+struct FoundMinimum {
+    minimum: LocalMinimum,
+    sheet: usize,
+    cell: [usize; 2],
+}
+
+impl Surface<'_> {
+    /// The places where the distance from `query` is locally least, no farther than `limit`: all,
+    /// or the `most` nearest; the nearest first.
+    ///
+    /// None is missed: a place where it cannot be proved that there is a minimum, or that there is
+    /// none, is given too, with `proven` false. With `most`, cells farther than the last one are
+    /// not searched; without, all cells within the limit are.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
+        check("limit", query, limit)?;
+        let mut search = MinimaSearch {
+            surface: self,
+            query,
+            limit,
+            tolerance: self.query_tolerance(query),
+            most,
+            found: Vec::new(),
+            undecided: Vec::new(),
+            frontier: Frontier::default(),
+            looked_at: 0,
+            job,
+        };
+        for sheet in 0..self.len() {
+            search.wait(sheet, Block::root(self.indexed(sheet).1))?;
+        }
+        let bound = search.run()?.unwrap_or(limit);
+        search.end(bound, self.closest(query, limit))
+    }
+}
+
+struct MinimaSearch<'a> {
+    surface: &'a Surface<'a>,
+    query: DVec3,
+    limit: f64,
+    tolerance: f64,
+    most: usize,
+    found: Vec<FoundMinimum>,
+    undecided: Vec<FoundMinimum>,
+    /// Among equal bounds by sheet, level, row and column: so the answer does not depend on the
+    /// queue.
+    frontier: Frontier<(usize, Block), [usize; 4]>,
+    /// The blocks and cells so far.
+    looked_at: usize,
+    job: &'a Job<'a>,
+}
+
+impl BranchAndBound for MinimaSearch<'_> {
+    type Task = (usize, Block);
+    type Key = [usize; 4];
+    type Stop = Error;
+
+    fn frontier(&mut self) -> &mut Frontier<(usize, Block), [usize; 4]> {
+        &mut self.frontier
+    }
+
+    fn is_wanted(&mut self, bound: f64) -> bool {
+        bound <= self.prune_bound() && self.undecided.len() <= MAX_UNDECIDED
+    }
+
+    fn branch(&mut self, _: f64, (sheet, block): (usize, Block)) -> Result<()> {
+        self.tick()?;
+        let (cells, index) = self.surface.indexed(sheet);
+        if block.level == 0 {
+            return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
+        }
+        let mut children = block.children(index, self.query).into_iter().flatten();
+        children.try_for_each(|block| self.wait(sheet, block))
+    }
+}
+
+impl MinimaSearch<'_> {
+    /// Counts a block or a cell.
+    #[inline(never)]
+    fn tick(&mut self) -> Result<()> {
+        self.looked_at += 1;
+        if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, "minima") } else { Ok(()) }
+    }
+
+    fn wait(&mut self, sheet: usize, block: Block) -> Result<()> {
+        self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
+    }
+
+    /// What is farther is not wanted.
+    fn prune_bound(&self) -> f64 {
+        if self.most == 0 || self.found.len() < self.most {
+            return self.limit;
+        }
+        let mut distances: Vec<f64> = self.found.iter().map(|found| found.minimum.distance).collect();
+        let (_, &mut last, _) = distances.select_nth_unstable_by(self.most - 1, f64::total_cmp);
+        self.limit.min(last + self.tolerance)
+    }
+
+    fn search_block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
+        for cell in block.cells(cells) {
+            self.tick()?;
+            let patch = cells.patch(cell[0], cell[1]);
+            if patch.box_distance(self.query) > self.limit {
+                continue;
+            }
+            let mut minima = Vec::new();
+            interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
+            if !cells.is_smooth_around(cell[0], cell[1]) {
+                side_minima(&patch, self.query, |minimum| minima.push(minimum));
+            }
+            for minimum in minima {
+                self.add(FoundMinimum { minimum, sheet, cell })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, candidate: FoundMinimum) -> Result<()> {
+        let minimum = &candidate.minimum;
+        if minimum.bound > self.limit {
+            return Ok(());
+        }
+        if !minimum.proven {
+            return alloc::push(&mut self.undecided, candidate);
+        }
+        let near = SAME_POINT * self.tolerance;
+        let is_same = |other: &FoundMinimum| other.minimum.point.distance(minimum.point) <= near;
+        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_around(minimum) {
+            return Ok(());
+        }
+        alloc::push(&mut self.found, candidate)
+    }
+
+    /// True if no cell that meets the point of a minimum of one patch has a way down from there.
+    fn is_minimum_around(&self, minimum: &LocalMinimum) -> bool {
+        let on_border = |x: f64| x <= SIDE_ROUNDING || x >= 1.0 - SIDE_ROUNDING;
+        if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
+            return true;
+        }
+        (0..self.surface.len()).all(|sheet| {
+            let (cells, index) = self.surface.indexed(sheet);
+            let mut blocks = blocks_within(index, minimum.point, self.tolerance);
+            each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in(cells, &block, minimum)))
+        })
+    }
+
+    fn is_minimum_in<const N: usize>(&self, cells: &impl Cells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
+        let mut workspace = PartFrontier::default();
+        block.cells(cells).all(|[i, j]| {
+            let (patch, start) = (cells.patch(i, j), DVec2::splat(0.5));
+            if patch.box_distance(minimum.point) > self.tolerance {
+                return true;
+            }
+            let found =
+                nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
+            let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
+            !has_descent_direction(&patch, self.query, there.place, SAME_POINT * self.tolerance)
+        })
+    }
+
+    /// The minima found, with one place for all undecided cells that touch.
+    fn end(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
+        let complete = self.undecided.len() <= MAX_UNDECIDED;
+        merge_adjacent(&mut self.undecided, self.surface)?;
+        let proven = std::mem::take(&mut self.found);
+        // An undecided place next to a proven one is that.
+        let near = SAME_POINT * self.tolerance;
+        let distance = |a: &FoundMinimum, b: &FoundMinimum| a.minimum.point.distance(b.minimum.point);
+        self.undecided.retain(|place| proven.iter().all(|found| distance(found, place) > near));
+        let mut points = alloc::with_capacity(proven.len() + self.undecided.len() + 1)?;
+        for FoundMinimum { minimum, sheet, cell } in proven.into_iter().chain(self.undecided) {
+            let cell = cell.map(|k| k as u32);
+            let place = Place { sheet: sheet as u32, cell, u: minimum.place.x, v: minimum.place.y };
+            let LocalMinimum { point, distance, bound, proven, .. } = minimum;
+            let normal = self.surface.normal(place);
+            points.push(Closest { place, point, normal, distance, bound, proven, is_ambiguous: !proven });
+        }
+        // The nearest point of all is a minimum, whatever the surface is like there.
+        let reached = |point: &Closest, nearest: &Closest| point.distance <= nearest.distance + self.tolerance;
+        if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
+            points.push(nearest);
+        }
+        sort::stable(points.as_mut_slice(), &|a, b| {
+            let place = |c: &Closest| (c.place.sheet, c.place.cell);
+            a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
+        });
+        points.retain(|point| point.distance <= self.limit);
+        unite(&mut points, near)?;
+        if self.most > 0 {
+            points.truncate(self.most);
+        }
+        Ok(Minima { points, complete, bound })
+    }
+}
+
+/// Keeps one of all points that are one in space, the first; a proven one next to it replaces it.
+fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
+    let mut kept: Vec<Closest> = alloc::with_capacity(points.len())?;
+    for point in points.drain(..) {
+        // Points that are one are nearly as far: only the last ones need be compared.
+        let alike = kept.iter_mut().rev().take_while(|other| other.distance >= point.distance - near);
+        match { alike }.find(|other| other.point.distance(point.point) <= near) {
+            Some(other) if point.proven && !other.proven => *other = point,
+            Some(other) => other.bound = other.bound.min(point.bound),
+            None => kept.push(point),
+        }
+    }
+    // A proven one may be a little farther than the one whose place it took.
+    sort::stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
+    *points = kept;
+    Ok(())
+}
+
+/// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of
+/// grids.
+fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
+    sort::stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
+    let mut groups = DisjointSets::new(undecided.len())?;
+    for k in 0..undecided.len() {
+        let FoundMinimum { sheet, cell, .. } = undecided[k];
+        let of = surface.sheet(sheet);
+        for next in cells_around(of.cells(), of.seams(), cell) {
+            if let Ok(other) = undecided.binary_search_by_key(&(sheet, next), |other| (other.sheet, other.cell)) {
+                groups.union(k as u32, other as u32);
+            }
+        }
+    }
+    let mut best: Vec<Option<FoundMinimum>> = alloc::filled(None, undecided.len())?;
+    for (k, &found) in undecided.iter().enumerate() {
+        let slot = &mut best[groups.find(k as u32) as usize];
+        *slot = Some(match *slot {
+            Some(other) => {
+                let bound = other.minimum.bound.min(found.minimum.bound);
+                let nearer = if found.minimum.distance < other.minimum.distance { found } else { other };
+                FoundMinimum { minimum: LocalMinimum { bound, ..nearer.minimum }, ..nearer }
+            }
+            None => found,
+        });
+    }
+    *undecided = alloc::gather(best.into_iter().flatten())?;
+    Ok(())
+}

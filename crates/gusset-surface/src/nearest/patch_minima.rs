@@ -1,0 +1,235 @@
+//! Local minima of the distance on one patch: stationary places inside, and minima along its sides.
+//!
+//! A part of the patch is settled when one of these holds, else it is split:
+//! * *no root*: (S - q) . S_u or (S - q) . S_v vanishes nowhere;
+//! * *no minimum*: the Hessian is nowhere positive definite;
+//! * *one at most*: it is positive definite everywhere, and Newton's method finds the minimum, if
+//!   there is one: the termination criterion of Hanniel and Elber (2007, "Subdivision termination
+//!   criteria in subdivision multivariate solvers") for a gradient field;
+//! * *undecided*: the distance varies by no more than the tolerance, or the part is among the last
+//!   that are examined. One place stands for all undecided parts.
+//!
+//! Control points bound all of these, so that no minimum is missed. At most [`MAX_PARTS`] parts.
+
+use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
+use super::part::{MAX_PARTS, PatchPart};
+use crate::Patch;
+use glam::{DVec2, DVec3};
+use gusset_base::geom::aabb::range;
+use gusset_base::geom::bernstein::halves;
+
+/// The same of a patch without area: no part of a line has a definite Hessian, so that splitting
+/// only excludes.
+const MAX_PARTS_WITHOUT_AREA: usize = 12;
+/// Parts of a side that are examined before the rest is taken as it is.
+const MAX_PARTS_OF_SIDE: usize = 4 * MAX_PARTS;
+/// How far from the minimum a descent may end for rounding of distances, in parameters.
+const MAX_DESCENT_ERROR: f64 = 1e-6;
+/// Least size of a part of a side.
+const MIN_SIDE_PART: f64 = 1e-7;
+
+/// A place where the distance is locally least, or may be.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LocalMinimum {
+    pub(super) place: DVec2,
+    pub(super) point: DVec3,
+    pub(super) distance: f64,
+    /// No point of the part that was examined is nearer.
+    pub(super) bound: f64,
+    pub(super) proven: bool,
+}
+
+impl LocalMinimum {
+    fn new(foot: &Foot, bound: f64, proven: bool) -> Self {
+        let Foot { place, jet, distance } = *foot;
+        LocalMinimum { place, point: jet.point, distance, bound: bound.min(distance), proven }
+    }
+}
+
+/// The minima inside a patch, those on its border without slope across it included, and one without
+/// proof for all that is left undecided.
+pub(super) fn interior_minima<const N: usize>(
+    patch: &Patch<N>,
+    query: DVec3,
+    tolerance: f64,
+    mut add: impl FnMut(LocalMinimum),
+) {
+    if !may_be_stationary(patch, query) {
+        return;
+    }
+    let mut parts = vec![PatchPart::whole(patch)];
+    let mut examined = 0;
+    let most = if patch.has_no_area() { MAX_PARTS_WITHOUT_AREA } else { MAX_PARTS };
+    let mut undecided: Option<LocalMinimum> = None;
+    while let Some(part) = parts.pop() {
+        if !may_be_stationary(&part.patch, query) {
+            continue;
+        }
+        examined += 1;
+        let foot = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS);
+        let hessian = part.patch.hessian_range(query, &foot);
+        let noise = part.patch.noise();
+        let speed = foot.jet.u.length() + foot.jet.v.length();
+        if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
+            continue;
+        }
+        let on_whole = || Foot::at(patch, query, part.place(foot.place));
+        if hessian.min_eigenvalue().is_some() && has_ended(&part.patch, &foot, query) {
+            if is_stationary(&part.patch, &foot, query) {
+                add(LocalMinimum::new(&on_whole(), part.patch.convexity_distance(query, &foot), true));
+            }
+            continue;
+        }
+        let direction = (query - foot.jet.point).normalize_or_zero();
+        let bound = part.patch.half_space_distance(query, direction).max(part.patch.box_distance(query));
+        if part.is_smallest() || examined >= most || part.patch.max_distance(query) - bound <= tolerance {
+            let found = LocalMinimum::new(&on_whole(), bound, false);
+            undecided = Some(match undecided {
+                Some(other) if other.distance <= found.distance => {
+                    LocalMinimum { bound: other.bound.min(bound), ..other }
+                }
+                Some(other) => LocalMinimum { bound: other.bound.min(found.bound), ..found },
+                None => found,
+            });
+            continue;
+        }
+        part.split(|part| parts.push(part));
+    }
+    undecided.into_iter().for_each(add);
+}
+
+/// True if a descent has ended where no permitted step goes down, and not short of it.
+fn has_ended<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
+    foot.projected_gradient(query).abs().cmple(slope_rounding(patch, foot, query, MAX_DESCENT_ERROR)).all()
+}
+
+/// True if the slopes across borders of the part are 0 but for rounding, where a descent has ended.
+fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
+    let (gradient, _) = gradient_and_hessian(&foot.jet, query);
+    let (permitted, slack) = (foot.projected_gradient(query), slope_rounding(patch, foot, query, 1e-12));
+    (0..2).all(|k| permitted[k] != 0.0 || gradient[k].abs() <= slack[k])
+}
+
+/// Bounds of computed slopes of |S - q|^2 / 2 where the true ones are 0, if the place is off by
+/// `step`.
+///
+/// The slope (S - q) . S_u is off by |S_u| times the rounding of S - q, and by |S - q| times that
+/// of S_u, which is not small beside S_u where this vanishes, as on a fold. Over a step it grows by
+/// the second derivative, |S_u|^2 + (S - q) . S_uu, of which only the last part is left there.
+pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
+    let size = foot.jet.point.abs().max(query.abs()).max_element();
+    let noise = patch.noise();
+    let of = |along: DVec3, bend: DVec3| {
+        let rounding = 64.0 * f64::EPSILON * size * along.length() + foot.distance * noise;
+        rounding + step * (along.length_squared() + (foot.jet.point - query).dot(bend).abs())
+    };
+    DVec2::new(of(foot.jet.u, foot.jet.uu), of(foot.jet.v, foot.jet.vv))
+}
+
+/// False if a slope of the distance vanishes nowhere in a patch.
+///
+/// (S - q) . S_u with S within r of c, the middle: it is within r max |S_u| of (c - q) . S_u.
+fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
+    let p = &patch.points;
+    let count = (N * N) as f64;
+    let middle = p.as_flattened().iter().sum::<DVec3>() / count;
+    let (from, radius) = (middle - query, patch.max_distance(middle));
+    let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    let mut longest = [0.0_f64; 2];
+    let mut add = |k: usize, along: DVec3| {
+        let slope = from.dot(along);
+        ranges[k] = [ranges[k][0].min(slope), ranges[k][1].max(slope)];
+        longest[k] = longest[k].max(along.length_squared());
+    };
+    for (row, next) in p.iter().zip(&p[1..]) {
+        row.iter().zip(next).for_each(|(from, to)| add(0, *to - *from));
+    }
+    p.iter().flat_map(|row| row.windows(2)).for_each(|pair| add(1, pair[1] - pair[0]));
+    let noise = from.length() * patch.noise();
+    (0..2).all(|k| {
+        let slack = radius * longest[k].sqrt() * (1.0 + 1e-9) + noise + f64::MIN_POSITIVE;
+        ranges[k][0] <= slack && ranges[k][1] >= -slack
+    })
+}
+
+/// The minima of the distance along each side of a patch, its corners included, from which no
+/// permitted step into the patch goes down.
+pub(super) fn side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut add: impl FnMut(LocalMinimum)) {
+    let turned = patch.transposed();
+    for (side, at) in [(0, 0.0), (N - 1, 1.0)] {
+        curve_minima(&patch.points[side], query, |t| add_if_minimum(patch, query, DVec2::new(at, t), &mut add));
+        curve_minima(&turned.points[side], query, |t| add_if_minimum(patch, query, DVec2::new(t, at), &mut add));
+    }
+}
+
+/// Gives a place on the border to `add` if no permitted step from there goes down.
+fn add_if_minimum<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, add: &mut impl FnMut(LocalMinimum)) {
+    let foot = Foot::at(patch, query, place);
+    let slope = foot.projected_gradient(query);
+    if slope.abs().cmple(slope_rounding(patch, &foot, query, 1e-9)).all() {
+        add(LocalMinimum::new(&foot, foot.distance, true));
+    }
+}
+
+/// Parameters near all minima of the distance along a curve, its ends included.
+fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl FnMut(f64)) {
+    let degree = (N - 1) as f64;
+    let mut parts = vec![(*points, 0.0, 1.0)];
+    let mut examined = 0;
+    add(0.0);
+    add(1.0);
+    while let Some((points, from, size)) = parts.pop() {
+        examined += 1;
+        let middle = points.iter().sum::<DVec3>() / N as f64;
+        let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, f64::max);
+        let from_query = middle - query;
+        let steps = || points.windows(2).map(|pair| degree * (pair[1] - pair[0]));
+        let longest = steps().map(DVec3::length).fold(0.0, f64::max);
+        let [low, high] = range(steps().map(|step| from_query.dot(step)));
+        if low > radius * longest || high < -radius * longest {
+            continue;
+        }
+        let bends = || points.windows(3).map(|p| degree * (degree - 1.0) * (p[2] - 2.0 * p[1] + p[0]));
+        let bend = bends().map(DVec3::length).fold(0.0, f64::max);
+        let along = bends().map(|bend| from_query.dot(bend)).fold(f64::INFINITY, f64::min);
+        // All tangents are within `bend` of their mean.
+        let least = (degree.recip() * steps().sum::<DVec3>().length() - bend).max(0.0);
+        if least * least + along - radius * bend > 0.0 || size < MIN_SIDE_PART || examined > MAX_PARTS_OF_SIDE {
+            add(from + size * convex_minimum(&points, query));
+            continue;
+        }
+        let [low, high] = halves(&points);
+        parts.push((low, from, 0.5 * size));
+        parts.push((high, from + 0.5 * size, 0.5 * size));
+    }
+}
+
+/// The parameter of the least distance along a curve whose distance is convex: Newton's method on
+/// its slope, with bisection where a step leaves the bracket.
+fn convex_minimum<const N: usize>(points: &[DVec3; N], query: DVec3) -> f64 {
+    let (mut low, mut high, mut t) = (0.0, 1.0, 0.5);
+    let line = Patch { points: [*points; N] };
+    for _ in 0..60 {
+        let jet = line.jet(0.5, t);
+        let from = jet.point - query;
+        let (slope, second) = (from.dot(jet.v), jet.v.length_squared() + from.dot(jet.vv));
+        if slope > 0.0 {
+            high = t;
+        } else {
+            low = t;
+        }
+        let next = t - slope / second;
+        let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+        if (next - t).abs() < 1e-15 {
+            break;
+        }
+        t = next;
+    }
+    if t < 1e-12 {
+        0.0
+    } else if t > 1.0 - 1e-12 {
+        1.0
+    } else {
+        t
+    }
+}

@@ -1,0 +1,124 @@
+//! The nearest point of one patch, with proof.
+//!
+//! If the bounds at the foot of a descent (see `bounds`) do not prove it to within the tolerance,
+//! the patch is split by branch and bound, down to 2^-26 of a side and [`MAX_PARTS`] parts.
+
+use super::bounds::lower_bound;
+use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
+use super::part::{MAX_PARTS, PatchPart};
+use crate::Patch;
+use crate::frontier::{BranchAndBound, Frontier};
+use glam::{DVec2, DVec3};
+use std::convert::Infallible;
+
+/// The nearest point found on a patch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NearestOnPatch {
+    pub(super) place: DVec2,
+    pub(super) distance: f64,
+    /// No point of the patch is nearer than this.
+    pub(super) bound: f64,
+}
+
+impl NearestOnPatch {
+    fn new(foot: &Foot, bound: f64) -> Self {
+        NearestOnPatch { place: foot.place, distance: foot.distance, bound: bound.min(foot.distance) }
+    }
+}
+
+/// Parts that wait; among equal bounds the first one that was added comes first.
+pub(super) type PartFrontier<const N: usize> = Frontier<PatchPart<N>, u32>;
+
+/// The nearest point of a patch to `query`, looked for from `start`; `None` if all of the patch is
+/// farther than `limit`. `frontier`: a workspace.
+///
+/// The answer does not depend on the limit. It is nearest to within `tolerance`, unless its bound
+/// shows that the limits of the search left it without proof.
+pub(super) fn nearest_on_patch<const N: usize>(
+    patch: &Patch<N>,
+    query: DVec3,
+    start: DVec2,
+    limit: f64,
+    tolerance: f64,
+    frontier: &mut PartFrontier<N>,
+) -> Option<NearestOnPatch> {
+    let best = minimise(patch, query, start, MAX_STEPS);
+    let bound = lower_bound(patch, query, &best, 0.0, tolerance);
+    if bound > limit {
+        return None;
+    }
+    if bound >= best.distance - tolerance {
+        return Some(NearestOnPatch::new(&best, bound));
+    }
+    let proven = f64::INFINITY;
+    PatchSearch { patch, query, limit, tolerance, best, proven, examined: 0, added: 0, frontier }.search()
+}
+
+/// A search of a patch that cannot be decided as a whole.
+struct PatchSearch<'a, const N: usize> {
+    patch: &'a Patch<N>,
+    query: DVec3,
+    limit: f64,
+    tolerance: f64,
+    best: Foot,
+    /// The least bound of the parts that are settled.
+    proven: f64,
+    examined: usize,
+    added: u32,
+    frontier: &'a mut PartFrontier<N>,
+}
+
+impl<const N: usize> PatchSearch<'_, N> {
+    #[cold]
+    fn search(mut self) -> Option<NearestOnPatch> {
+        self.frontier.clear();
+        self.split(&PatchPart::whole(self.patch));
+        let Ok(left) = self.run();
+        let bound = self.proven.min(left.unwrap_or(f64::INFINITY));
+        (bound <= self.limit).then(|| NearestOnPatch::new(&self.best, bound))
+    }
+
+    fn split(&mut self, part: &PatchPart<N>) {
+        part.split(|part| {
+            let part = part.bounded(self.query);
+            let bound = part.bound;
+            if self.frontier.push(bound, self.added, part).is_err() {
+                self.proven = self.proven.min(bound);
+            }
+            self.added += 1;
+        });
+    }
+}
+
+impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
+    type Task = PatchPart<N>;
+    type Key = u32;
+    type Stop = Infallible;
+
+    fn frontier(&mut self) -> &mut PartFrontier<N> {
+        self.frontier
+    }
+
+    fn is_wanted(&mut self, bound: f64) -> bool {
+        bound.min(self.proven) <= self.limit && bound < self.best.distance - self.tolerance && self.examined < MAX_PARTS
+    }
+
+    fn branch(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
+        self.examined += 1;
+        let local = minimise(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
+        if local.distance < self.best.distance {
+            // As the whole patch has it: the part's control points are rounded.
+            let foot = Foot::at(self.patch, self.query, part.place(local.place));
+            if foot.distance < self.best.distance {
+                self.best = foot;
+            }
+        }
+        let bound = lower_bound(&part.patch, self.query, &local, bound, self.tolerance);
+        if bound >= self.best.distance - self.tolerance || part.is_smallest() {
+            self.proven = self.proven.min(bound);
+        } else {
+            self.split(&PatchPart { bound, ..part });
+        }
+        Ok(())
+    }
+}

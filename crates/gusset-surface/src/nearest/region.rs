@@ -1,0 +1,125 @@
+//! The cells that have a point within a distance: the paper's region of task a), as bits and as a
+//! list.
+//!
+//! Blocks are excluded by their boxes, cells by the search of their patches. No upper bound falls,
+//! so that the order does not matter. O(blocks and cells that come within the distance).
+
+use super::block::blocks_within;
+use super::patch_search::{PartFrontier, nearest_on_patch};
+use super::query::check;
+use crate::cells::Cells;
+use crate::index::Pyramid;
+use crate::prelude::*;
+use crate::{Patch, Surface, each_sheet};
+
+/// Cells of a surface.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Region {
+    /// Sheet, row and column of each cell, rising.
+    pub cells: Vec<[u32; 3]>,
+    /// By cell of the list: true if all of it is within the distance.
+    pub whole: Vec<bool>,
+    /// A bit for each cell of all sheets, the lowest of the first word first: that of cell (i, j)
+    /// of sheet k is `first[k] + i * columns + j`.
+    pub mask: Vec<u64>,
+    /// By sheet: its first bit; then the number of bits.
+    pub first: Vec<u64>,
+}
+
+impl Region {
+    /// True if a cell is in the region.
+    ///
+    /// # Panics
+    /// If there is no such bit.
+    pub fn has(&self, bit: u64) -> bool {
+        self.mask[(bit / 64) as usize] >> (bit % 64) & 1 == 1
+    }
+}
+
+impl Surface<'_> {
+    /// The cells that have a point no farther than `radius` from `query`: all of those, and none
+    /// whose points are all farther than the radius by more than the tolerance, unless that cannot
+    /// be proved.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::NotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
+        check("radius", query, radius)?;
+        let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };
+        let mut bits = 0_u64;
+        for k in 0..self.len() {
+            region.first.push(bits);
+            bits += self.sheet(k).cells().map(|count| count as u64).iter().product::<u64>();
+        }
+        region.first.push(bits);
+        region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
+        let ball = Ball { query, radius, tolerance: self.query_tolerance(query) };
+        let mut found = Vec::new();
+        for k in 0..self.len() {
+            let (sheet, index) = self.indexed(k);
+            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut found, job))?;
+        }
+        // Blocks came in another order.
+        found.sort_unstable();
+        region.cells = alloc::collect(found.iter().map(|&(cell, _)| cell))?;
+        region.whole = alloc::collect(found.iter().map(|&(_, whole)| whole))?;
+        for &[k, i, j] in &region.cells {
+            let [_, columns] = self.sheet(k as usize).cells();
+            let bit = region.first[k as usize] + u64::from(i) * columns as u64 + u64::from(j);
+            region.mask[(bit / 64) as usize] |= 1 << (bit % 64);
+        }
+        Ok(region)
+    }
+}
+
+/// Blocks of cells between two chances to cancel.
+const BLOCKS_PER_STEP: usize = 1 << 12;
+
+/// A ball round the query.
+struct Ball {
+    query: DVec3,
+    radius: f64,
+    tolerance: f64,
+}
+
+impl Ball {
+    /// Adds the cells of a sheet that have a point in the ball, and whether all of them is.
+    fn collect<const N: usize>(
+        &self,
+        cells: &impl Cells<N>,
+        index: &Pyramid,
+        sheet: u32,
+        found: &mut Vec<([u32; 3], bool)>,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let mut workspace = PartFrontier::default();
+        for (k, block) in blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
+            if (k + 1).is_multiple_of(BLOCKS_PER_STEP) {
+                job.step(0.0, "region")?;
+            }
+            for [i, j] in block.cells(cells) {
+                let patch = cells.patch(i, j);
+                let whole = patch.max_distance(self.query) <= self.radius;
+                if whole || self.reaches(&patch, &mut workspace) {
+                    alloc::push(found, ([sheet, i as u32, j as u32], whole))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// True if a patch has a point in the ball, or nearly.
+    fn reaches<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> bool {
+        let corners = patch.corners();
+        if corners.as_flattened().iter().any(|corner| corner.distance(self.query) <= self.radius) {
+            return true;
+        }
+        if patch.box_distance(self.query) > self.radius + self.tolerance {
+            return false;
+        }
+        let start = DVec2::splat(0.5);
+        let found = nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace);
+        found.is_some_and(|found| found.bound <= self.radius)
+    }
+}

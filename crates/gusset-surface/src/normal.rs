@@ -1,0 +1,206 @@
+//! Unit normals, also where the tangents do not give one.
+//!
+//! Where S_u x S_v = 0, as where a side of a patch is one point, the normal is the limit along the
+//! coordinate lines into the patch. Along such a line S_u and S_v are polynomials, and so is their
+//! product; the direction of its first coefficient that is not 0 is the limit. From different lines
+//! the limits may differ, as at the tip of a cone: that is their spread.
+
+use super::cells::Cells;
+use super::patch::regular_normal;
+use super::{Patch, Sheet, each_sheet};
+use glam::DVec3;
+use gusset_base::geom::bernstein::{binomial_row, evaluate, evaluate_with_slope, restrict};
+
+/// Where a normal is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum NormalKind {
+    /// The tangents span a plane, and this is its normal.
+    Regular,
+    /// They do not; it is the limit along a coordinate line.
+    Limit,
+    /// There is none.
+    None,
+}
+
+/// The normal at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Normal {
+    /// Of length 1, to the side of S_u x S_v; 0 if there is none.
+    pub direction: DVec3,
+    /// Where it is from.
+    pub kind: NormalKind,
+    /// Of limits: the largest angle to the limits along other coordinate lines to the same point of
+    /// the sheet. Small for a pole of a smooth surface, where it is an error of the interpolant;
+    /// large for the tip of a cone, which has no normal.
+    pub spread: f64,
+}
+
+impl Normal {
+    const NONE: Normal = Normal { direction: DVec3::ZERO, kind: NormalKind::None, spread: 0.0 };
+}
+
+/// The angle between unit vectors.
+pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b))
+}
+
+impl<const N: usize> Patch<N> {
+    /// Derivatives up to this may be rounding of control points.
+    pub(super) fn noise(&self) -> f64 {
+        let largest = self.points.as_flattened().iter().fold(DVec3::ZERO, |most, p| most.max(p.abs()));
+        (4 * N * N) as f64 * f64::EPSILON * largest.max_element()
+    }
+
+    /// True if the side u = 0 (or 1, if `end`) is one point.
+    pub(super) fn side_is_point(&self, end: bool) -> bool {
+        let side = &self.points[if end { N - 1 } else { 0 }];
+        let noise = self.noise();
+        side.iter().all(|p| p.distance(side[0]) <= noise)
+    }
+
+    /// True if S_u x S_v cannot be told from 0 anywhere, as of a patch that is a curve or a point.
+    ///
+    /// Its control vectors are sums of products of those of S_u and S_v, with the products of their
+    /// binomials as weights.
+    pub(super) fn has_no_area(&self) -> bool {
+        let p = &self.points;
+        let step_u = |a: usize, b: usize| p[a + 1][b] - p[a][b];
+        let step_v = |a: usize, b: usize| p[a][b + 1] - p[a][b];
+        let (lower, full) = (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1));
+        let mut longest = 0.0_f64;
+        for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
+            longest = longest.max(step_u(a, b).length()).max(step_v(b, a).length());
+        }
+        let noise = 2.0 * self.noise() * longest;
+        // i = a + c and j = b + d, where a and d are below N - 1.
+        let split = |k: usize| k.saturating_sub(N - 1)..=k.min(N - 2);
+        (0..2 * N - 2).flat_map(|i| (0..2 * N - 2).map(move |j| (i, j))).all(|(i, j)| {
+            let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
+            for (a, d) in split(i).flat_map(|a| split(j).map(move |d| (a, d))) {
+                let share = lower[a] * full[j - d] * full[i - a] * lower[d];
+                sum += share * step_u(a, j - d).cross(step_v(i - a, d));
+                weight += share;
+            }
+            sum.length() <= weight * noise
+        })
+    }
+
+    /// The unit normal and whether it is regular; 0 if there is none.
+    fn normal(&self, u: f64, v: f64) -> Normal {
+        let (jet, noise) = (self.jet(u, v), self.noise());
+        if let Some(direction) = jet.regular_normal(noise) {
+            return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
+        }
+        let found = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];
+        match found {
+            [DVec3::ZERO, DVec3::ZERO] => Normal::NONE,
+            [DVec3::ZERO, direction] | [direction, DVec3::ZERO] => {
+                Normal { direction, kind: NormalKind::Limit, spread: 0.0 }
+            }
+            [a, b] => Normal { direction: a, kind: NormalKind::Limit, spread: angle(a, b) },
+        }
+    }
+
+    /// The unit normals at the ends and the middle of a side: u = 0, or 1 if `end`; if `across` v =
+    /// 0, or 1. 0 where there is none.
+    pub(super) fn normals_at_side(&self, across: bool, end: bool) -> [DVec3; 3] {
+        let net = if across { self.transposed() } else { *self };
+        let (side, next) = if end { (N - 1, N - 2) } else { (0, 1) };
+        let from_side = if end == across { 1.0 } else { -1.0 } * (N - 1) as f64;
+        let steps: [DVec3; N] = std::array::from_fn(|k| (net.points[next][k] - net.points[side][k]) * from_side);
+        let (noise, at) = (self.noise(), f64::from(u8::from(end)));
+        [0.0, 0.5, 1.0].map(|t| {
+            // Turned where it is a step back, and with the order of the tangents.
+            let (off, along) = (evaluate(&steps, t), evaluate_with_slope(&net.points[side], t)[1]);
+            let [u, v] = if across { [t, at] } else { [at, t] };
+            regular_normal(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
+        })
+    }
+
+    /// The limit of the unit normal along the line of constant v, from the side with more room; 0
+    /// if the normal is 0 all along it.
+    fn limit(&self, u: f64, v: f64, noise: f64) -> DVec3 {
+        let across = self.points.map(|row| evaluate_with_slope(&row, v));
+        let (down, from) = (u > 0.5, if u > 0.5 { 1.0 - u } else { u });
+        let along = |k: usize| {
+            let mut points: [DVec3; N] = std::array::from_fn(|a| across[if down { N - 1 - a } else { a }][k]);
+            restrict(&mut points, [from, 1.0]);
+            points
+        };
+        let (points, slopes) = (along(0), along(1));
+        let steps: [DVec3; N] =
+            std::array::from_fn(|a| if a + 1 < N { points[a + 1] - points[a] } else { DVec3::ZERO });
+        let longest = |vectors: &[DVec3; N]| vectors.iter().fold(0.0_f64, |most, v| most.max(v.length()));
+        let (of_steps, of_slopes) = (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1));
+        let (step, slope) = (longest(&steps), longest(&slopes));
+        for k in 0..2 * N - 2 {
+            let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
+            for i in k.saturating_sub(N - 1)..=k.min(N - 2) {
+                let share = of_steps[i] * of_slopes[k - i];
+                sum += share * steps[i].cross(slopes[k - i]);
+                weight += share;
+            }
+            if sum.length() > weight * noise * (step + slope) {
+                let direction = sum.normalize_or_zero();
+                return if down { -direction } else { direction };
+            }
+        }
+        DVec3::ZERO
+    }
+}
+
+impl Sheet<'_> {
+    /// The unit normal, S_u x S_v, at parameters (u, v) of the cell at (i, j), or its limit along
+    /// the coordinate line where a side of the cell is one point; 0 if there is none.
+    pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> DVec3 {
+        each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v)).direction
+    }
+
+    /// The unit normal with what is known of it. O(1), but at a collapsed side O(cells along it).
+    pub fn normal_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
+        let mut here = each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v));
+        if here.kind == NormalKind::Limit {
+            for (direction, t) in [u, v].into_iter().enumerate() {
+                let cell = |k: usize| if direction == 0 { [i, k] } else { [k, j] };
+                let has = |&k: &usize| self.side_is_point(direction, cell(k)[0], cell(k)[1], t == 1.0);
+                let (start, count) = ([j, i][direction], self.cells()[1 - direction]);
+                if (t == 0.0 || t == 1.0) && has(&start) {
+                    let before = (0..=start).rev().take_while(has);
+                    for k in before.chain((start..count).take_while(has)) {
+                        let place = |other: f64| if direction == 0 { [t, other] } else { [other, t] };
+                        self.spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
+                    }
+                }
+            }
+        }
+        here
+    }
+
+    /// Raises the spread by what other places have.
+    fn spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
+        for [u, v] in places {
+            let other = self.normal(i, j, u, v);
+            if other != DVec3::ZERO {
+                here.spread = here.spread.max(angle(here.direction, other));
+            }
+        }
+    }
+
+    /// True if a side of a cell is one point: across u (direction 0: u = 0, or 1 if `end`) or
+    /// across v.
+    pub(crate) fn side_is_point(&self, direction: usize, i: usize, j: usize, end: bool) -> bool {
+        each_sheet!(self, cells => {
+            let patch = Cells::patch(cells, i, j);
+            if direction == 0 { patch.side_is_point(end) } else { patch.transposed().side_is_point(end) }
+        })
+    }
+
+    /// True if the whole line of nodes before a row of cells (direction 0) or a column, or after
+    /// it, is one point.
+    pub(super) fn line_is_point(&self, direction: usize, cell: usize, end: bool) -> bool {
+        (0..self.cells()[1 - direction]).all(|k| {
+            let [i, j] = if direction == 0 { [cell, k] } else { [k, cell] };
+            self.side_is_point(direction, i, j, end)
+        })
+    }
+}

@@ -1,0 +1,123 @@
+//! Tensor-product Bézier patches: points, derivatives and subdivision by de Casteljau's algorithm.
+
+use glam::DVec3;
+use gusset_base::geom::bernstein::{halves, reduce};
+
+/// Control points `points[a][b]` of degree N - 1 in u (first index) and in v, over 0 <= u, v <= 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch<const N: usize> {
+    /// The control net.
+    pub points: [[DVec3; N]; N],
+}
+
+/// Position and derivatives at a point of a patch, by the patch's own parameters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jet {
+    /// S.
+    pub point: DVec3,
+    /// S_u.
+    pub u: DVec3,
+    /// S_v.
+    pub v: DVec3,
+    /// S_uu.
+    pub uu: DVec3,
+    /// S_uv.
+    pub uv: DVec3,
+    /// S_vv.
+    pub vv: DVec3,
+}
+
+/// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last
+/// three points.
+fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
+    let mut work = *points;
+    reduce(&mut work, t, 3);
+    let degree = (N - 1) as f64;
+    let second = (work[2] - 2.0 * work[1] + work[0]) * (degree * (degree - 1.0));
+    let (left, right) = (work[0].lerp(work[1], t), work[1].lerp(work[2], t));
+    [left.lerp(right, t), (right - left) * degree, second]
+}
+
+impl<const N: usize> Patch<N> {
+    /// The point at (u, v).
+    pub fn point(&self, u: f64, v: f64) -> DVec3 {
+        self.jet(u, v).point
+    }
+
+    /// The point at (u, v) and the derivatives there.
+    #[inline]
+    pub fn jet(&self, u: f64, v: f64) -> Jet {
+        // First in u, for all columns at once, then in v.
+        let [points, first, second] = self.across(u);
+        let [point, v1, vv] = curve(&points, v);
+        let [u1, uv, _] = curve(&first, v);
+        let [uu, ..] = curve(&second, v);
+        Jet { point, u: u1, v: v1, uu, uv, vv }
+    }
+
+    /// The control points, over v, of the curve at u and of its first two derivatives by u: as
+    /// [`curve`], column by column.
+    #[inline(always)]
+    fn across(&self, u: f64) -> [[DVec3; N]; 3] {
+        let mut work = self.points;
+        let low = 1.0 - u;
+        reduce(&mut work, u, 3);
+        let degree = (N - 1) as f64;
+        let mut rows = [[DVec3::ZERO; N]; 3];
+        for b in 0..N {
+            let (left, right) = (low * work[0][b] + u * work[1][b], low * work[1][b] + u * work[2][b]);
+            rows[0][b] = low * left + u * right;
+            rows[1][b] = degree * (right - left);
+            rows[2][b] = (degree * (degree - 1.0)) * (work[2][b] - 2.0 * work[1][b] + work[0][b]);
+        }
+        rows
+    }
+
+    /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
+    pub fn quarters(&self) -> [Patch<N>; 4] {
+        let [low, high] = self.halves();
+        let ([a, b], [c, d]) = (low.transposed().halves(), high.transposed().halves());
+        [a, b, c, d].map(|patch| patch.transposed())
+    }
+
+    /// The halves at u = 1/2.
+    pub fn halves(&self) -> [Patch<N>; 2] {
+        halves(&self.points).map(|points| Patch { points })
+    }
+
+    /// u and v exchanged.
+    #[must_use]
+    pub fn transposed(&self) -> Self {
+        let mut turned = *self;
+        for a in 0..N {
+            for b in 0..N {
+                turned.points[a][b] = self.points[b][a];
+            }
+        }
+        turned
+    }
+}
+
+/// The unit normal of the plane that tangents span, if they do.
+#[inline]
+pub(super) fn regular_normal(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
+    let normal = u.cross(v);
+    let (u, v) = (u.length_squared(), v.length_squared());
+    let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
+    // The product of tiny tangents may vanish where they do not.
+    if spans { normal.try_normalize() } else { None }
+}
+
+impl Jet {
+    /// S_u x S_v, whose length is the area that a unit of the parameters has.
+    pub fn normal(&self) -> DVec3 {
+        self.u.cross(self.v)
+    }
+
+    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not, or
+    /// a tangent is no longer than `noise`.
+    #[inline]
+    pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
+        regular_normal(self.u, self.v, noise)
+    }
+}

@@ -1,0 +1,119 @@
+//! The logical scale over the points of a curve, which the paper ends with: "all conclusions hold
+//! for curves, too; the points of a curve are its net, and the diameter of a piece is its length".
+//!
+//! A curve is a lattice of one row, closed across itself: its cells are arcs, and its nodes their
+//! ends, so that the search and its theorems are those of surfaces. Lengths of arcs are bounded by
+//! those of their control polygons, which no arc is longer than; corrections E1 to E3 hold for
+//! nodes of arcs, too. For angles (task b) the variation of the tangent takes the part of length:
+//! the greatest angle between the legs of the control polygon, a cone that has all tangents, and
+//! those at the nodes as the neighbours have them.
+
+use super::figure::Figure;
+use super::lattice::Lattice;
+use super::normal_variation::AngleTarget;
+use super::search::{SearchOptions, SearchOutcome, search};
+use super::sizes::{ROUNDING_FACTOR, Sizes};
+use crate::normal::angle;
+use crate::prelude::*;
+use gusset_base::geom::bernstein::restrict;
+use gusset_curve::{CurveView, Place};
+use std::f64::consts::PI;
+
+/// The greatest number of arcs.
+pub const MAX_ARCS: u64 = 1 << 30;
+/// An upper bound of the rounding of angles.
+const ANGLE_ROUNDING: f64 = 1e-9;
+
+/// A curve's points, and bounds of the arcs between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arcs {
+    /// Bounds of the lengths of arcs.
+    pub lengths: Sizes,
+    /// Bounds of the angles between their tangents; pi where there is none.
+    pub variation: Sizes,
+    points: Vec<DVec3>,
+    tangents: Vec<DVec3>,
+}
+
+impl Arcs {
+    /// Divides each segment of a curve into so many arcs of equal length in the parameter: arc k is
+    /// part k % parts of segment k / parts. O(arcs, degree^2 each).
+    ///
+    /// # Errors
+    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] for no parts; [`Error::TooLarge`] above
+    /// [`MAX_ARCS`]; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn new(curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<Self> {
+        if curve.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        Error::require(parts > 0, "parts", parts as f64)?;
+        let count = (curve.len() as u64).saturating_mul(parts as u64);
+        Error::check_count("arcs", count, MAX_ARCS)?;
+        let count = count as usize;
+        let lattice = Lattice { cells: [1, count], closed: [true, curve.is_closed()] };
+        let place = |k: usize| match k {
+            _ if k == count => Place { segment: curve.len() as u32 - 1, t: 1.0 },
+            _ => Place { segment: (k / parts) as u32, t: (k % parts) as f64 / parts as f64 },
+        };
+        let places = alloc::collect((0..count + 1).map(place))?;
+        let (points, tangents) = (curve.points_at(&places)?, curve.tangents_at(&places)?);
+        let (mut lengths, mut variation) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+        let mut controls = Vec::new();
+        for k in 0..count {
+            job.step_every(1024, k, count, "arcs")?;
+            controls.clear();
+            alloc::append(&mut controls, curve.segment(k / parts))?;
+            let part = k % parts;
+            restrict(&mut controls, [part, part + 1].map(|end| end as f64 / parts as f64));
+            // The ends as the neighbours see them, but for rounding the same.
+            let gap = points[k].distance(controls[0]) + points[k + 1].distance(controls[controls.len() - 1]);
+            let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
+            let polygon: f64 = legs().map(DVec3::length).sum();
+            lengths.push((polygon + gap) * ROUNDING_FACTOR);
+            variation.push(turn(&controls, [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
+        }
+        Ok(Arcs { lengths: Sizes::new(lattice, lengths), variation: Sizes::new(lattice, variation), points, tangents })
+    }
+
+    /// How the arcs lie: a row of cells, whose nodes are the points of the curve.
+    pub fn lattice(&self) -> Lattice {
+        self.lengths.lattice()
+    }
+
+    /// The arcs that may have a point within a distance of a figure, or the nearest one, by the
+    /// corrected search.
+    ///
+    /// # Errors
+    /// Those of [`super::figure_incidence`].
+    pub fn incidence(&self, figure: Figure<'_>, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome> {
+        figure.search(&self.lengths, &|[_, k]| self.points[k], options, job)
+    }
+
+    /// The arcs that may have a tangent within a deviation of an angle, or the nearest to it.
+    ///
+    /// # Errors
+    /// Those of [`AngleTarget::normalized`] and [`search`].
+    pub fn angle_incidence(
+        &self,
+        target: AngleTarget,
+        options: &SearchOptions,
+        job: &Job<'_>,
+    ) -> Result<SearchOutcome> {
+        let target = target.normalized()?;
+        search(&self.variation, |[_, k]| target.deviation(self.tangents[k]), options, job)
+    }
+}
+
+/// A bound of the angles between the tangents of an arc and those at its ends: twice the half-angle
+/// of a cone that has the legs of its control polygon.
+fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
+    let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
+    let longest = legs().map(DVec3::length).fold(0.0, f64::max);
+    let Some(axis) = legs().sum::<DVec3>().try_normalize() else { return PI };
+    // A leg of no length has any direction: the derivative may be 0 there.
+    if legs().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
+        return PI;
+    }
+    let half = legs().chain(ends).map(|leg| angle(axis, leg)).fold(0.0, f64::max);
+    if half < 0.5 * PI { (2.0 * half + ANGLE_ROUNDING).min(PI) } else { PI }
+}

@@ -1,0 +1,126 @@
+//! Masks of cells, the paper's logical scale: a bit for each cell, 1 as long as the cell may hold
+//! the object.
+
+use super::lattice::{Lattice, Span};
+use crate::prelude::*;
+
+/// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of
+/// word k / 64.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CellMask {
+    lattice: Lattice,
+    words: Vec<u64>,
+}
+
+impl CellMask {
+    /// With all bits 1, as every search begins.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn full(lattice: Lattice) -> Result<Self> {
+        let mut words = alloc::filled(u64::MAX, lattice.len().div_ceil(64))?;
+        if let (Some(last), used @ 1..) = (words.last_mut(), lattice.len() % 64) {
+            *last = (1 << used) - 1;
+        }
+        Ok(CellMask { lattice, words })
+    }
+
+    /// From words; bits beyond the last cell do not count.
+    ///
+    /// # Errors
+    /// [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
+    pub fn from_words(lattice: Lattice, words: &[u64]) -> Result<Self> {
+        let mut mask = CellMask::full(lattice)?;
+        if words.len() < mask.words.len() {
+            let (needed, given) = (8 * mask.words.len() as u64, 8 * words.len() as u64);
+            return Err(Error::ArrayTooShort { what: "words", needed, given });
+        }
+        mask.words.iter_mut().zip(words).for_each(|(own, given)| *own &= given);
+        Ok(mask)
+    }
+
+    /// The cells and how they lie.
+    pub fn lattice(&self) -> Lattice {
+        self.lattice
+    }
+
+    /// The words.
+    pub fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    /// The bit of a cell.
+    pub fn get(&self, cell: [usize; 2]) -> bool {
+        let k = self.lattice.index(cell);
+        self.words[k / 64] >> (k % 64) & 1 == 1
+    }
+
+    /// Sets the bit of a cell.
+    pub fn set(&mut self, cell: [usize; 2], on: bool) {
+        let k = self.lattice.index(cell);
+        let bit = 1 << (k % 64);
+        if on {
+            self.words[k / 64] |= bit;
+        } else {
+            self.words[k / 64] &= !bit;
+        }
+    }
+
+    /// How many bits are 1.
+    pub fn count(&self) -> usize {
+        self.words.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// The cells whose bits are 1, row after row.
+    pub fn cells(&self) -> impl Iterator<Item = [usize; 2]> {
+        let mut words = self.words.iter().enumerate();
+        let (mut first, mut left) = (0, 0u64);
+        std::iter::from_fn(move || {
+            while left == 0 {
+                let (w, &word) = words.next()?;
+                (first, left) = (64 * w, word);
+            }
+            let cell = self.lattice.cell(first + left.trailing_zeros() as usize);
+            left &= left - 1;
+            Some(cell)
+        })
+    }
+
+    /// The corners of these cells, each once, row after row; of closed directions the last line is
+    /// the first.
+    pub fn nodes(&self) -> impl Iterator<Item = [usize; 2]> {
+        let lattice = self.lattice;
+        let [rows, columns] = lattice.lines();
+        let all = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
+        all.filter(move |&node| lattice.round(node).any(|cell| self.get(cell)))
+    }
+
+    /// Zeroes a block.
+    pub(crate) fn clear(&mut self, [rows, columns]: [Span; 2]) {
+        let width = self.lattice.cells[1];
+        for i in rows.indices() {
+            for part in columns.parts() {
+                self.clear_bits(i * width + part.start, i * width + part.end);
+            }
+        }
+    }
+
+    /// Zeroes the bits from..to.
+    fn clear_bits(&mut self, from: usize, to: usize) {
+        words(from, to).for_each(|(word, ones)| self.words[word] &= !ones);
+    }
+
+    /// True if none of the cells from..to, by number, has a 1.
+    pub(crate) fn is_clear(&self, from: usize, to: usize) -> bool {
+        words(from, to).all(|(word, ones)| self.words[word] & ones == 0)
+    }
+}
+
+/// The words that the bits from..to are in, each with these.
+fn words(from: usize, to: usize) -> impl Iterator<Item = (usize, u64)> {
+    (from / 64..to.div_ceil(64)).map(move |word| {
+        let low = if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };
+        let high = if 64 * (word + 1) > to { u64::MAX >> (64 * (word + 1) - to) } else { u64::MAX };
+        (word, low & high)
+    })
+}

@@ -1,0 +1,72 @@
+//! A bound of the principal curvatures, from control nets.
+//!
+//! The curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv) over
+//! |a S_u + b S_v|^2. With a^2 + b^2 = 1 the first is no more than the greater eigenvalue of the
+//! matrix of |S_uu|, |S_uv|, |S_vv|, and |a S_u + b S_v| no less than the smaller singular value of
+//! the mean (S_u, S_v), less what the two are away from their means. Parameters are scaled so that
+//! the means are units.
+
+use crate::cells::{Cells, by_cell};
+use crate::prelude::*;
+use crate::{Patch, Sheet, each_sheet};
+
+/// Halvings of a cell before its surface is taken for not regular.
+const MAX_HALVINGS: u32 = 5;
+
+/// K: no principal curvature of the sheet is greater in absolute terms. Infinite where the surface
+/// is not regular or nearly, as at poles: no bound holds there (erratum E4).
+///
+/// # Errors
+/// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
+pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
+    let of_cell =
+        |[i, j]: [usize; 2]| each_sheet!(sheet, cells => Cells::patch(cells, i, j).curvature_bound(MAX_HALVINGS));
+    Ok(by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
+}
+
+impl<const N: usize> Patch<N> {
+    /// The bound of a patch, of its quarters if it has none itself.
+    fn curvature_bound(&self, depth: u32) -> f64 {
+        let degree = (N - 1) as f64;
+        let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
+        let p = &self.points;
+        let u = Spread::of(all(N - 1, N).map(|(a, b)| degree * (p[a + 1][b] - p[a][b])));
+        let v = Spread::of(all(N, N - 1).map(|(a, b)| degree * (p[a][b + 1] - p[a][b])));
+        let (su, sv) = (u.mean.length(), v.mean.length());
+        let cosine = u.mean.dot(v.mean) / (su * sv);
+        // The smaller singular value of two unit vectors is sqrt(1 - |cosine|).
+        let slowest = (1.0 - cosine.abs()).max(0.0).sqrt() - libm::hypot(u.radius / su, v.radius / sv);
+        if slowest.is_nan() || slowest <= 1e-6 {
+            return match depth {
+                0 => f64::INFINITY,
+                _ => self.quarters().iter().map(|part| part.curvature_bound(depth - 1)).fold(0.0, f64::max),
+            };
+        }
+        let second = degree * (degree - 1.0);
+        let uu = all(N - 2, N).map(|(a, b)| second * (p[a + 2][b] - 2.0 * p[a + 1][b] + p[a][b]) / (su * su));
+        let vv = all(N, N - 2).map(|(a, b)| second * (p[a][b + 2] - 2.0 * p[a][b + 1] + p[a][b]) / (sv * sv));
+        let uv = all(N - 1, N - 1)
+            .map(|(a, b)| degree * degree * (p[a + 1][b + 1] - p[a + 1][b] - p[a][b + 1] + p[a][b]) / (su * sv));
+        let (uu, uv, vv) = (longest(uu), longest(uv), longest(vv));
+        let greatest = 0.5 * (uu + vv) + (0.25 * (uu - vv) * (uu - vv) + uv * uv).sqrt();
+        greatest / (slowest * slowest) * (1.0 + 1e-12)
+    }
+}
+
+fn longest(vectors: impl Iterator<Item = DVec3>) -> f64 {
+    vectors.map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
+}
+
+/// The mean of vectors, and how far they are from it.
+struct Spread {
+    mean: DVec3,
+    radius: f64,
+}
+
+impl Spread {
+    fn of(vectors: impl Iterator<Item = DVec3> + Clone) -> Spread {
+        let (sum, count) = vectors.clone().fold((DVec3::ZERO, 0.0), |(sum, count), v| (sum + v, count + 1.0));
+        let mean = sum / count;
+        Spread { mean, radius: longest(vectors.map(|v| v - mean)) }
+    }
+}

@@ -1,0 +1,103 @@
+//! Diameters of cells, from control nets.
+//!
+//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and
+//! half the perimeter bounds nothing but the edge (erratum E6). Of patches it can:
+//! * *Euclidean*: a patch lies in the hull of its control points, whose diameter is that of the
+//!   points.
+//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <=
+//!   1, which is convex in a and b: no more than the greater of |S_u + S_v| and |S_u - S_v|, or
+//!   than |S_u| + |S_v|, each bounded by its Bézier points.
+//!
+//! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature
+//! need the intrinsic one.
+
+use super::lattice::Lattice;
+use super::sizes::{ROUNDING_FACTOR, Sizes};
+use crate::cells::{Cells, by_cell};
+use crate::prelude::*;
+use crate::{Patch, Sheet, each_sheet};
+
+/// Bounds of the diameters of all cells of a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diameters {
+    /// Of distances in space.
+    pub euclidean: Sizes,
+    /// Of the lengths of shortest curves within the cell.
+    pub intrinsic: Sizes,
+}
+
+impl Diameters {
+    /// Bounds the diameters of all cells: O(cells), on the job's threads.
+    ///
+    /// # Errors
+    /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
+    pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
+        let lattice = Lattice::of(sheet);
+        let both =
+            by_cell(lattice.cells, "cells", job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
+        let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
+        Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
+    }
+}
+
+/// The Euclidean and the intrinsic diameter of a cell.
+fn of_cell<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
+    let patch = cells.patch(i, j);
+    let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner(i, j));
+    let [[a, b], [c, d]] = patch.corners();
+    let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen)).fold(0.0, f64::max);
+    let intrinsic = patch.intrinsic_diameter();
+    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * ROUNDING_FACTOR)
+}
+
+impl<const N: usize> Patch<N> {
+    /// A bound of the distance between two points of the patch or of `others`.
+    fn euclidean_diameter(&self, others: &[DVec3]) -> f64 {
+        let points = self.points.as_flattened();
+        let mut greatest = 0.0_f64;
+        for (k, point) in points.iter().enumerate() {
+            let rest = points[k + 1..].iter().chain(others);
+            greatest = rest.fold(greatest, |greatest, other| greatest.max(point.distance_squared(*other)));
+        }
+        for (k, point) in others.iter().enumerate() {
+            greatest = others[k + 1..].iter().fold(greatest, |most, other| most.max(point.distance_squared(*other)));
+        }
+        greatest.sqrt()
+    }
+
+    /// A bound of the length of the shortest curve on the patch between two of its points.
+    fn intrinsic_diameter(&self) -> f64 {
+        let [along_u, along_v] = [self.raised_slope(), self.transposed().raised_slope().transposed()];
+        let longest =
+            |points: &mut dyn Iterator<Item = DVec3>| points.map(DVec3::length_squared).fold(0.0, f64::max).sqrt();
+        let pairs = || along_u.points.as_flattened().iter().zip(along_v.points.as_flattened());
+        let sum = longest(&mut pairs().map(|(u, v)| *u + *v));
+        let difference = longest(&mut pairs().map(|(u, v)| *u - *v));
+        // The slopes as they are, not raised: their points are farther from each other, but the sum
+        // may be less.
+        let degree = (N - 1) as f64;
+        let own = |patch: &Patch<N>| {
+            let steps = (1..N).flat_map(|a| (0..N).map(move |b| (a, b)));
+            degree * longest(&mut steps.map(|(a, b)| patch.points[a][b] - patch.points[a - 1][b]))
+        };
+        (own(self) + own(&self.transposed())).min(sum.max(difference))
+    }
+
+    /// S_u as a patch of the same degrees.
+    fn raised_slope(&self) -> Patch<N> {
+        let degree = (N - 1) as f64;
+        let step = |a: usize, b: usize| degree * (self.points[a + 1][b] - self.points[a][b]);
+        let mut slope = *self;
+        for a in 0..N {
+            let share = a as f64 / degree;
+            for b in 0..N {
+                // P'_a = a / n P_a-1 + (1 - a / n) P_a: at the ends one of them has no weight and
+                // does not exist.
+                let before = if a > 0 { share * step(a - 1, b) } else { DVec3::ZERO };
+                let after = if a + 1 < N { (1.0 - share) * step(a, b) } else { DVec3::ZERO };
+                slope.points[a][b] = before + after;
+            }
+        }
+        slope
+    }
+}

@@ -1,0 +1,103 @@
+//! What distances may be measured from: points, planes and lines, curves, and other surfaces; the
+//! search for the cells of a sheet that are near (tasks a, c, d and e of the paper).
+
+use super::diameter::Diameters;
+use super::object::{Object, Target};
+use super::search::{SearchOptions, SearchOutcome, search_at_cost};
+use super::sizes::Sizes;
+use crate::prelude::*;
+use crate::{Sheet, Surface};
+use gusset_base::geom::Aabb;
+use gusset_curve::CurveView;
+use gusset_curve::ops::CurveSearch;
+
+/// What distances are measured from.
+#[derive(Debug, Clone, Copy)]
+pub enum Figure<'a> {
+    /// A point, plane or line.
+    Object(Object),
+    /// A curve.
+    Curve(CurveView<'a>),
+    /// A surface.
+    Surface(&'a Surface<'a>),
+}
+
+/// A part of the size of a curve and the distance from it that its nearest points may be off by, for
+/// rounding.
+const CURVE_ROUNDING: f64 = 1e-9;
+
+/// Distances from a figure, rounded down.
+enum Measure<'a> {
+    Object(Target),
+    Curve { search: CurveSearch<'a>, size: f64 },
+    Surface(&'a Surface<'a>),
+}
+
+impl<'a> Figure<'a> {
+    /// What measures.
+    ///
+    /// # Errors
+    /// Those of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
+    fn measure(&self) -> Result<Measure<'a>> {
+        Ok(match *self {
+            Figure::Object(object) => Measure::Object(object.target()?),
+            Figure::Curve(curve) if curve.is_empty() => return Err(Error::EmptyCurve),
+            Figure::Curve(curve) => {
+                Measure::Curve { search: CurveSearch::new(&curve)?, size: Aabb::of(curve.points()).diagonal() }
+            }
+            Figure::Surface(surface) => Measure::Surface(surface),
+        })
+    }
+}
+
+/// What a distance from a figure costs, in words of the mask.
+const CURVE_COST: usize = 1 << 9;
+const SURFACE_COST: usize = 1 << 12;
+
+impl Figure<'_> {
+    /// The corrected search, whose nodes are at these points.
+    pub(super) fn search(
+        &self,
+        sizes: &Sizes,
+        node: &dyn Fn([usize; 2]) -> DVec3,
+        options: &SearchOptions,
+        job: &Job<'_>,
+    ) -> Result<SearchOutcome> {
+        let measure = self.measure()?;
+        let cost = match measure {
+            Measure::Object(_) => 0,
+            Measure::Curve { .. } => CURVE_COST,
+            Measure::Surface(_) => SURFACE_COST,
+        };
+        search_at_cost(sizes, cost, &mut |at| measure.distance(node(at)), options, job)
+    }
+}
+
+impl Measure<'_> {
+    /// No point of the figure is nearer.
+    fn distance(&self, from: DVec3) -> f64 {
+        match self {
+            Measure::Object(target) => target.distance(from),
+            Measure::Curve { search, size } => {
+                let distance = search.nearest(from, &Job::default()).map_or(0.0, |found| found.distance);
+                (distance - CURVE_ROUNDING * (size + distance)).max(0.0)
+            }
+            Measure::Surface(surface) => surface.closest(from, f64::INFINITY).map_or(0.0, |found| found.bound),
+        }
+    }
+}
+
+/// The cells that may have a point within a distance of a figure, or the nearest one, by the
+/// corrected search.
+///
+/// # Errors
+/// Those of [`Object::target`] and [`super::search`]; [`Error::EmptyCurve`].
+pub fn figure_incidence(
+    sheet: &Sheet<'_>,
+    diameters: &Diameters,
+    figure: Figure<'_>,
+    options: &SearchOptions,
+    job: &Job<'_>,
+) -> Result<SearchOutcome> {
+    figure.search(&diameters.euclidean, &|[i, j]| sheet.corner(i, j), options, job)
+}

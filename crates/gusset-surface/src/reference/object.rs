@@ -1,0 +1,105 @@
+//! Objects that distances are measured from: points, planes and lines, as boxes in axes of their
+//! own.
+
+use super::diameter::Diameters;
+use super::search::{SearchOptions, SearchOutcome, search};
+use crate::Sheet;
+use crate::line_intersection::Line;
+use crate::prelude::*;
+
+/// A point, a plane or a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Object {
+    /// A point.
+    Point(DVec3),
+    /// The plane through a point, across a direction.
+    Plane {
+        /// A point of the plane.
+        point: DVec3,
+        /// Of any length but 0.
+        normal: DVec3,
+    },
+    /// A line, ray or segment.
+    Line(Line),
+}
+
+/// An object as a box, perhaps infinite, in orthonormal axes: it is where all the coordinates along
+/// them are within their intervals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    origin: DVec3,
+    axes: [DVec3; 3],
+    /// Least and greatest coordinates.
+    intervals: [[f64; 2]; 3],
+    /// Planes need the first axis only.
+    count: usize,
+}
+
+impl Object {
+    /// As a box in axes of its own.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for what is not finite, or has no direction.
+    pub fn target(&self) -> Result<Target> {
+        let bad = |option, value| Error::OptionOutOfRange { option, value };
+        let finite = |x: DVec3, option| if x.is_finite() { Ok(x) } else { Err(bad(option, f64::NAN)) };
+        let unit = |x: DVec3, option| finite(x, option)?.try_normalize().ok_or(bad(option, x.length()));
+        let (origin, axes, along, count) = match *self {
+            Object::Point(point) => (finite(point, "point")?, [DVec3::X, DVec3::Y, DVec3::Z], [0.0; 2], 3),
+            Object::Plane { point, normal } => {
+                let normal = unit(normal, "normal")?;
+                let (u, v) = normal.any_orthonormal_pair();
+                (finite(point, "point")?, [normal, u, v], [0.0; 2], 1)
+            }
+            Object::Line(Line { origin, direction, from, to }) => {
+                let unit = unit(direction, "direction")?;
+                if from.is_nan() || to.is_nan() || from > to {
+                    return Err(bad("from", from));
+                }
+                let (u, v) = unit.any_orthonormal_pair();
+                (finite(origin, "origin")?, [u, v, unit], [from, to].map(|t| t * direction.length()), 3)
+            }
+        };
+        Ok(Target { origin, axes, intervals: [[0.0; 2], [0.0; 2], along], count })
+    }
+}
+
+impl Target {
+    /// The square of the distance of what has coordinates between `ranges`, a lower bound.
+    fn gap_squared(&self, ranges: &[[f64; 2]; 3]) -> f64 {
+        let gap = |k: usize| (ranges[k][0] - self.intervals[k][1]).max(self.intervals[k][0] - ranges[k][1]).max(0.0);
+        (0..self.count).map(|k| gap(k) * gap(k)).sum()
+    }
+
+    /// By what coordinates of a point may be rounded; those of a point along the axes of space are
+    /// not, but for the last bit.
+    fn rounding(&self, from: DVec3) -> f64 {
+        if self.axes[0] == DVec3::X && self.count == 3 {
+            0.0
+        } else {
+            8.0 * f64::EPSILON * (from - self.origin).length()
+        }
+    }
+
+    /// The distance of a point, rounded down.
+    pub fn distance(&self, from: DVec3) -> f64 {
+        let ranges = self.axes.map(|axis| [(from - self.origin).dot(axis); 2]);
+        (self.gap_squared(&ranges).sqrt() - self.rounding(from)).max(0.0)
+    }
+}
+
+/// The cells that may have a point within a distance of an object, or the nearest one, by the
+/// corrected search.
+///
+/// # Errors
+/// Those of [`Object::target`] and [`search`].
+pub fn incidence(
+    sheet: &Sheet<'_>,
+    diameters: &Diameters,
+    object: Object,
+    options: &SearchOptions,
+    job: &Job<'_>,
+) -> Result<SearchOutcome> {
+    let target = object.target()?;
+    search(&diameters.euclidean, |[i, j]| target.distance(sheet.corner(i, j)), options, job)
+}

@@ -1,0 +1,191 @@
+//! The paper's approximate normal: from two plane sections through the lines of the surface.
+//!
+//! Both planes pass through the point and are parallel to b, the mean of the four normals at the
+//! cell's corners; they are orthogonal to each other. Each crosses the coordinate curves near the
+//! cell. A cubic through four crossings approximates the section, and the tangents of the two span
+//! the tangent plane. Third order in the size of cells, as the derivative of a cubic through four
+//! points is.
+
+use super::lattice::Lattice;
+use crate::cells::Cells;
+use crate::prelude::*;
+use crate::{Sheet, each_sheet};
+use gusset_base::geom::bernstein::{evaluate, halves};
+
+/// Lines that a section is drawn through.
+const LINES: usize = 4;
+/// Cells to either side in which a crossing with a line is sought.
+const MAX_CELLS_AWAY: usize = 8;
+/// Cells by which lines are extrapolated beyond an open edge.
+const EXTRAPOLATION: f64 = 0.5;
+/// Halvings of an edge before a crossing is taken as it is: to the last bit.
+const MAX_HALVINGS: u32 = 60;
+
+/// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections;
+/// on the side of S_u x S_v. 0 if there is none: a plane crosses fewer than two lines near the
+/// cell, or normals at its corners cancel out.
+///
+/// It uses the lines of the surface only; [`Sheet::normal`] is of third order as well, with a
+/// smaller constant, and faster.
+///
+/// # Errors
+/// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] for parameters outside 0 to 1.
+pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
+    Lattice::of(sheet).check(cell)?;
+    [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
+    let [i, j] = cell;
+    let point = sheet.jet(i, j, u, v).point;
+    let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+    let mean: DVec3 = corners.iter().map(|&[u, v]| sheet.normal(i, j, u, v)).sum();
+    let along_u = sheet.jet(i, j, 0.5, 0.5).u;
+    let frame = mean.try_normalize().and_then(|b| Some((b, (along_u - along_u.dot(b) * b).try_normalize()?)));
+    let Some((b, first)) = frame else { return Ok(DVec3::ZERO) };
+    let second = b.cross(first);
+    let lattice = Lattice::of(sheet);
+    // The plane along `first` crosses lines of constant u, that along `second` lines of constant v.
+    let slope = |direction: usize, along: DVec3, across: DVec3| {
+        let section = Section { point, along, across, up: b };
+        each_sheet!(sheet, cells => section.slope(cells, lattice, direction, cell))
+    };
+    let normal = slope(0, first, second).zip(slope(1, second, first)).map(|(s, t)| b - s * first - t * second);
+    Ok(normal.map_or(DVec3::ZERO, DVec3::normalize_or_zero))
+}
+
+/// A plane section near a point of it.
+struct Section {
+    point: DVec3,
+    /// Within the plane, across `up`.
+    along: DVec3,
+    /// The plane's normal.
+    across: DVec3,
+    up: DVec3,
+}
+
+impl Section {
+    /// The slope at the point of the cubic through the crossings with the lines of one direction
+    /// round a cell.
+    fn slope<const N: usize>(
+        &self,
+        cells: &impl Cells<N>,
+        lattice: Lattice,
+        direction: usize,
+        cell: [usize; 2],
+    ) -> Option<f64> {
+        let (count, at) = (lattice.cells[direction], cell[direction]);
+        let (mut crossings, mut found) = ([[0.0; 2]; LINES], 0);
+        for k in 0..LINES.min(count + 1) {
+            let line = match lattice.closed[direction] {
+                true => (at + count + k - 1) % count,
+                // As far in the middle as the edges allow.
+                false => at.saturating_sub(1).min((count + 1).saturating_sub(LINES)) + k,
+            };
+            if let Some(crossing) = self.crossing(cells, lattice, direction, line, cell[1 - direction]) {
+                let from = crossing - self.point;
+                crossings[found] = [from.dot(self.along), from.dot(self.up)];
+                found += 1;
+            }
+        }
+        let slope = slope_at_origin(&crossings[..found]);
+        (found >= 2 && slope.is_finite()).then_some(slope)
+    }
+
+    /// Where the plane crosses a line of the surface next to place `at` on it.
+    fn crossing<const N: usize>(
+        &self,
+        cells: &impl Cells<N>,
+        lattice: Lattice,
+        direction: usize,
+        line: usize,
+        at: usize,
+    ) -> Option<DVec3> {
+        let (count, closed) = (lattice.cells[1 - direction], lattice.closed[1 - direction]);
+        let within = |place: usize, range: [f64; 2]| {
+            let edge = edge(cells, lattice, direction, line, place);
+            let field = edge.map(|control| (control - self.point).dot(self.across));
+            let root = first_root(over(field, range), MAX_HALVINGS)?;
+            Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
+        };
+        for offset in 0..=MAX_CELLS_AWAY {
+            let wrapped = |place: Option<usize>| match place {
+                Some(place) if place < count => Some(place),
+                _ if !closed || offset >= count => None,
+                Some(place) => Some(place - count),
+                None => Some(at + count - offset),
+            };
+            let places = [at.checked_add(offset), at.checked_sub(offset)].into_iter().filter_map(wrapped);
+            let crossings = places.filter_map(|place| within(place, [0.0, 1.0]));
+            let nearest =
+                crossings.min_by(|a, b| a.distance_squared(self.point).total_cmp(&b.distance_squared(self.point)));
+            if nearest.is_some() {
+                return nearest;
+            }
+        }
+        // Next to an open edge the crossing may be beyond it, where the line's last cubic goes on.
+        let ends = [(0, [-EXTRAPOLATION, 0.0]), (count - 1, [1.0, 1.0 + EXTRAPOLATION])];
+        let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= MAX_CELLS_AWAY;
+        ends.into_iter().filter(near).find_map(|(place, range)| within(place, range))
+    }
+}
+
+/// The Bézier points of a line of the surface over one cell: direction 0 for lines of constant u.
+fn edge<const N: usize>(
+    cells: &impl Cells<N>,
+    lattice: Lattice,
+    direction: usize,
+    line: usize,
+    place: usize,
+) -> [DVec3; N] {
+    // The last line of an open direction is the far side of the last cells.
+    let is_far = line == lattice.cells[direction];
+    let row = line - usize::from(is_far);
+    let side = if is_far { N - 1 } else { 0 };
+    match direction {
+        0 => cells.patch(row, place).points[side],
+        _ => cells.patch(place, row).transposed().points[side],
+    }
+}
+
+/// A polynomial in Bernstein form over another interval: its blossom at as many of the one end and
+/// of the other.
+fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
+    std::array::from_fn(|ends| {
+        let mut work = field;
+        for (step, count) in (1..N).rev().enumerate() {
+            let t = if step < ends { to } else { from };
+            (0..count).for_each(|k| work[k] += t * (work[k + 1] - work[k]));
+        }
+        work[0]
+    })
+}
+
+/// The first root of a polynomial in Bernstein form: halves whose coefficients have one sign have
+/// none.
+fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
+    if field.iter().all(|&x| x > 0.0) || field.iter().all(|&x| x < 0.0) {
+        return None;
+    }
+    if field[0] == 0.0 {
+        return Some(0.0);
+    }
+    if depth == 0 {
+        return Some(0.5);
+    }
+    let [low, high] = halves(&field);
+    let first = first_root(low, depth - 1).map(|t| 0.5 * t);
+    first.or_else(|| first_root(high, depth - 1).map(|t| 0.5 + 0.5 * t))
+}
+
+/// The slope at 0 of the polynomial through points (s, h); not finite if two of them have the same
+/// s.
+fn slope_at_origin(points: &[[f64; 2]]) -> f64 {
+    let mut slope = 0.0;
+    for (k, &[s, h]) in points.iter().enumerate() {
+        let others = || points.iter().enumerate().filter(move |&(m, _)| m != k).map(|(m, point)| (m, point[0]));
+        // The derivative of the product of the (0 - s_l) / (s - s_l).
+        for (m, from) in others() {
+            let rest = others().filter(|&(l, _)| l != m).map(|(_, at)| -at / (s - at));
+            slope += h / (s - from) * rest.product::<f64>();
+        }
+    }
+    slope
+}

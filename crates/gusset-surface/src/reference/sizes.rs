@@ -1,0 +1,125 @@
+//! Bounds of cells: the greatest distance of two points, or angle of two normals.
+
+use super::cell_mask::CellMask;
+use super::lattice::Lattice;
+use gusset_base::error::{Error, Result};
+
+/// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of
+/// them: the paper's d.
+///
+/// A cell's set holds its corners as its neighbours see them too, so that consecutive cells of a
+/// chain have an element in common even where patches meet only nearly. Then (theorem T1) an
+/// element x of a cell that a chain of J cells joins to node A is no farther from A than the sum of
+/// the J bounds: J d, or R_J(A), the sum over k of the greatest bound in the k-th ring of cells
+/// round A.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizes {
+    lattice: Lattice,
+    sizes: Vec<f64>,
+    greatest: f64,
+}
+
+/// How bounds of cells are summed over a block of 2 J x 2 J cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Sum {
+    /// J d, as the paper has it: O(1).
+    #[default]
+    Greatest,
+    /// R_J, the greatest bound of each ring: larger blocks where cells differ in size, but O(J^2).
+    Rings,
+}
+
+/// The factor that covers the rounding of bounds and of their sums.
+pub(super) const ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
+
+impl Sizes {
+    /// One bound a cell, row after row; none is NaN or negative.
+    pub(super) fn new(lattice: Lattice, sizes: Vec<f64>) -> Self {
+        let greatest = sizes.iter().copied().fold(0.0, f64::max);
+        Sizes { lattice, sizes, greatest }
+    }
+
+    /// How the cells lie.
+    pub fn lattice(&self) -> Lattice {
+        self.lattice
+    }
+
+    /// The bounds, row after row.
+    pub fn all(&self) -> &[f64] {
+        &self.sizes
+    }
+
+    /// The bound of a cell.
+    pub fn get(&self, cell: [usize; 2]) -> f64 {
+        self.sizes[self.lattice.index(cell)]
+    }
+
+    /// The greatest bound, d.
+    pub fn greatest(&self) -> f64 {
+        self.greatest
+    }
+
+    /// The largest J such that the block of 2 J x 2 J cells round a node stays nearer to the node
+    /// than `limit`, and the bound of how far it reaches. J is at most the greater number of rows
+    /// or columns: no chain need be longer (6).
+    pub fn steps(&self, node: [usize; 2], limit: f64, sum: Sum) -> (usize, f64) {
+        let [rows, columns] = self.lattice.cells;
+        let most = rows.max(columns);
+        match sum {
+            Sum::Greatest => {
+                let reach = |steps: usize| steps as f64 * self.greatest * ROUNDING_FACTOR;
+                if self.greatest == 0.0 {
+                    return if limit > 0.0 { (most, 0.0) } else { (0, 0.0) };
+                }
+                // ceil(limit / d) - 1 but for rounding (erratum E2); a quotient that is NaN or
+                // negative gives 0.
+                let mut steps = ((limit / self.greatest).ceil() as usize).min(most);
+                while steps > 0 && reach(steps) >= limit {
+                    steps -= 1;
+                }
+                (steps, reach(steps))
+            }
+            Sum::Rings => {
+                let (mut steps, mut reach) = (0, 0.0);
+                while steps < most {
+                    let next = reach + self.ring(node, steps + 1) * ROUNDING_FACTOR;
+                    if next >= limit {
+                        break;
+                    }
+                    (steps, reach) = (steps + 1, next);
+                }
+                (steps, reach)
+            }
+        }
+    }
+
+    /// R_J: how far from a node the block of 2 J x 2 J cells round it may reach.
+    pub fn ring_sum(&self, node: [usize; 2], steps: usize) -> f64 {
+        (1..=steps).map(|k| self.ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
+    }
+
+    /// The greatest bound in the k-th ring of cells round a node: those that chains of k cells
+    /// reach and shorter ones do not.
+    fn ring(&self, node: [usize; 2], k: usize) -> f64 {
+        let ([rows, columns], inner) = (self.lattice.block(node, k), self.lattice.block(node, k - 1));
+        let own = rows.indices().flat_map(|i| {
+            let crosses = inner[0].contains(i);
+            columns.indices().filter(move |&j| !(crosses && inner[1].contains(j))).map(move |j| [i, j])
+        });
+        own.map(|cell| self.get(cell)).fold(0.0, f64::max)
+    }
+
+    /// The bound of a cell region whose integer diameter is known: I d, d the greatest bound of its
+    /// cells (5).
+    ///
+    /// # Errors
+    /// [`Error::SidesDiffer`] if the region is one of another sheet.
+    pub fn of_region(&self, region: &CellMask, integer_diameter: usize) -> Result<f64> {
+        if region.lattice() != self.lattice {
+            let [a, b] = [self.lattice.len(), region.lattice().len()];
+            return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
+        }
+        let greatest = region.cells().map(|cell| self.get(cell)).fold(0.0, f64::max);
+        Ok(integer_diameter as f64 * greatest * ROUNDING_FACTOR)
+    }
+}

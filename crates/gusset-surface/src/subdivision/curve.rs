@@ -1,0 +1,443 @@
+//! All common points of a Bézier curve and a patch: all (t, u, v) with C(t) = S(u, v), by
+//! [`subdivide`] of pairs of a part of the curve and a part of the patch, across the longest of the
+//! three directions.
+//!
+//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
+//! [`gusset_base::geom::subdivision`]:
+//! * *empty*: the control points of the two are apart, along an axis, along the patch's normal, or
+//!   along one of three directions that make the middle Jacobian of C - S the identity. As C - S is
+//!   a sum of a function of t and one of (u, v), its bounds are those of its two parts;
+//! * *unique*: after the same change of directions the Jacobian has a dominant diagonal all over
+//!   the pair, so that C - S takes no value twice; then Newton's method finds the common point, if
+//!   it stays;
+//! * *unresolved*: along the normal, both are within the tolerance. There the curve touches the
+//!   surface, or runs in it, or passes where the surface is not regular.
+//!
+//! Cost: O(M^2 + N^2) a test and O(N^3) a split, [`MAX_PAIRS`] pairs at most.
+
+use crate::Patch;
+use glam::{DMat3, DVec2, DVec3};
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::aabb::range;
+use gusset_base::geom::bernstein::{evaluate, evaluate_with_slope, halves};
+use gusset_base::geom::subdivision::{
+    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+};
+use std::convert::Infallible;
+
+/// Halvings, of all three directions together, before a pair is given up.
+const MAX_SUBDIVISION_DEPTH: u32 = 96;
+/// Pairs examined: a curve in a surface would take them without end.
+const MAX_PAIRS: usize = 2048;
+/// Pairs with more of the curve than this are halved even if they are flat: to tell where a common
+/// part begins and ends.
+const MAX_UNRESOLVED_LENGTH: f64 = 1.0 / 16.0;
+/// How far outside a pair a common point may be found, as a fraction of it, besides rounding: those
+/// on borders are found from both sides.
+const MARGIN: f64 = 1e-12;
+
+/// A point that a curve and a patch have in common, where the one passes through the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Crossing {
+    /// On the curve.
+    pub(crate) t: f64,
+    /// On the patch.
+    pub(crate) place: DVec2,
+    /// How far rounding may have moved the parameters.
+    slack: f64,
+}
+
+/// Common points of a curve and a patch.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Crossings {
+    /// Each once.
+    pub(crate) simple: Vec<Crossing>,
+    /// Clusters of (t, u, v) that could not be resolved; the middle of the best box is where curve
+    /// and patch are nearest.
+    pub(crate) unresolved: Vec<UnresolvedCluster>,
+}
+
+/// A part of the curve and one of the patch.
+#[derive(Clone)]
+struct Pair<const M: usize, const N: usize> {
+    curve: [DVec3; M],
+    patch: Patch<N>,
+    /// The least t, u and v of the two, and the lengths of their ranges.
+    from: DVec3,
+    size: DVec3,
+}
+
+/// Memory for searches, used again and again.
+#[derive(Default)]
+pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
+    stack: Stack<Pair<M, N>>,
+    boxes: Vec<UnresolvedBox>,
+}
+
+/// The search of one curve and one patch.
+struct CrossingSearch<'a, const M: usize, const N: usize> {
+    whole: Pair<M, N>,
+    rounding_error: f64,
+    tolerance: f64,
+    simple: &'a mut Vec<Crossing>,
+    boxes: &'a mut Vec<UnresolvedBox>,
+}
+
+/// Finds all points that a curve of degree M - 1 and a patch have in common. Control points may be
+/// off by `rounding_error`; things within `tolerance` of each other need no resolving. At most
+/// [`MAX_PAIRS`] pairs are examined and split, and as many again left as they are.
+pub(crate) fn crossings<const M: usize, const N: usize>(
+    curve: &[DVec3; M],
+    patch: &Patch<N>,
+    rounding_error: f64,
+    tolerance: f64,
+    workspace: &mut CurveWorkspace<M, N>,
+    found: &mut Crossings,
+) -> Result<()> {
+    // Near the origin, where rounding is small.
+    let origin = patch.points[0][0];
+    let curve = curve.map(|point| point - origin);
+    let patch = Patch { points: patch.points.map(|row| row.map(|point| point - origin)) };
+    let radius = patch.points.as_flattened().iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
+    let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
+    let tolerance = tolerance.max(4.0 * rounding_error);
+    let whole = Pair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
+    let CurveWorkspace { stack, boxes } = workspace;
+    boxes.clear();
+    found.simple.clear();
+    found.unresolved.clear();
+    let first = whole.clone();
+    let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
+    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
+    let Ok(()) = subdivide(&mut search, first, stack, limits);
+    cluster(search.boxes, &mut found.unresolved, || Ok(()))?;
+    found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
+    Ok(())
+}
+
+impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for CrossingSearch<'_, M, N> {
+    type Solution = Crossing;
+    type Split = ();
+    type Stop = Infallible;
+
+    #[inline]
+    fn classify(&mut self, pair: &Pair<M, N>) -> Result<BoxTest<Crossing, ()>, Infallible> {
+        Ok(pair.classify(&self.whole, self.rounding_error, self.tolerance))
+    }
+
+    fn accept(&mut self, _: Pair<M, N>, crossing: Crossing) -> Result<(), Infallible> {
+        let is_same = |other: &Crossing| {
+            let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
+            apart <= 2.0 * (other.slack + crossing.slack)
+        };
+        if !self.simple.iter().any(is_same) {
+            self.simple.push(crossing);
+        }
+        Ok(())
+    }
+
+    fn give_up(&mut self, pair: Pair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
+        let residual = (evaluate(&pair.curve, 0.5) - pair.patch.place(0.5, 0.5)).length_squared();
+        let half = 0.5 * pair.size;
+        self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
+        Ok(())
+    }
+
+    fn split(&mut self, pair: Pair<M, N>, (): ()) -> [Pair<M, N>; 2] {
+        pair.halves()
+    }
+}
+
+/// The greatest absolute values of the components.
+fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
+    vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
+}
+
+impl<const M: usize, const N: usize> Pair<M, N> {
+    fn classify(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<Crossing, ()> {
+        let (along, across) = (Aabb::of(self.curve), Aabb::of(self.patch.points.as_flattened()));
+        let gap = along.separation(&across);
+        if gap.max_element() > rounding_error {
+            return BoxTest::Empty;
+        }
+        let (tangent, [u, v]) = (slope(&self.curve, 0.5), self.patch.slopes(0.5, 0.5));
+        let jacobian = DMat3::from_cols(tangent, -u, -v);
+        let normal = u.cross(v);
+        let is_flat = match normal.try_normalize() {
+            Some(normal) => {
+                if self.apart(normal, rounding_error) {
+                    return BoxTest::Empty;
+                }
+                let heights = |points: &[DVec3]| range(points.iter().map(|point| point.dot(normal)));
+                let [one, other] = [heights(&self.curve), heights(self.patch.points.as_flattened())];
+                one[1].max(other[1]) - one[0].min(other[0]) <= tolerance
+            }
+            None => along.union(across).diagonal() <= tolerance,
+        };
+        let is_resolved = is_flat && self.size.x <= MAX_UNRESOLVED_LENGTH;
+        let undecided = if is_resolved { BoxTest::Unresolved } else { BoxTest::Undecided(()) };
+        let volume = tangent.length() * normal.length();
+        if jacobian.determinant().abs() <= 1e-9 * volume || volume == 0.0 {
+            // Nearly in one plane: the directions across their sides may keep them apart there.
+            let sides = [normal.cross(u), normal.cross(v), normal.cross(tangent)];
+            let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, rounding_error));
+            return if apart { BoxTest::Empty } else { undecided };
+        }
+        let found = self.resolve(whole, jacobian.inverse(), rounding_error);
+        found.unwrap_or(undecided)
+    }
+
+    /// True if the two are apart along a direction.
+    fn apart(&self, direction: DVec3, rounding_error: f64) -> bool {
+        let [low, high] = range(self.curve.iter().map(|point| point.dot(direction)));
+        let [from, to] = range(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
+        low > to + rounding_error || from > high + rounding_error
+    }
+
+    /// Whether there is none or one, seen in directions in which C - S is nearly (t, u, v), less
+    /// its root.
+    fn resolve(&self, whole: &Self, inverse: DMat3, rounding_error: f64) -> Option<BoxTest<Crossing, ()>> {
+        let curve = self.curve.map(|point| inverse * point);
+        let patch = Patch { points: self.patch.points.map(|row| row.map(|point| inverse * point)) };
+        // How far rounding may move the root.
+        let rows = inverse.transpose();
+        let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
+        let (along, across) = (Aabb::of(curve), Aabb::of(patch.points.as_flattened()));
+        if (along.separation(&across) - slack).max_element() > 0.0 {
+            return Some(BoxTest::Empty);
+        }
+        // All values of the derivatives are within those of their control points.
+        let (m, n) = ((M - 1) as f64, (N - 1) as f64);
+        let p = &patch.points;
+        let by_t = || (0..M - 1).map(|k| m * (curve[k + 1] - curve[k]));
+        let by_u = || (0..N - 1).flat_map(|a| (0..N).map(move |b| n * (p[a][b] - p[a + 1][b])));
+        let by_v = || (0..N).flat_map(|a| (0..N - 1).map(move |b| n * (p[a][b] - p[a][b + 1])));
+        let (t, u, v) = (max_abs(by_t()), max_abs(by_u()), max_abs(by_v()));
+        let dominant =
+            by_t().all(|by| by.x > u.x + v.x) && by_u().all(|by| by.y > t.y + v.y) && by_v().all(|by| by.z > t.z + u.z);
+        if !dominant {
+            return None;
+        }
+        let mut at = DVec3::splat(0.5);
+        for _ in 0..32 {
+            let ([u, v], miss) = (patch.slopes(at.y, at.z), evaluate(&curve, at.x) - patch.place(at.y, at.z));
+            let step = DMat3::from_cols(slope(&curve, at.x), -u, -v).inverse() * miss;
+            at -= step;
+            if !(at - 0.5).abs().cmple(DVec3::ONE).all() {
+                return None;
+            }
+            if step.abs().max_element() <= 1e-14 {
+                break;
+            }
+        }
+        let margin = MARGIN + 4.0 * slack;
+        if !(at - 0.5).abs().cmple(0.5 + margin).all() {
+            return None;
+        }
+        // As the whole has it: the parts' control points are rounded.
+        let mut place = self.from + self.size * at;
+        for _ in 0..2 {
+            let miss = evaluate(&whole.curve, place.x) - whole.patch.place(place.y, place.z);
+            place -= self.size * (inverse * miss);
+        }
+        let place = place.clamp(DVec3::ZERO, DVec3::ONE);
+        let slack = (self.size * margin).max_element();
+        Some(BoxTest::Unique(Crossing { t: place.x, place: DVec2::new(place.y, place.z), slack }))
+    }
+
+    /// The halves of the longest direction.
+    fn halves(self) -> [Self; 2] {
+        let p = &self.patch.points;
+        let longest = |from: f64, leg: DVec3| from.max(leg.length_squared());
+        let t = (0..M - 1).map(|k| self.curve[k + 1] - self.curve[k]).fold(0.0, longest);
+        let u = (0..N - 1).flat_map(|a| (0..N).map(move |b| p[a + 1][b] - p[a][b])).fold(0.0, longest);
+        let v = (0..N).flat_map(|a| (0..N - 1).map(move |b| p[a][b + 1] - p[a][b])).fold(0.0, longest);
+        let scale = ((N - 1) as f64 / (M - 1) as f64).powi(2);
+        let (mut low, mut high) = (self.clone(), self);
+        let axis = if t >= scale * u.max(v) {
+            [low.curve, high.curve] = halves(&high.curve);
+            0
+        } else if u >= v {
+            [low.patch, high.patch] = high.patch.halves();
+            1
+        } else {
+            [low.patch, high.patch] = high.patch.transposed().halves().map(|half| half.transposed());
+            2
+        };
+        low.size[axis] *= 0.5;
+        high.size[axis] *= 0.5;
+        high.from[axis] += high.size[axis];
+        [low, high]
+    }
+
+    /// Moves the best place of a cluster to where the curve and the patch are nearest within it:
+    /// Levenberg's and Marquardt's steps, each kept within the cluster.
+    fn refine_unresolved(&self, cluster: &mut UnresolvedCluster) {
+        let (low, high) = (cluster.low.max(DVec3::ZERO), cluster.high.min(DVec3::ONE));
+        let miss = |at: DVec3| evaluate(&self.curve, at.x) - self.patch.place(at.y, at.z);
+        let mut at = cluster.best.middle.clamp(low, high);
+        let mut gap = miss(at);
+        let mut damping = 1e-6;
+        for _ in 0..40 {
+            let [u, v] = self.patch.slopes(at.y, at.z);
+            let jacobian = DMat3::from_cols(slope(&self.curve, at.x), -u, -v);
+            let (square, gradient) = (jacobian.transpose() * jacobian, jacobian.transpose() * gap);
+            let diagonal = DVec3::new(square.x_axis.x, square.y_axis.y, square.z_axis.z) * damping;
+            let step = (square + DMat3::from_diagonal(diagonal)).inverse() * gradient;
+            let next = (at - step).clamp(low, high);
+            if !step.is_finite() || next == at {
+                break;
+            }
+            let there = miss(next);
+            if there.length_squared() < gap.length_squared() {
+                (at, gap, damping) = (next, there, 0.1 * damping);
+            } else if damping > 1e3 {
+                break;
+            } else {
+                damping *= 10.0;
+            }
+        }
+        cluster.best.middle = at;
+    }
+}
+
+impl<const N: usize> Patch<N> {
+    /// S(u, v).
+    #[inline]
+    fn place(&self, u: f64, v: f64) -> DVec3 {
+        evaluate(&self.points.map(|row| evaluate(&row, v)), u)
+    }
+
+    /// S_u and S_v.
+    #[inline]
+    fn slopes(&self, u: f64, v: f64) -> [DVec3; 2] {
+        let rows = self.points.map(|row| (evaluate(&row, v), slope(&row, v)));
+        [slope(&rows.map(|row| row.0), u), evaluate(&rows.map(|row| row.1), u)]
+    }
+}
+
+/// C'(t).
+#[inline]
+fn slope<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
+    evaluate_with_slope(points, t)[1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The patch (u, v, f(u) + g(v)), f and g cubics by their Bernstein coefficients.
+    fn sum(f: [f64; 4], g: [f64; 4]) -> Patch<4> {
+        let at = |k: usize| k as f64 / 3.0;
+        Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| DVec3::new(at(a), at(b), f[a] + g[b]))) }
+    }
+
+    fn straight(a: DVec3, b: DVec3) -> [DVec3; 4] {
+        std::array::from_fn(|k| a.lerp(b, k as f64 / 3.0))
+    }
+
+    fn solve<const M: usize>(curve: &[DVec3; M], patch: &Patch<4>) -> Crossings {
+        let mut found = Crossings::default();
+        crossings(curve, patch, 0.0, 1e-9, &mut CurveWorkspace::default(), &mut found).unwrap();
+        found.simple.sort_by(|a, b| a.t.total_cmp(&b.t));
+        found
+    }
+
+    /// The Bernstein coefficients of (x - a) (x - b) (x - c).
+    fn cubic([a, b, c]: [f64; 3]) -> [f64; 4] {
+        let f = |x: f64, y: f64, z: f64| {
+            let sum = |p: f64, q: f64, r: f64| (x - p) * (y - q) * (z - r);
+            (sum(a, b, c) + sum(a, c, b) + sum(b, a, c) + sum(b, c, a) + sum(c, a, b) + sum(c, b, a)) / 6.0
+        };
+        [f(0.0, 0.0, 0.0), f(0.0, 0.0, 1.0), f(0.0, 1.0, 1.0), f(1.0, 1.0, 1.0)]
+    }
+
+    #[test]
+    fn three_of_a_cubic() {
+        let patch = sum(cubic([0.2, 0.5, 0.9]), [0.0; 4]);
+        let line = straight(DVec3::new(0.0, 0.3, 0.0), DVec3::new(1.0, 0.7, 0.0));
+        let found = solve(&line, &patch);
+        assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
+        for (crossing, t) in found.simple.iter().zip([0.2, 0.5, 0.9]) {
+            assert!((crossing.t - t).abs() < 1e-13 && (crossing.place.x - t).abs() < 1e-13, "{found:?}");
+            assert!((crossing.place.y - (0.3 + 0.4 * t)).abs() < 1e-13, "{found:?}");
+        }
+        // A curve that passes through the plane z = 0 three times.
+        let flat = sum([0.0; 4], [0.0; 4]);
+        let heights = cubic([0.1, 0.4, 0.8]);
+        let wave: [DVec3; 4] =
+            std::array::from_fn(|k| DVec3::new(0.2 + 0.2 * k as f64, 0.9 - 0.25 * k as f64, heights[k]));
+        let found = solve(&wave, &flat);
+        assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
+        assert!((found.simple[1].t - 0.4).abs() < 1e-13);
+        // Past the patch, and away from it.
+        let past = straight(DVec3::new(1.1, -0.2, -1.0), DVec3::new(1.0001, 0.5, 1.0));
+        assert!(solve(&past, &patch).simple.is_empty() && solve(&past, &patch).unresolved.is_empty());
+    }
+
+    #[test]
+    fn corners_of_parts_are_found_once() {
+        let patch = sum([0.0; 4], [0.0; 4]);
+        let line = straight(DVec3::new(0.4, 0.6, -0.5), DVec3::new(0.6, 0.4, 0.5));
+        let found = solve(&line, &patch);
+        assert_eq!(found.simple.len(), 1, "{found:?}");
+        assert!(found.simple[0].place.distance(DVec2::splat(0.5)) < 1e-14);
+        // At a corner and on a side of the patch itself.
+        for place in [DVec2::ZERO, DVec2::new(1.0, 0.25), DVec2::ONE] {
+            let at = place.extend(0.0);
+            let line = straight(at - DVec3::new(0.3, -0.2, 1.0), at + DVec3::new(0.3, -0.2, 1.0));
+            let found = solve(&line, &patch);
+            assert!(found.simple.len() == 1 && found.simple[0].place.distance(place) < 1e-13, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn touching_and_running_inside_are_reported() {
+        // z = (u - 0.37)^2 and the line z = 0 across.
+        let dip = [0.37 * 0.37, 0.37 * 0.37 - 0.74 / 3.0, 0.37 * 0.37 - 1.48 / 3.0 + 1.0 / 3.0, 0.63 * 0.63];
+        let line = straight(DVec3::new(0.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
+        let found = solve(&line, &sum(dip, [0.0; 4]));
+        assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
+        assert!((found.unresolved[0].best.middle.x - 0.37).abs() < 1e-4, "{found:?}");
+        // In a plane: the common part is from t = 0.25 to 0.75.
+        let line = straight(DVec3::new(-0.5, 0.5, 0.0), DVec3::new(1.5, 0.5, 0.0));
+        let found = solve(&line, &sum([0.0; 4], [0.0; 4]));
+        assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
+        let cluster = found.unresolved[0];
+        assert!(
+            (cluster.low.x - 0.25).abs() <= MAX_UNRESOLVED_LENGTH
+                && (cluster.high.x - 0.75).abs() <= MAX_UNRESOLVED_LENGTH,
+            "{found:?}"
+        );
+        // In the same plane, and past the patch.
+        let past = straight(DVec3::new(0.6, -0.45, 0.0), DVec3::new(1.5, 0.45, 0.0));
+        let found = solve(&past, &sum([0.0; 4], [0.0; 4]));
+        assert!(found.simple.is_empty() && found.unresolved.is_empty(), "{found:?}");
+        // On a curved sheet, along one of its own curves.
+        let wave = cubic([0.1, 0.5, 0.8]);
+        let own: [DVec3; 4] = std::array::from_fn(|k| DVec3::new(k as f64 / 3.0, 0.3, wave[k]));
+        let found = solve(&own, &sum(wave, [0.0; 4]));
+        assert!(!found.unresolved.is_empty(), "{found:?}");
+        let covered: f64 = found.unresolved.iter().map(|cluster| cluster.high.x - cluster.low.x).sum();
+        assert!(covered > 0.99, "{found:?}");
+    }
+
+    #[test]
+    fn any_degree() {
+        // The same cubic, raised to degree 7.
+        let patch = sum(cubic([0.2, 0.5, 0.9]), cubic([0.1, 0.2, 0.3]));
+        let curve = [DVec3::new(0.1, 0.9, -0.3), DVec3::new(0.5, 0.2, 0.6), DVec3::new(0.4, 0.8, -0.8), DVec3::ONE];
+        let mut raised = [DVec3::ZERO; 8];
+        raised[..4].copy_from_slice(&curve);
+        for n in 4..8 {
+            raised[n] = raised[n - 1];
+            (1..n).rev().for_each(|k| raised[k] = raised[k].lerp(raised[k - 1], k as f64 / n as f64));
+        }
+        let (low, high) = (solve(&curve, &patch), solve(&raised, &patch));
+        assert!(!low.simple.is_empty() && low.simple.len() == high.simple.len(), "{low:?} {high:?}");
+        for (a, b) in low.simple.iter().zip(&high.simple) {
+            assert!((a.t - b.t).abs() < 1e-12 && a.place.distance(b.place) < 1e-12);
+        }
+    }
+}

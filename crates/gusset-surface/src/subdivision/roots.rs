@@ -1,0 +1,271 @@
+//! All common roots of two fields over a patch, by [`subdivide`] into quarters.
+//!
+//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
+//! [`gusset_base::geom::subdivision`]:
+//! * *empty*: a field, or a combination of the two that makes the middle Jacobian the identity, has
+//!   coefficients of one sign;
+//! * *unique*: the Jacobian of the combined fields has a dominant diagonal all over the part, so
+//!   that they take no pair of values twice; then Newton's method finds the root, if it stays;
+//! * *unresolved*: all values of a field are within the tolerance. That is where the two curves
+//!   touch, or coincide.
+//!
+//! Cost: O(N^3) a part, [`MAX_PARTS`] parts at most.
+
+use super::field::{Field, Slope};
+use crate::prelude::*;
+use gusset_base::geom::subdivision::{
+    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+};
+
+/// Halvings of each parameter before a part is given up.
+const MAX_SUBDIVISION_DEPTH: u32 = 22;
+/// Parts examined for one patch: curves that coincide would take them without end.
+const MAX_PARTS: usize = 4096;
+/// The same where another method follows if they do not suffice.
+const MAX_PARTS_IF_SIMPLE: usize = 256;
+/// How far outside a part a root may be found, as a fraction of it, besides rounding: roots on
+/// borders are found from both sides.
+const MARGIN: f64 = 1e-12;
+
+/// Common roots of fields on patches, and memory for the search.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Roots<const N: usize> {
+    /// Parameters of simple roots, each once.
+    pub(crate) simple: Vec<DVec2>,
+    /// Where roots could not be told apart.
+    pub(crate) unresolved: Vec<UnresolvedCluster>,
+    stack: Stack<FieldPart<N>>,
+    boxes: Vec<UnresolvedBox>,
+}
+
+#[derive(Debug, Clone)]
+struct FieldPart<const N: usize> {
+    fields: [Field<N>; 2],
+    from: DVec2,
+    size: f64,
+}
+
+/// The search of one patch.
+struct RootSearch<'a> {
+    rounding_error: f64,
+    tolerance: f64,
+    simple: &'a mut Vec<DVec2>,
+    boxes: &'a mut Vec<UnresolvedBox>,
+    /// Whether to end with the first box that is unresolved.
+    simple_only: bool,
+}
+
+/// Finds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values
+/// are all within `tolerance` need no resolving.
+pub(crate) fn roots<const N: usize>(
+    fields: [Field<N>; 2],
+    rounding_error: f64,
+    tolerance: f64,
+    found: &mut Roots<N>,
+) -> Result<()> {
+    search(fields, rounding_error, tolerance, false, found);
+    cluster(&found.boxes, &mut found.unresolved, || Ok(()))?;
+    Ok(())
+}
+
+/// Finds the common roots of two fields if all can be resolved with little work; else returns
+/// false, and what was found is of no use.
+pub(crate) fn simple_roots<const N: usize>(
+    fields: [Field<N>; 2],
+    rounding_error: f64,
+    tolerance: f64,
+    found: &mut Roots<N>,
+) -> bool {
+    search(fields, rounding_error, tolerance, true, found)
+}
+
+/// Finds simple roots; false if it ended early.
+#[inline]
+fn search<const N: usize>(
+    fields: [Field<N>; 2],
+    rounding_error: f64,
+    tolerance: f64,
+    simple_only: bool,
+    found: &mut Roots<N>,
+) -> bool {
+    let Roots { simple, unresolved, stack, boxes } = found;
+    simple.clear();
+    unresolved.clear();
+    boxes.clear();
+    stack.clear();
+    let mut search = RootSearch { rounding_error, tolerance, simple, boxes, simple_only };
+    let whole = FieldPart { fields, from: DVec2::ZERO, size: 1.0 };
+    let max_boxes = if simple_only { MAX_PARTS_IF_SIMPLE } else { MAX_PARTS };
+    subdivide(&mut search, whole, stack, Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
+}
+
+/// Stands for the end of a search for simple roots only.
+struct NotSimple;
+
+impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
+    /// The root, by the part's parameters, and how far outside the part it may be for rounding.
+    type Solution = [DVec2; 2];
+    type Split = ();
+    type Stop = NotSimple;
+
+    #[inline]
+    fn classify(&mut self, part: &FieldPart<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimple> {
+        if part.fields.iter().any(|field| has_none(field, self.rounding_error)) {
+            return Ok(BoxTest::Empty);
+        }
+        let test = classify(&part.fields, self.rounding_error);
+        // Values within the tolerance cannot say any more where the other field's roots are.
+        let is_within = |field: &Field<N>| {
+            let [low, high] = field.range();
+            low >= -self.tolerance && high <= self.tolerance
+        };
+        let unresolved = matches!(test, BoxTest::Undecided(())) && part.fields.iter().any(is_within);
+        Ok(if unresolved { BoxTest::Unresolved } else { test })
+    }
+
+    fn accept(&mut self, part: FieldPart<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimple> {
+        let place = part.from + part.size * place;
+        // Found again on the border of parts, if it is within what rounding allows.
+        let near = 2.0 * part.size * margin.max_element() + 1e-11;
+        if !self.simple.iter().any(|other| (*other - place).abs().max_element() <= near) {
+            self.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
+        }
+        Ok(())
+    }
+
+    fn give_up(&mut self, part: FieldPart<N>, _exhausted: bool) -> Result<(), NotSimple> {
+        if self.simple_only {
+            return Err(NotSimple);
+        }
+        let residual = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
+        let half = DVec2::splat(0.5 * part.size).extend(0.0);
+        self.boxes.push(UnresolvedBox { middle: part.from.extend(0.0) + half, half, residual });
+        Ok(())
+    }
+
+    fn split(&mut self, part: FieldPart<N>, (): ()) -> [FieldPart<N>; 4] {
+        let size = 0.5 * part.size;
+        let [f, g] = part.fields.map(|field| field.quarters());
+        let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
+        std::array::from_fn(|k| FieldPart { fields: [f[k], g[k]], from: part.from + size * corners[k], size })
+    }
+}
+
+fn has_none<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
+    let [low, high] = field.range();
+    low > rounding_error || high < -rounding_error
+}
+
+/// Tests a pair of fields; a root is by the part's parameters, with how far outside the part it may
+/// be for rounding.
+fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxTest<[DVec2; 2], ()> {
+    let middle = fields.map(|field| field.at(0.5, 0.5));
+    let determinant = middle[0].u * middle[1].v - middle[0].v * middle[1].u;
+    let square = |slope: &Slope| slope.u * slope.u + slope.v * slope.v;
+    let scale = square(&middle[0]) * square(&middle[1]);
+    if determinant * determinant <= 1e-18 * scale || scale == 0.0 {
+        return BoxTest::Undecided(());
+    }
+    // The inverse of the Jacobian takes the fields to ones that are nearly u - u0 and v - v0.
+    let [a, b] = [middle[1].v / determinant, -middle[0].v / determinant];
+    let [c, d] = [-middle[1].u / determinant, middle[0].u / determinant];
+    let first = fields[0].combined(a, &fields[1], b);
+    let second = fields[0].combined(c, &fields[1], d);
+    let slack = rounding_error * DVec2::new(a.abs() + b.abs(), c.abs() + d.abs());
+    if has_none(&first, slack.x) || has_none(&second, slack.y) {
+        return BoxTest::Empty;
+    }
+    let [first_u, first_v] = first.slope_ranges();
+    let [second_u, second_v] = second.slope_ranges();
+    let max_abs = |range: [f64; 2]| range[0].abs().max(range[1].abs());
+    if first_u[0] <= max_abs(first_v) || second_v[0] <= max_abs(second_u) {
+        return BoxTest::Undecided(());
+    }
+    // Newton's steps with the middle Jacobian, which is the identity now, converge; with the true
+    // one, quickly.
+    let mut place = DVec2::splat(0.5);
+    for _ in 0..32 {
+        let (f, g) = (first.at(place.x, place.y), second.at(place.x, place.y));
+        let determinant = f.u * g.v - f.v * g.u;
+        let step = DVec2::new(f.value * g.v - g.value * f.v, g.value * f.u - f.value * g.u) / determinant;
+        // A dominant diagonal keeps the determinant positive within the part.
+        if !step.is_finite() {
+            return BoxTest::Undecided(());
+        }
+        let next = place - step;
+        if next.clamp(DVec2::splat(-0.5), DVec2::splat(1.5)) != next {
+            return BoxTest::Undecided(());
+        }
+        place = next;
+        // The steps shrink quadratically: the next one would be below rounding.
+        if step.abs().max_element() <= 1e-9 {
+            break;
+        }
+    }
+    let margin = MARGIN + 4.0 * slack;
+    let inside = place.clamp(-margin, 1.0 + margin) == place;
+    if inside { BoxTest::Unique([place, margin]) } else { BoxTest::Undecided(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// The field (u - a) (v - b) - c and others, from values at the nodes of the Bernstein form of
+    /// degree 1 raised to 3.
+    fn of(f: impl Fn(f64, f64) -> f64) -> Field<4> {
+        // Interpolation of bicubics: Bernstein coefficients from values at 0, 1/3, 2/3, 1.
+        let invert = |y: [f64; 4]| {
+            let [a, b, c, d] = y;
+            [a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, d]
+        };
+        let at = |k: usize| k as f64 / 3.0;
+        let rows: [[f64; 4]; 4] = std::array::from_fn(|a| invert(std::array::from_fn(|b| f(at(a), at(b)))));
+        let columns: [[f64; 4]; 4] = std::array::from_fn(|b| invert(std::array::from_fn(|a| rows[a][b])));
+        Field { c: std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a])) }
+    }
+
+    fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots<4> {
+        let mut found = Roots::default();
+        roots([of(f), of(g)], 1e-14, 1e-9, &mut found).unwrap();
+        found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
+        found
+    }
+
+    #[test]
+    fn none_one_and_many() {
+        assert!(solve(|u, v| u + v + 0.1, |u, v| u - v).simple.is_empty());
+        let one = solve(|u, _| u - 0.3, |_, v| v - 0.7);
+        assert!(one.simple.len() == 1 && one.simple[0].distance(DVec2::new(0.3, 0.7)) < 1e-14);
+        // A parabola and a line: two.
+        let two = solve(|u, v| v - 4.0 * (u - 0.5) * (u - 0.5), |_, v| v - 0.25);
+        assert_eq!(two.simple.len(), 2);
+        assert!((two.simple[0].x - 0.25).abs() < 1e-13 && (two.simple[1].x - 0.75).abs() < 1e-13);
+        // Two cubics, nine roots: u takes three values on each of three.
+        let cubic = |t: f64| (t - 0.2) * (t - 0.5) * (t - 0.9);
+        let nine = solve(move |u, _| cubic(u), move |_, v| cubic(v));
+        assert_eq!((nine.simple.len(), nine.unresolved.len()), (9, 0));
+        // At corners of parts, found once.
+        let corner = solve(|u, _| u - 0.5, |_, v| v - 0.5);
+        assert_eq!(corner.simple.len(), 1);
+    }
+
+    #[test]
+    fn touching_curves_are_reported() {
+        let touch = solve(|u, v| v - (u - 0.37) * (u - 0.37), |_, v| v);
+        assert!(!touch.unresolved.is_empty());
+        // Roots that rounding makes there are in the cluster.
+        let is_near = |at: DVec2, cluster: &UnresolvedCluster| {
+            let best = cluster.best.middle;
+            best.truncate().distance(at) <= (cluster.high - best).max(best - cluster.low).length()
+        };
+        let in_cluster = |&at: &DVec2| touch.unresolved.iter().any(|cluster| is_near(at, cluster));
+        assert!(touch.simple.iter().all(in_cluster), "{touch:?}");
+        let is_right = |at: DVec3| (at.x - 0.37).abs() < 1e-3 && at.y < 1e-3;
+        assert!(touch.unresolved.iter().all(|cluster| is_right(cluster.best.middle)));
+        // One curve twice.
+        let same = solve(|u, v| u - v, |u, v| 2.0 * (u - v));
+        assert!(!same.unresolved.is_empty() && same.unresolved.len() <= MAX_PARTS);
+    }
+}

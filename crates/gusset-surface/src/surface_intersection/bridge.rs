@@ -1,0 +1,363 @@
+//! What unresolved balls do to chains: scraps in them are left out, and loose ends in them joined.
+//!
+//! Balls stay as they were found: where surfaces touch along a curve there is a row of them, and a
+//! chain that passes the middle of a ring of balls, or ends there, has nothing to do with it. A
+//! ball tells of arcs of its own two sheets only.
+//!
+//! Cost: O(log n) for each ball, end of a chain, and pair of the two that are near each other.
+
+use super::contact::CriticalPoint;
+use super::links::{Chain, Links, NONE};
+use super::solve::{Arc, FoundArcs, UnresolvedBall};
+use crate::prelude::*;
+use glam::DVec4;
+use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::sort;
+
+/// Shorter chains may be scraps.
+const MIN_CHAIN_ARCS: usize = 8;
+/// And those that are shorter than so many resolutions.
+const SCRAP_RESOLUTIONS: f64 = 64.0;
+/// Ends of chains in a ball: with more of them it is ambiguous which belong together.
+const MAX_ENDS: usize = 64;
+/// Ends within this many resolutions may be one point.
+const POINT_RESOLUTIONS: f64 = 8.0;
+/// Chains that are shorter than so many resolutions, and as near to a longer one as that many,
+/// are parts of it that were found once more.
+const REPEATED_RESOLUTIONS: [f64; 2] = [8.0, 2.0];
+
+/// The surfaces that are intersected.
+pub(super) trait Surroundings {
+    /// The sheets of a pair of cells.
+    fn sheets(&self, pair: u32) -> [u32; 2];
+    /// The cell of the first surface, which is listed where something is not resolved.
+    fn cell(&self, pair: u32) -> [u32; 2];
+    /// The point at parameters of a pair of cells.
+    fn point(&self, pair: u32, x: DVec4) -> DVec3;
+    /// Whether a chord is as near to both surfaces as those of the curves are.
+    fn contain(&self, chord: [DVec3; 2]) -> bool;
+}
+
+/// The end of a chain that a bridge may begin at, or end at: those of chain k are 2 k and 2 k + 1.
+#[derive(Clone, Copy)]
+struct LooseEnd {
+    arc: u32,
+    point: DVec3,
+    direction: DVec3,
+    /// At the border of a sheet, or where an arc was cut.
+    is_bound: bool,
+}
+
+/// Branches that are joined where they cross, or pass each other.
+#[derive(Debug, Default)]
+pub(super) struct JoinedCrossings {
+    /// Arcs after which a path is at a critical point, with the number of the point, in order.
+    pub(super) nodes: Vec<(u32, u32)>,
+    /// By critical point, whether the branches round it are joined.
+    pub(super) joined: Vec<bool>,
+}
+
+/// Arcs and unresolved balls.
+pub(super) struct Bridges<'a, S> {
+    pub(super) pieces: &'a FoundArcs,
+    pub(super) surroundings: &'a S,
+    pub(super) tolerance: f64,
+    /// How exactly ends are known.
+    pub(super) resolution: f64,
+}
+
+/// The tree of some points.
+fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
+    KdTree::new(points, &Job::default(), "")
+}
+
+fn radius(length: f64) -> Radius {
+    Radius::new(length.max(f64::MIN_POSITIVE))
+}
+
+impl<S: Surroundings> Bridges<'_, S> {
+    /// The radius within which a ball may have ended a chain: arcs beside it that are shorter than the
+    /// resolution are lost.
+    fn end_radius(&self, ball: &UnresolvedBall) -> f64 {
+        ball.radius + 4.0 * self.resolution
+    }
+
+    /// The balls and the points of arcs in them, of the same sheets. `points`: those, and the
+    /// pairs of cells of their arcs.
+    fn members(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
+        let places = alloc::collect(points.iter().map(|&(point, _)| point))?;
+        let tree = tree(&places)?;
+        let mut found = Vec::new();
+        for (k, ball) in self.pieces.balls.iter().enumerate() {
+            let (mut result, sheets) = (Ok(()), self.surroundings.sheets(ball.pair));
+            tree.for_each_within(ball.centre, radius(self.end_radius(ball)), &mut |_, n| {
+                if self.surroundings.sheets(points[n as usize].1) == sheets && result.is_ok() {
+                    result = alloc::push(&mut found, (k as u32, n));
+                }
+            });
+            result?;
+        }
+        Ok(found)
+    }
+
+    /// Leaves out scraps: short chains all of whose points are in balls, each in one of its own
+    /// cell, which is reported; balls may be as wide as cells, and whole branches of others may be
+    /// in them. `is_used`: by ball, whether there may be arcs in it.
+    pub(super) fn drop_scraps(
+        &self,
+        chains: &[Chain],
+        dropped: &mut [bool],
+        is_used: &dyn Fn(u32) -> bool,
+    ) -> Result<()> {
+        let arcs = &self.pieces.arcs;
+        let is_scrap = |chain: &Chain| {
+            !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS
+                || self.length(chain) <= SCRAP_RESOLUTIONS * self.resolution
+        };
+        let short = || chains.iter().filter(|chain| is_scrap(chain));
+        let mut points = Vec::new();
+        for &arc in short().flat_map(|chain| &chain.arcs) {
+            let arc = &arcs[arc as usize];
+            alloc::extend(&mut points, self.points(arc).map(|point| (point, arc.pair)))?;
+        }
+        let mut within = alloc::filled(false, points.len())?;
+        for (ball, point) in self.members(&points)? {
+            let [own, other] = [self.pieces.balls[ball as usize].pair, points[point as usize].1];
+            within[point as usize] |= is_used(ball) && self.surroundings.cell(own) == self.surroundings.cell(other);
+        }
+        let mut rest = within.as_slice();
+        for chain in short() {
+            let count = chain.arcs.iter().map(|&arc| arcs[arc as usize].point_count()).sum();
+            let (own, others) = rest.split_at(count);
+            rest = others;
+            if own.iter().all(|&within| within) {
+                chain.arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+            }
+        }
+        Ok(())
+    }
+
+    /// Leaves out chains that are no longer than the resolution; whether there are any.
+    pub(super) fn drop_short(&self, chains: &[Chain], dropped: &mut [bool]) -> bool {
+        let short = || chains.iter().filter(|chain| self.length(chain) <= self.resolution);
+        short().flat_map(|chain| &chain.arcs).for_each(|&arc| dropped[arc as usize] = true);
+        short().next().is_some()
+    }
+
+    /// The length of a chain: of the chords of its arcs, or of one that is closed.
+    fn length(&self, chain: &Chain) -> f64 {
+        let length = |arc: &Arc| match arc.is_closed {
+            true => self.points(arc).zip(self.points(arc).skip(1)).map(|(p, q)| p.distance(q)).sum(),
+            false => arc.ends[0].distance(arc.ends[1]),
+        };
+        chain.arcs.iter().map(|&arc| length(&self.pieces.arcs[arc as usize])).sum()
+    }
+
+    /// The points of an arc.
+    fn points(&self, arc: &Arc) -> impl Iterator<Item = DVec3> {
+        let all = &self.pieces.points[arc.from as usize..arc.to as usize];
+        all.iter().map(|&x| self.surroundings.point(arc.pair, x))
+    }
+
+    /// Leaves out chains of a few resolutions all of whose ends are on a longer one: beside
+    /// poles lines of parameters are so near together that curves are found from both sides of them,
+    /// in arcs too short to be told from those that follow each other. Whether there are any.
+    pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<bool> {
+        let arcs = &self.pieces.arcs;
+        let [longest, near] = REPEATED_RESOLUTIONS.map(|count| count * self.resolution);
+        let is_short = |chain: &Chain| chain.arcs.len() < MIN_CHAIN_ARCS && self.length(chain) <= longest;
+        if !chains.iter().any(is_short) {
+            return Ok(false);
+        }
+        let ends = |chain: &'a Chain| chain.arcs.iter().flat_map(|&arc| arcs[arc as usize].ends);
+        let others = alloc::gather(chains.iter().filter(|chain| !is_short(chain)).flat_map(ends))?;
+        let tree = tree(&others)?;
+        let mut any = false;
+        for chain in chains.iter().filter(|chain| is_short(chain)) {
+            if ends(chain).all(|end| tree.nearest(end, near * near, |_| true).is_some()) {
+                chain.arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+                any = true;
+            }
+        }
+        Ok(any)
+    }
+
+    /// Leaves out chains that are within a contact: rims of lenses that are thinner than the
+    /// tolerance, and scraps of branches that cross.
+    pub(super) fn drop_within_contacts(
+        &self,
+        points: &[CriticalPoint],
+        chains: &[Chain],
+        dropped: &mut [bool],
+    ) -> Result<()> {
+        let firsts = alloc::collect(chains.iter().map(|chain| self.pieces.arcs[chain.arcs[0] as usize].ends[0]))?;
+        let tree = tree(&firsts)?;
+        for point in points.iter().filter(|point| !point.is_saddle || point.gap.abs() <= self.tolerance) {
+            let limit = point.radius + POINT_RESOLUTIONS * self.resolution;
+            tree.for_each_within(point.point, radius(limit), &mut |_, n| {
+                let arcs = || chains[n as usize].arcs.iter().map(|&arc| &self.pieces.arcs[arc as usize]);
+                let within = |end: DVec3| end.distance(point.point) <= limit;
+                if arcs().all(|arc| arc.ends.into_iter().all(within)) {
+                    chains[n as usize].arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// Joins the four ends round each point where two branches cross or pass each other.
+    ///
+    /// Branches that pass each other keep the middle on the side that the sign of the gap says.
+    /// Where they cross, N_A x N_B points to the point and away from it in turn, so that paths turn
+    /// there: each into itself if it can, else as straight as can be.
+    pub(super) fn join_crossings(
+        &self,
+        points: &[CriticalPoint],
+        chains: &[Chain],
+        links: &mut Links,
+    ) -> Result<JoinedCrossings> {
+        let mut done = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
+        let ends = self.loose_ends(chains)?;
+        // By end, the other end of its path, which grows as chains are joined.
+        let mut others = alloc::collect((0..ends.len()).map(|k| k ^ 1))?;
+        let places = alloc::collect(ends.iter().map(|end| end.point))?;
+        let tree = tree(&places)?;
+        for (k, point) in points.iter().enumerate().filter(|(_, point)| point.is_saddle) {
+            let mut near = [[0; 2]; 2];
+            let mut counts = [0; 2];
+            let limit = point.radius + POINT_RESOLUTIONS * self.resolution;
+            tree.for_each_within(point.point, radius(limit), &mut |_, n| {
+                let of = n as usize % 2;
+                if counts[of] < 2 {
+                    near[of][counts[of]] = n as usize;
+                }
+                counts[of] += 1;
+            });
+            if counts != [2, 2] {
+                continue;
+            }
+            near.iter_mut().for_each(|pair| pair.sort_unstable());
+            let [starts, lasts] = near;
+            let is_crossing = point.gap.abs() <= self.tolerance;
+            let score = |last: usize, start: usize| {
+                let (from, to) = (ends[last].direction, ends[start].direction);
+                if is_crossing {
+                    let is_one = others[last] == start;
+                    from.dot(to) + if is_one { 4.0 } else { 0.0 }
+                } else {
+                    point.turn() * from.cross(to).dot(point.normal)
+                }
+            };
+            let straight = score(lasts[0], starts[0]) + score(lasts[1], starts[1]);
+            let crossed = score(lasts[0], starts[1]) + score(lasts[1], starts[0]);
+            let order = if straight >= crossed { [0, 1] } else { [1, 0] };
+            for (last, start) in lasts.into_iter().zip(order.map(|n| starts[n])) {
+                links.join(ends[last].arc, ends[start].arc);
+                let (first, end) = (others[last], others[start]);
+                (others[first], others[end]) = (end, first);
+                if is_crossing {
+                    alloc::push(&mut done.nodes, (ends[last].arc, k as u32))?;
+                }
+            }
+            done.joined[k] = true;
+        }
+        done.nodes.sort_unstable();
+        Ok(done)
+    }
+
+    /// Joins loose ends in a ball, or in two that touch: as straight as can be. Where two branches
+    /// cross, N_A x N_B points to the crossing on the one and away from it on the other, so that a
+    /// path turns from the one into the other. `is_used`: by ball, whether it joins.
+    pub(super) fn join(&self, chains: &[Chain], links: &mut Links, is_used: &dyn Fn(u32) -> bool) -> Result<()> {
+        let ends = self.loose_ends(chains)?;
+        let mut bridges = Vec::new();
+        for [end, start] in self.pairs(&ends, is_used)? {
+            let (from, to) = (ends[end as usize], ends[start as usize]);
+            let chord = to.point - from.point;
+            let is_point = chord.length() <= POINT_RESOLUTIONS * self.resolution;
+            if (from.is_bound || to.is_bound) && !is_point {
+                continue;
+            }
+            // The chord of ends that are nearly one point says little.
+            let along = from.direction + to.direction;
+            let straightness = (chord + 4.0 * self.resolution * along).normalize_or_zero().dot(along);
+            if straightness >= 0.0 {
+                alloc::push(&mut bridges, (-straightness, end, start, is_point))?;
+            }
+        }
+        sort::stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        for (_, end, start, is_point) in bridges {
+            let (from, to) = (ends[end as usize], ends[start as usize]);
+            if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.contain([from.point, to.point])) {
+                links.join(from.arc, to.arc);
+            }
+        }
+        Ok(())
+    }
+
+    /// The two ends of each chain: none of closed ones.
+    fn loose_ends(&self, chains: &[Chain]) -> Result<Vec<LooseEnd>> {
+        let open = chains.iter().filter(|chain| !chain.closed);
+        alloc::gather(open.flat_map(|chain| {
+            let ends = [chain.arcs.first(), chain.arcs.last()].into_iter().flatten().enumerate();
+            ends.map(|(k, &arc)| {
+                let found = &self.pieces.arcs[arc as usize];
+                let is_bound = found.at_border[k] || found.is_cut[k];
+                LooseEnd { arc, point: found.ends[k], direction: found.directions[k], is_bound }
+            })
+        }))
+    }
+
+    /// Ends and starts of chains that are in one ball, or in two that touch.
+    fn pairs(&self, ends: &[LooseEnd], is_used: &dyn Fn(u32) -> bool) -> Result<Vec<[u32; 2]>> {
+        let points = alloc::collect(ends.iter().map(|end| (end.point, self.pieces.arcs[end.arc as usize].pair)))?;
+        let mut members = self.members(&points)?;
+        members.retain(|&(ball, _)| is_used(ball));
+        let groups: Vec<&[(u32, u32)]> =
+            alloc::gather(members.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() <= MAX_ENDS))?;
+        let ball = |k: usize| &self.pieces.balls[groups[k][0].0 as usize];
+        let centres = alloc::collect((0..groups.len()).map(|k| ball(k).centre))?;
+        let tree = tree(&centres)?;
+        let mut pairs = Vec::new();
+        for (k, group) in groups.iter().enumerate() {
+            let (own, mut result) = (self.end_radius(ball(k)), Ok(()));
+            // Smaller balls only, and so all within twice the radius.
+            tree.for_each_within(centres[k], radius(2.0 * own), &mut |_, n| {
+                let (n, other) = (n as usize, self.end_radius(ball(n as usize)));
+                if result.is_ok() && (other, n) <= (own, k) && centres[k].distance(centres[n]) <= own + other {
+                    result = add_pairs(group, groups[n], &mut pairs);
+                }
+            });
+            result?;
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        Ok(pairs)
+    }
+
+    /// For each ball whether it is hardly larger than the resolution and a chain passes it, as at
+    /// poles: there is nothing more to it.
+    pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
+        let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);
+        let limit = POINT_RESOLUTIONS * self.resolution;
+        let is_small = |ball: &UnresolvedBall| ball.radius <= limit;
+        let any_small = self.pieces.balls.iter().any(is_small);
+        let joints = alloc::gather(followed.filter(|_| any_small).map(|(arc, _)| arc.ends[1]))?;
+        let tree = tree(&joints)?;
+        let passed =
+            |ball: &UnresolvedBall| is_small(ball) && tree.nearest(ball.centre, limit * limit, |_| true).is_some();
+        alloc::collect(self.pieces.balls.iter().map(passed))
+    }
+}
+
+/// Pairs of ends and starts in two balls, which may be one.
+fn add_pairs(group: &[(u32, u32)], other: &[(u32, u32)], pairs: &mut Vec<[u32; 2]>) -> Result<()> {
+    for (&(_, p), &(_, q)) in group.iter().flat_map(|p| other.iter().map(move |q| (p, q))) {
+        match [p % 2, q % 2] {
+            [1, 0] => alloc::push(pairs, [p, q])?,
+            [0, 1] => alloc::push(pairs, [q, p])?,
+            _ => {}
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! From arcs to paths: what was found twice is left out, and ends that are one point are joined.
+//!
+//! Cost: O(n log n) for n arcs.
+
+use super::bridge::{Bridges, JoinedCrossings, Surroundings};
+use super::contact::{APART, CriticalPoints, UNRESOLVED};
+use super::links::{Chain, Links};
+use super::solve::{Arc, FoundArcs};
+use crate::prelude::*;
+use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::sort;
+use std::ops::ControlFlow;
+
+/// Neighbours of a point that are compared: more of them can only be the same point again and
+/// again.
+const MAX_NEIGHBOURS: usize = 64;
+
+/// Points between two steps of the job.
+const ENDS_PER_STEP: usize = 1 << 12;
+
+/// Points of about the same place along a direction that are compared with each other: of more, a
+/// tree is faster.
+const MAX_COMPARED: usize = 16;
+
+/// Pairs of points that are no farther apart than `within`, and how far.
+///
+/// Sorted along some direction, near ones follow each other, and hardly any others: few points are
+/// in one plane across it, to `within`, but for those of curves in such planes.
+pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result<Vec<(f64, u32, u32)>> {
+    // Not along the axes, to which surfaces are often parallel.
+    let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
+    let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
+    sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut pairs = Vec::new();
+    // Keys are rounded.
+    let mut done = 0;
+    for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
+        let own = job.part(done as f64 / points.len() as f64, 1.0);
+        if run.len() > MAX_COMPARED {
+            add_pairs_of_many(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
+            done += run.len();
+            continue;
+        }
+        if (done + run.len()) / ENDS_PER_STEP > done / ENDS_PER_STEP {
+            own.step(0.0, "paths")?;
+        }
+        done += run.len();
+        for (at, &(_, k)) in run.iter().enumerate() {
+            for &(_, n) in &run[at + 1..] {
+                let distance = points[k as usize].distance(points[n as usize]);
+                if distance <= within {
+                    alloc::push(&mut pairs, (distance, k, n))?;
+                }
+            }
+        }
+    }
+    Ok(pairs)
+}
+
+/// Adds the pairs of a run of many points.
+fn add_pairs_of_many(
+    points: &[DVec3],
+    run: &[(f64, u32)],
+    within: f64,
+    pairs: &mut Vec<(f64, u32, u32)>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let own = alloc::collect(run.iter().map(|&(_, k)| points[k as usize]))?;
+    let (tree, reach) = (KdTree::new(&own, job, "paths")?, Radius::new(within.max(f64::MIN_POSITIVE)));
+    for (at, &(_, k)) in run.iter().enumerate() {
+        job.step_every(ENDS_PER_STEP, at, run.len(), "paths")?;
+        let (mut result, mut seen) = (Ok(()), 0);
+        let _ = tree.visit_within(own[at], reach, &mut |_, n| {
+            seen += 1;
+            if n as usize > at {
+                let distance = own[at].distance(own[n as usize]);
+                result = alloc::push(pairs, (distance, k, run[n as usize].1));
+            }
+            if result.is_err() || seen == MAX_NEIGHBOURS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        result?;
+    }
+    Ok(())
+}
+
+/// Ends within so many resolutions may be one point.
+pub(super) const REACH: f64 = 2.0;
+
+/// Chains of arcs.
+#[derive(Debug, Default)]
+pub(super) struct Chained {
+    /// Arcs each of which goes on where the one before ends, to the resolution.
+    pub(super) chains: Vec<Chain>,
+    pub(super) crossings: JoinedCrossings,
+    /// By unresolved ball, whether a joint explains it.
+    pub(super) passed: Vec<bool>,
+}
+
+/// Chains the arcs. `critical`: where the surfaces touch, or nearly do, to `tolerance`;
+/// `resolution`: how exactly ends are known, and how long arcs may be that are lost between them.
+pub(super) fn chains(
+    pieces: &FoundArcs,
+    critical: &CriticalPoints,
+    surroundings: &impl Surroundings,
+    [tolerance, resolution]: [f64; 2],
+    job: &Job<'_>,
+) -> Result<Chained> {
+    let arcs = &pieces.arcs;
+    // Starts and ends, in turn.
+    let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
+    let near = near_pairs(&ends, REACH * resolution, job)?;
+    let mut dropped = repeated(arcs, &near, false, resolution)?;
+    let mut joints = Vec::new();
+    for (distance, k, n) in near {
+        let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
+        let usable = end % 2 == 1 && start % 2 == 0 && (end / 2 != start / 2 || arcs[end as usize / 2].is_closed);
+        if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] {
+            alloc::push(&mut joints, (distance, end / 2, start / 2))?;
+        }
+    }
+    // The nearest first.
+    sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let bridges = Bridges { pieces, surroundings, tolerance, resolution };
+    let mut links = Links::of(&joints, &dropped)?;
+    let mut chains = links.chains(&dropped)?;
+    // What is left out may have been in the way of others.
+    if bridges.drop_short(&chains, &mut dropped) | bridges.drop_repeated(&chains, &mut dropped)? {
+        links = Links::of(&joints, &dropped)?;
+        chains = links.chains(&dropped)?;
+    }
+    if pieces.balls.is_empty() {
+        return Ok(Chained { chains: links.chains(&dropped)?, ..Chained::default() });
+    }
+    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.of_ball[ball as usize] != APART)?;
+    bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
+    // Branches that cross are joined when each is whole elsewhere.
+    let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;
+    bridges.join(&links.chains(&dropped)?, &mut links, &elsewhere)?;
+    let crossings = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
+    bridges.join(&links.chains(&dropped)?, &mut links, &|_| true)?;
+    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.passed(&links)? })
+}
+
+/// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs
+/// of starts and ends that are near each other. Sheets may be turned against each other, so that
+/// such arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as
+/// neither of the surfaces is the first.
+pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, resolution: f64) -> Result<Vec<bool>> {
+    let mut dropped = alloc::filled(false, arcs.len())?;
+    for &(_, p, q) in near {
+        let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
+        let (e, f) = (p as usize % 2, q as usize % 2);
+        // Most are arcs that follow each other.
+        if other.ends[1 - f].distance(one.ends[1 - e]) > REACH * resolution {
+            continue;
+        }
+        let way = if e == f { 1.0 } else { -1.0 };
+        // Short ones that follow each other are no nearer together than they are long.
+        let chord = one.ends[1] - one.ends[0];
+        let between = 0.5 * (one.ends[0] + one.ends[1] - other.ends[0] - other.ends[1]);
+        let is_beside = between.dot(chord).abs() <= 0.25 * chord.length_squared();
+        // Arcs whose ends are one point are one to the resolution if their directions are that near:
+        // beside crossings, where the surfaces are nearly parallel, more is not known of them.
+        let angle = (resolution / chord.length().max(2.0 * resolution)).max(1e-5);
+        let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= angle);
+        let along = one.is_along_side && other.is_along_side;
+        let may_be_one = one.pair != other.pair || along && (either_way || e == f) && p / 2 != q / 2;
+        // At poles directions are not known.
+        let is_parallel = parallel[0] && parallel[1] || along && (parallel[0] || parallel[1]);
+        if may_be_one && is_parallel && is_beside {
+            dropped[p.max(q) as usize / 2] = true;
+        }
+    }
+    Ok(dropped)
+}

@@ -1,0 +1,317 @@
+//! Points of contact: clusters of unresolved balls, resolved by the relative second form.
+//!
+//! Where two surfaces nearly touch, both are graphs over a common tangent plane, and meet where the
+//! difference D of their heights is 0. A cluster of balls is resolved if the second derivatives of
+//! D (the relative second form: Patrikalakis and Maekawa 2002, section 6) are proved, over every
+//! box that the cluster is of, to be definite with one sign, or to be indefinite; then its critical
+//! point, where the normals are parallel, is found by Newton's method, and D there tells:
+//!
+//! | D at the critical point | definite | indefinite |
+//! |---|---|---|
+//! | 0, to the tolerance | the surfaces touch in a point | two branches cross |
+//! | positive | D > 0: they are apart | two branches pass each other |
+//! | negative | a loop, which `solve` finds | the same, on the other sides |
+//!
+//! (signs for a positive form). As D is convex where the form is definite, it has one critical
+//! point and one loop at most. All that is left as it was is reported as unresolved.
+//!
+//! Cost: O(n log n) for n balls, O(N^3) a ball, and a few evaluations a cluster.
+
+use super::graph::{Form, Graph, Interval};
+use super::pairs::CellPair;
+use super::solve::UnresolvedBall;
+use crate::prelude::*;
+use crate::{Place, Surface, each_sheet};
+use glam::{DMat2, DMat3, DVec4};
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::geom::kd_tree::{KdTree, Radius};
+
+/// Balls of a cluster: of more, something larger than a point is there.
+const MAX_CLUSTER: usize = 4096;
+/// Balls of a cluster from which its critical point is looked for.
+const MAX_STARTS: usize = 32;
+/// Neighbours of balls that are looked at between two progress reports.
+const VISITS_PER_REPORT: usize = 1 << 18;
+/// How many times as large as its rim, the root of twice the tolerance over the least curvature, a
+/// contact may be: boxes are halved no further than that.
+const MAX_RIMS: f64 = 4.0;
+/// Steps of Newton's method.
+const NEWTON_STEPS: usize = 32;
+/// How far outside its cells a critical point may be, by parameters: those on sides are of the
+/// cells on both sides.
+const PARAMETER_SLACK: f64 = 1e-6;
+
+/// A place where two surfaces touch, or nearly do.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CriticalPoint {
+    /// Where it is: a pair of cells, and parameters of both.
+    pub(super) pair: u32,
+    pub(super) x: DVec4,
+    /// Relative to the origin of the balls.
+    pub(super) point: DVec3,
+    /// The unit normal of the first surface.
+    pub(super) normal: DVec3,
+    /// How far the first surface is above the second one along its normal.
+    pub(super) gap: f64,
+    /// All of the cluster is within this distance, and all round a minimum that is no higher than
+    /// the tolerance.
+    pub(super) radius: f64,
+    /// Whether the relative second form is indefinite.
+    pub(super) is_saddle: bool,
+    /// Whether the normals are opposed.
+    pub(super) is_opposed: bool,
+}
+
+impl CriticalPoint {
+    /// The side to which branches turn that pass by, seen against the normal: 1 is left.
+    ///
+    /// Along N_A x N_B, A is above B on the right, and below it if the normals are opposed.
+    pub(super) fn turn(&self) -> f64 {
+        if self.is_opposed { -self.gap.signum() } else { self.gap.signum() }
+    }
+}
+
+/// Clusters that are resolved.
+#[derive(Debug, Default)]
+pub(super) struct CriticalPoints {
+    pub(super) points: Vec<CriticalPoint>,
+    /// By ball, the number of the point that explains it, [`APART`] or [`UNRESOLVED`].
+    pub(super) of_ball: Vec<u32>,
+}
+
+/// Of balls in which the surfaces are farther apart than the tolerance.
+pub(super) const APART: u32 = u32::MAX - 1;
+/// Of balls that are not explained.
+pub(super) const UNRESOLVED: u32 = u32::MAX;
+
+/// What Newton's method finds from a ball.
+enum Search {
+    Found(CriticalPoint),
+    /// It leads out of the ball's cells, to about there.
+    Beyond(DVec3),
+}
+
+/// The search for critical points of two surfaces.
+pub(super) struct ContactSearch<'a> {
+    pub(super) surfaces: [&'a Surface<'a>; 2],
+    pub(super) pairs: &'a [CellPair],
+    pub(super) balls: &'a [UnresolvedBall],
+    /// The origin of the balls' coordinates.
+    pub(super) origin: DVec3,
+    pub(super) tolerance: f64,
+    /// How exactly places are known.
+    pub(super) resolution: f64,
+}
+
+/// An orthonormal frame whose third axis is a normal.
+fn frame_of(normal: DVec3) -> DMat3 {
+    let (x, y) = normal.any_orthonormal_pair();
+    DMat3::from_cols(x, y, normal)
+}
+
+impl ContactSearch<'_> {
+    /// Resolves the clusters that can be.
+    pub(super) fn run(&self, job: &Job<'_>) -> Result<CriticalPoints> {
+        let mut found = CriticalPoints { points: Vec::new(), of_ball: alloc::filled(UNRESOLVED, self.balls.len())? };
+        if self.balls.is_empty() {
+            return Ok(found);
+        }
+        for (k, cluster) in self.clusters(job)?.iter().enumerate() {
+            if k.is_multiple_of(64) {
+                job.step(0.0, "contact")?;
+            }
+            let Some(point) = self.resolve(cluster) else { continue };
+            let is_apart = !point.is_saddle && point.gap.abs() > self.tolerance;
+            let number = if is_apart { APART } else { found.points.len() as u32 };
+            cluster.iter().for_each(|&ball| found.of_ball[ball as usize] = number);
+            if !is_apart {
+                alloc::push(&mut found.points, point)?;
+            }
+        }
+        self.explain_rims(&mut found);
+        Ok(found)
+    }
+
+    /// Balls that are left within a contact, on the rim of a lens that is thinner than the tolerance,
+    /// are of it: arcs there are left out, too.
+    fn explain_rims(&self, found: &mut CriticalPoints) {
+        for (ball, number) in self.balls.iter().zip(&mut found.of_ball).filter(|(_, number)| **number == UNRESOLVED) {
+            let is_of = |point: &CriticalPoint| {
+                let sheets = [ball.pair, point.pair].map(|pair| self.pairs[pair as usize].sheets);
+                let is_near = ball.centre.distance(point.point) + ball.radius <= point.radius;
+                !point.is_saddle && is_near && sheets[0] == sheets[1]
+            };
+            if let Some(k) = found.points.iter().position(is_of) {
+                *number = k as u32;
+            }
+        }
+    }
+
+    /// Balls that are near each other, of pairs of the same two sheets or of others, by the first:
+    /// between those of a crossing may be others that are resolved.
+    fn clusters(&self, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+        let balls = self.balls;
+        let centres = alloc::collect(balls.iter().map(|ball| ball.centre))?;
+        let tree = KdTree::new(&centres, job, "contact")?;
+        let mut sets = DisjointSets::new(balls.len())?;
+        let mut visits = 0;
+        for (k, ball) in balls.iter().enumerate() {
+            // Where all balls lie together each has all others near it.
+            if visits >= VISITS_PER_REPORT || k == 0 {
+                job.step(0.0, "contact")?;
+                visits = 0;
+            }
+            visits += 1;
+            // Smaller balls only, and so all within four times the radius.
+            let limit = 4.0 * ball.radius + 4.0 * self.resolution;
+            tree.for_each_within(ball.centre, Radius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
+                visits += 1;
+                let other = &balls[n as usize];
+                let touch = 2.0 * (ball.radius + other.radius) + 4.0 * self.resolution;
+                if other.radius <= ball.radius && other.centre.distance(ball.centre) <= touch {
+                    sets.union(k as u32, n);
+                }
+            });
+        }
+        let mut clusters: Vec<Vec<u32>> = Vec::new();
+        let mut number = alloc::filled(u32::MAX, balls.len())?;
+        for k in 0..balls.len() as u32 {
+            let root = sets.find(k) as usize;
+            if number[root] == u32::MAX {
+                number[root] = clusters.len() as u32;
+                alloc::push(&mut clusters, Vec::new())?;
+            }
+            alloc::push(&mut clusters[number[root] as usize], k)?;
+        }
+        Ok(clusters)
+    }
+
+    /// The critical point of a cluster, if it is proved to be alone and to explain it.
+    fn resolve(&self, cluster: &[u32]) -> Option<CriticalPoint> {
+        let ball = |&k: &u32| &self.balls[k as usize];
+        if cluster.len() > MAX_CLUSTER || cluster.iter().any(|k| ball(k).is_whole) {
+            return None;
+        }
+        let mut order: Vec<&UnresolvedBall> = alloc::collect(cluster.iter().map(ball)).ok()?;
+        order.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.pair.cmp(&b.pair)));
+        let found = self.critical_point_among(&order)?;
+        let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_of(found.normal)));
+        let form = forms.next()??;
+        if form == Form::Unknown || forms.any(|other| other != Some(form)) {
+            return None;
+        }
+        let is_saddle = form == Form::Indefinite;
+        let height = if form == Form::Negative { -found.gap } else { found.gap };
+        // A loop is not explained by its middle.
+        (is_saddle || height >= -self.tolerance).then_some(CriticalPoint { is_saddle, ..found })
+    }
+
+    fn places(&self, pair: u32, x: DVec4) -> [Place; 2] {
+        let CellPair { sheets: [a, b], cells: [p, q] } = self.pairs[pair as usize];
+        [Place { sheet: a, cell: p, u: x.x, v: x.y }, Place { sheet: b, cell: q, u: x.z, v: x.w }]
+    }
+
+    /// The critical point of some balls: looked for from one that the surfaces are nearest at, and
+    /// from others that are nearest to where the last one says that it is.
+    fn critical_point_among(&self, balls: &[&UnresolvedBall]) -> Option<CriticalPoint> {
+        let mut left = alloc::collect(0..balls.len()).ok()?;
+        let mut towards: Option<DVec3> = None;
+        for _ in 0..MAX_STARTS.min(balls.len()) {
+            let far = |&k: &usize| towards.map_or(0.0, |point| balls[k].centre.distance_squared(point));
+            let (at, &ball) =
+                left.iter().enumerate().min_by(|a, b| far(a.1).total_cmp(&far(b.1)).then(a.1.cmp(b.1)))?;
+            left.swap_remove(at);
+            match self.critical_point(balls[ball], balls) {
+                Some(Search::Found(point)) => return Some(point),
+                Some(Search::Beyond(point)) => towards = Some(point),
+                None => {}
+            }
+        }
+        None
+    }
+
+    /// The point near a ball where the normals are parallel and the difference of the two points is
+    /// along them, if it is in the ball's cells and in one of the balls.
+    ///
+    /// With p and q in the tangent plane of the one, slopes g and h, and second derivatives G and H
+    /// there, a move by d of the first point and by d + p - q of the second makes the points equal,
+    /// and the slopes g + G d and h + H (d + p - q).
+    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<Search> {
+        let (mut x, mut last) = (ball.x, f64::INFINITY);
+        for _ in 0..NEWTON_STEPS {
+            let [a, b] = self.places(ball.pair, x);
+            let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
+            let frame = frame_of(normal.try_normalize()?);
+            let [one, other] = [Graph::at(&jets[0], &frame)?, Graph::at(&jets[1], &frame)?];
+            let away = (frame.transpose() * (jets[0].point - jets[1].point)).truncate();
+            let second = |graph: &Graph| {
+                let [xx, xy, yy] = graph.second.map(Interval::middle);
+                DMat2::from_cols(DVec2::new(xx, xy), DVec2::new(xy, yy))
+            };
+            let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(Interval::middle));
+            let (g, h) = (second(&one), second(&other));
+            let in_plane = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
+            let by_parameters =
+                |graph: &Graph, step: DVec2| graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y);
+            let ([s, t], [u, v]) = (by_parameters(&one, in_plane), by_parameters(&other, in_plane + away));
+            let step = DVec4::new(s, t, u, v);
+            if !step.is_finite() {
+                return None;
+            }
+            // Beyond its cells a polynomial says little.
+            if step.abs().max_element() > 1.0 {
+                return Some(Search::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
+            }
+            x += step;
+            let length = step.abs().max_element();
+            // In small cells rounding is all that is left before that.
+            let is_rounding = length <= 1e-8 && length > 0.25 * last;
+            last = length;
+            if length <= 1e-12 || is_rounding {
+                let inside = (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_SLACK;
+                let x = x.clamp(DVec4::ZERO, DVec4::ONE);
+                let [a, b] = self.places(ball.pair, x);
+                let [point, other] = [(0, a), (1, b)].map(|(k, place)| self.surfaces[k].jet(place).point - self.origin);
+                let normal = frame.z_axis;
+                let radius = balls.iter().map(|ball| ball.centre.distance(point) + ball.radius).fold(0.0, f64::max);
+                let gap = (point - other).dot(normal);
+                // A ball is about a point of either surface.
+                let reach = gap.abs() + 4.0 * self.resolution;
+                let within = |ball: &&UnresolvedBall| ball.centre.distance(point) <= ball.radius + reach;
+                // D grows by the least curvature at least: lambda r^2 / 2.
+                let form = g - h;
+                let [trace, determinant] = [form.x_axis.x + form.y_axis.y, form.determinant()];
+                let greatest = 0.5 * (trace.abs() + (trace * trace - 4.0 * determinant).max(0.0).sqrt());
+                let least = (determinant / greatest).abs().max(f64::MIN_POSITIVE);
+                let rim = (2.0 * (self.tolerance + gap.abs()) / least).sqrt();
+                // Elsewhere the surfaces are as near to each other for another reason.
+                if self.resolution < self.tolerance && radius > MAX_RIMS * rim {
+                    return None;
+                }
+                let radius = if rim.is_finite() && determinant > 0.0 { radius.max(1.1 * rim) } else { radius };
+                if !(inside && balls.iter().any(within)) {
+                    return Some(Search::Beyond(point));
+                }
+                let is_opposed = jets[1].normal().dot(normal) < 0.0;
+                let found =
+                    CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
+                return Some(Search::Found(found));
+            }
+        }
+        None
+    }
+
+    /// The relative second form over the box of a ball.
+    fn form(&self, ball: &UnresolvedBall, frame: &DMat3) -> Option<Form> {
+        let places = self.places(ball.pair, ball.low);
+        let size = ball.high - ball.low;
+        let over = |k: usize, size: [f64; 2]| {
+            let Place { sheet, cell: [i, j], u, v } = places[k];
+            let part = [[u, u + size[0]], [v, v + size[1]]].map(|[from, to]| [from, to.min(1.0)]);
+            each_sheet!(self.surfaces[k].sheet(sheet as usize), cells => {
+                Graph::over(&crate::cells::Cells::patch(cells, i as usize, j as usize), part, frame)
+            })
+        };
+        Some(Form::of_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
+    }
+}

@@ -1,0 +1,185 @@
+//! Heights of a piece of a surface over a plane: bounds of their slopes and second derivatives.
+//!
+//! Over the plane of x and y, S(u, v) = (x, y, z) is the graph of a height h(x, y) where x_u y_v -
+//! x_v y_u is not 0. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y, and its
+//! second derivatives those of z less the slopes times those of x and y, taken twice along the
+//! derivatives of (u, v) by (x, y). In intervals each is a bound over all of the piece; the
+//! difference of two such bounds is one of the relative second form of two surfaces that touch.
+//!
+//! Cost: O(N^3) a piece of degree N - 1.
+
+use crate::{Jet, Patch};
+use glam::{DMat3, DVec3};
+use gusset_base::geom::bernstein::restrict;
+use std::ops::{Add, Mul, Sub};
+
+/// All numbers from one to another.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Interval {
+    pub(super) low: f64,
+    pub(super) high: f64,
+}
+
+impl Interval {
+    pub(super) fn point(x: f64) -> Self {
+        Interval { low: x, high: x }
+    }
+
+    pub(super) fn with(self, x: f64) -> Self {
+        Interval { low: self.low.min(x), high: self.high.max(x) }
+    }
+
+    pub(super) fn middle(self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+
+    /// 1 / self, if 0 is not in it.
+    pub(super) fn inverse(self) -> Option<Self> {
+        let apart = self.low > 0.0 || self.high < 0.0;
+        apart.then(|| Interval { low: 1.0 / self.high, high: 1.0 / self.low })
+    }
+}
+
+impl Add for Interval {
+    type Output = Interval;
+
+    fn add(self, other: Interval) -> Interval {
+        Interval { low: self.low + other.low, high: self.high + other.high }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Interval;
+
+    fn sub(self, other: Interval) -> Interval {
+        Interval { low: self.low - other.high, high: self.high - other.low }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Interval;
+
+    fn mul(self, other: Interval) -> Interval {
+        let first = Interval::point(self.low * other.low);
+        first.with(self.low * other.high).with(self.high * other.low).with(self.high * other.high)
+    }
+}
+
+/// The height of a piece of a surface, over the plane of a frame's first two axes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Graph {
+    /// The derivatives of u, and of v, by x and y.
+    pub(super) inverse: [[Interval; 2]; 2],
+    /// h_x and h_y.
+    pub(super) slopes: [Interval; 2],
+    /// h_xx, h_xy and h_yy.
+    pub(super) second: [Interval; 3],
+}
+
+impl Graph {
+    /// From S_u and S_v, and S_uu, S_uv and S_vv, along the axes; `None` if the piece may not be a
+    /// graph.
+    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<Graph> {
+        let [[xu, yu, zu], [xv, yv, zv]] = first;
+        let factor = (xu * yv - xv * yu).inverse()?;
+        let minus = Interval::point(-1.0) * factor;
+        let inverse = [[yv * factor, xv * minus], [yu * minus, xu * factor]];
+        let slopes = [0, 1].map(|k| zu * inverse[0][k] + zv * inverse[1][k]);
+        let [uu, uv, vv] = second.map(|[x, y, z]| z - slopes[0] * x - slopes[1] * y);
+        let along = |k: usize, n: usize| {
+            let ([uk, un], [vk, vn]) = ([inverse[0][k], inverse[0][n]], [inverse[1][k], inverse[1][n]]);
+            uu * uk * un + uv * (uk * vn + vk * un) + vv * vk * vn
+        };
+        Some(Graph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
+    }
+
+    /// At a point.
+    pub(super) fn at(jet: &Jet, frame: &DMat3) -> Option<Graph> {
+        let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::point);
+        Graph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
+    }
+
+    /// Over a part of a patch, by bounds of control points.
+    pub(super) fn over<const N: usize>(patch: &Patch<N>, part: [[f64; 2]; 2], frame: &DMat3) -> Option<Graph> {
+        let mut points = patch.points.map(|row| row.map(|point| frame.transpose() * point));
+        restrict_rows(&mut points, part[0]);
+        let mut turned = Patch { points }.transposed();
+        restrict_rows(&mut turned.points, part[1]);
+        let net = turned.transposed().points;
+        // Differences of control points, as derivatives by the patch's own parameters.
+        let degree = (N - 1) as f64;
+        let scale = part.map(|[from, to]| degree / (to - from));
+        let (mut u, mut v) = ([None; 3], [None; 3]);
+        let (mut uu, mut uv, mut vv) = ([None; 3], [None; 3], [None; 3]);
+        for a in 0..N {
+            for b in 0..N {
+                let p = net[a][b];
+                if a + 1 < N {
+                    add(&mut u, scale[0] * (net[a + 1][b] - p));
+                }
+                if b + 1 < N {
+                    add(&mut v, scale[1] * (net[a][b + 1] - p));
+                }
+                if a + 1 < N && b + 1 < N {
+                    add(&mut uv, (net[a + 1][b + 1] - net[a + 1][b] - net[a][b + 1] + p) * (scale[0] * scale[1]));
+                }
+                let again = (degree - 1.0) / degree;
+                if a + 2 < N {
+                    add(&mut uu, (net[a + 2][b] - 2.0 * net[a + 1][b] + p) * (again * scale[0] * scale[0]));
+                }
+                if b + 2 < N {
+                    add(&mut vv, (net[a][b + 2] - 2.0 * net[a][b + 1] + p) * (again * scale[1] * scale[1]));
+                }
+            }
+        }
+        // Of degree 1 the second derivatives vanish.
+        let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::point(0.0)));
+        Graph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
+    }
+}
+
+fn restrict_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64; 2]) {
+    for b in 0..N {
+        let mut column = points.map(|row| row[b]);
+        restrict(&mut column, range);
+        points.iter_mut().zip(column).for_each(|(row, point)| row[b] = point);
+    }
+}
+
+/// Adds a vector to the ranges of its components.
+fn add(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
+    for (range, x) in ranges.iter_mut().zip(vector.to_array()) {
+        *range = Some(range.map_or(Interval::point(x), |range| range.with(x)));
+    }
+}
+
+/// Definiteness of a symmetric matrix of two rows, proved for all values in its intervals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// All curvatures are positive.
+    Positive,
+    /// All are negative.
+    Negative,
+    /// One is positive, and one negative.
+    Indefinite,
+    /// It is not proved to be any of these.
+    Unknown,
+}
+
+impl Form {
+    /// Of the difference of two graphs.
+    pub(super) fn of_difference(one: &Graph, other: &Graph) -> Form {
+        let [xx, xy, yy] = [0, 1, 2].map(|k| one.second[k] - other.second[k]);
+        let Interval { low, high } = xx * yy;
+        let square = xy.low.abs().max(xy.high.abs()).powi(2);
+        let least = if xy.low <= 0.0 && xy.high >= 0.0 { 0.0 } else { xy.low.abs().min(xy.high.abs()).powi(2) };
+        // And what was rounded on the way.
+        let slack = 1e-12 * (low.abs().max(high.abs()) + square);
+        match () {
+            () if low - square > slack && xx.low > 0.0 => Form::Positive,
+            () if low - square > slack && xx.high < 0.0 => Form::Negative,
+            () if high - least < -slack => Form::Indefinite,
+            () => Form::Unknown,
+        }
+    }
+}

@@ -1,0 +1,276 @@
+//! Where a surface meets itself.
+//!
+//! Pairs of cells as of two surfaces, each once. Cells that have points in common as declared are
+//! halved until what they have in common is proved to be no more than that (`near`); all else is
+//! solved as two surfaces are, and the arcs are joined without regard to which of the two pieces is
+//! the first (`trails`).
+
+use super::bridge::Bridges;
+use super::chart::ParameterBox;
+use super::joints::Joints;
+use super::links::Chain;
+use super::near::NearPair;
+use super::net::Net;
+use super::pairs::CellPair;
+use super::places::PairPlaces;
+use super::solve::FoundArcs;
+use super::trails::{Step, Trail, Trails};
+use super::{Intersection, Options, positive, rounding_error};
+use crate::cells::Cells;
+use crate::prelude::*;
+use crate::{Paths, Place, Surface, each_sheet};
+use gusset_base::sort;
+
+/// Pairs of cells told apart between two steps of the job.
+const PAIRS_PER_STEP: usize = 1 << 16;
+/// Arcs whose normals are evaluated between two steps of the job.
+const ARCS_PER_STEP: usize = 1 << 12;
+/// Boxes of parameters examined for cells with points in common before they are put back.
+const FIRST_MAX_BOXES: usize = 1 << 11;
+/// Boxes examined for all of these that were put back: shared among them.
+const SECOND_TOTAL_BOXES: usize = 1 << 22;
+/// The most for one of them: a pinch takes some 2^15.
+const SECOND_MAX_BOXES: usize = 1 << 16;
+/// Shorter trails may be scraps, which are within what is reported as unresolved.
+const MIN_TRAIL_ARCS: usize = 8;
+/// Control points that are this many roundings apart are one.
+const JOINT_ROUNDINGS: f64 = 4.0;
+
+impl Surface<'_> {
+    /// The curves in which a surface meets itself: `places` on the one of two pieces, `others` on
+    /// the other one; they run along N x N', where N is the normal at `places`. Each curve is given
+    /// once. Along a closed one the two pieces may change places, as on a Klein bottle: it ends
+    /// where it begins in space, with `places` and `others` exchanged.
+    ///
+    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`; a
+    /// tolerance that is wider than the surface's own is taken as that.
+    /// Pieces that are joined are taken as one: cells with a common side or corner, across a seam
+    /// too, opposite borders of a sheet whose control points are the same but for rounding, in
+    /// either order, and cells round a pole. Where they are proved to have nothing else in common
+    /// they are not looked at any more. Where the tangents are dependent, as where a curve ends in
+    /// a pinch (Whitney's umbrella) or at a crease, this cannot be proved: the cell is in
+    /// `unresolved`, and curves end within the tolerance of such a place. So are cells that touch
+    /// each other or coincide. Borders that different sheets have in common count as intersections.
+    ///
+    /// Work and memory in proportion to the cells and to the pairs of cells that may meet, with a
+    /// limit for each.
+    ///
+    /// # Errors
+    /// As [`Surface::meet`].
+    pub fn meet_itself(&self, options: &Options, job: &Job<'_>) -> Result<Paths> {
+        let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
+        let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
+        Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
+        // Cells beside each other are near to each other, and do not touch for that.
+        let rounding = rounding_error(self.diagonal());
+        let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);
+        let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
+        let (mut near, mut far) = (Vec::new(), Vec::new());
+        for (k, pair) in pairs.iter().enumerate() {
+            job.part(0.2, 0.2).step_every(PAIRS_PER_STEP, k, pairs.len(), "pairs of cells")?;
+            let [a, b] = pair.sheets;
+            let joined = a == b && joints[a as usize].are_joined(pair.cells);
+            alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
+        }
+        let intersection = Intersection {
+            places: PairPlaces {
+                surfaces: [self, self],
+                pairs: &pairs,
+                origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
+            },
+            tolerance,
+            resolution: tolerance,
+            // Pinches are found to that, and what is nearer to them is of them.
+            shortest: 0.5 * tolerance,
+            chord: chord.max(tolerance),
+        };
+        let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
+        intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
+        let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.92))?.unwrap_or(pieces);
+        let trails = intersection.trails(&pieces, &job.part(0.92, 0.95))?;
+        intersection.trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
+    }
+
+    /// How the cells of each sheet are joined, and the pairs of cells that may meet elsewhere.
+    fn own_pairs(&self, tolerance: f64, job: &Job<'_>) -> Result<(Vec<Joints>, Vec<CellPair>)> {
+        let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
+        let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
+            let sheet = self.sheet(k);
+            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise, &job.part(0.0, 0.0)))
+        }))?;
+        let proved = |pair: &CellPair| {
+            let [a, b] = pair.sheets;
+            a == b && joints[a as usize].are_proved(pair.cells)
+        };
+        let pairs = self.candidates_of_itself(tolerance, &proved, job)?;
+        Ok((joints, pairs))
+    }
+}
+
+impl Intersection<'_> {
+    /// Adds the arcs of cells that have points in common.
+    fn solve_near(&self, near: &[u32], joints: &[Joints], pieces: &mut FoundArcs, job: &Job<'_>) -> Result<()> {
+        self.solve_all_near(near, joints, FIRST_MAX_BOXES, false, pieces, &job.part(0.0, 0.5))?;
+        let again = std::mem::take(&mut pieces.exhausted);
+        if !again.is_empty() {
+            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
+            self.solve_all_near(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
+        }
+        sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+        sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
+        Ok(())
+    }
+
+    /// The same with so many boxes each; `last`: whether boxes left then are reported.
+    fn solve_all_near(
+        &self,
+        near: &[u32],
+        joints: &[Joints],
+        max_boxes: usize,
+        last: bool,
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let together = if last { 1 } else { 16 };
+        let found = par::map_jobs(job, "intersection", near.chunks(together), |part, job| {
+            let mut found = FoundArcs::default();
+            for &k in part {
+                let number = self.places.pairs[k as usize].sheets[0] as usize;
+                each_sheet!(self.places.surfaces[0].sheet(number), cells => {
+                    self.near_pair(cells, k, &joints[number], (max_boxes, last), &mut found, job)?;
+                });
+            }
+            Ok(found)
+        })?;
+        found.iter().try_for_each(|found| pieces.append(found))
+    }
+
+    /// Adds the arcs of two cells that have points in common.
+    fn near_pair<const N: usize>(
+        &self,
+        sheet: &impl Cells<N>,
+        k: u32,
+        joints: &Joints,
+        (max_boxes, last): (usize, bool),
+        found: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let cells = self.places.pairs[k as usize].cells;
+        let [(a, size), (b, other)] =
+            cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.places.origin));
+        let mut whole = ParameterBox::<N, N>::WHOLE;
+        (whole.nets.a, whole.nets.b) = (a, b);
+        let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);
+        NearPair { task: &task, cells, joints }.solve(&whole, found, job)
+    }
+
+    /// The arcs, joined.
+    fn trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
+        let count = 2 * pieces.arcs.len();
+        let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
+            job.part(0.0, 0.5).step_every(ARCS_PER_STEP, k, count, "paths")?;
+            let arc = pieces.arcs[k / 2];
+            let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
+            let places = self.places.places(arc.pair, pieces.points[at as usize]);
+            Ok(places.map(|place| self.places.surfaces[0].normal(place)))
+        }))?;
+        let trails = Trails { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
+        let mut trails = trails.run(&job.part(0.5, 1.0))?;
+        trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
+        // What was found once more is left out.
+        let chains = alloc::try_collect::<_, Error>(trails.iter().map(|trail| {
+            let arcs = alloc::collect(trail.steps.iter().map(|step| step.arc))?;
+            Ok(Chain { arcs, closed: trail.closed })
+        }))?;
+        let mut dropped = alloc::filled(false, pieces.arcs.len())?;
+        let bridges = Bridges { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
+        bridges.drop_repeated(&chains, &mut dropped)?;
+        trails.retain(|trail| !dropped[trail.steps[0].arc as usize]);
+        Ok(trails)
+    }
+
+    /// Whether all ends of a trail are in unresolved balls of their pairs of cells.
+    fn is_scrap(&self, pieces: &FoundArcs, trail: &Trail) -> bool {
+        trail.steps.iter().all(|step| {
+            let arc = pieces.arcs[step.arc as usize];
+            let first = pieces.balls.partition_point(|ball| ball.pair < arc.pair);
+            let mut own = pieces.balls[first..].iter().take_while(|ball| ball.pair == arc.pair);
+            own.any(|ball| arc.ends.iter().all(|end| end.distance(ball.centre) <= ball.radius + 4.0 * self.resolution))
+        })
+    }
+
+    /// The paths of trails, and the cells that are not resolved.
+    fn trail_paths(&self, pieces: &FoundArcs, trails: &[Trail], job: &Job<'_>) -> Result<Paths> {
+        let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
+        for (k, trail) in trails.iter().enumerate() {
+            job.step_every(1 << 10, k, trails.len(), "paths")?;
+            self.add_trail(pieces, trail, &mut paths)?;
+        }
+        self.evaluate(&mut paths)?;
+        let key = |place: &Place| (place.sheet, place.cell);
+        paths.unresolved = alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.places(ball.pair, ball.x)))?;
+        sort::stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
+        paths.unresolved.dedup_by_key(|place| key(place));
+        Ok(paths)
+    }
+
+    /// Adds the points of a trail: of joints within a pair of cells, where parts were halved, only
+    /// those that a long curve needs.
+    fn add_trail(&self, pieces: &FoundArcs, trail: &Trail, paths: &mut Paths) -> Result<()> {
+        let arc = |step: &Step| &pieces.arcs[step.arc as usize];
+        let is_long =
+            trail.steps.len() > 8 && trail.steps.iter().any(|step| arc(step).pair != arc(&trail.steps[0]).pair);
+        let mut last: Option<(u32, DVec3)> = None;
+        for (n, step) in trail.steps.iter().enumerate() {
+            let own = arc(step);
+            let first = own.ends[usize::from(step.reversed)];
+            let spare =
+                last.is_some_and(|(pair, point)| is_long && pair == own.pair && point.distance(first) < self.chord);
+            if !spare {
+                last = Some((own.pair, first));
+            }
+            // Where the next arc begins is where this one ends.
+            let ends_here = n + 1 == trail.steps.len() && !trail.closed;
+            let count = own.point_count();
+            for at in usize::from(spare)..count - usize::from(!ends_here) {
+                let at = own.from as usize + if step.reversed { count - 1 - at } else { at };
+                let [place, other] = self.places.places(own.pair, pieces.points[at]);
+                let [place, other] = if step.swapped { [other, place] } else { [place, other] };
+                alloc::push(&mut paths.places, place)?;
+                alloc::push(&mut paths.others, other)?;
+            }
+        }
+        alloc::push(&mut paths.ends, paths.places.len() as u32)?;
+        alloc::push(&mut paths.closed, trail.closed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Grid, Nodes, Scheme, Sheet};
+    use std::f64::consts::TAU;
+
+    /// A ball of few rows of many cells: of the pairs round its poles, which are proved and as many
+    /// as the square of the columns, none is held, and of the others each once.
+    #[test]
+    fn pairs_round_poles_are_not_held() {
+        let columns = 64;
+        let point = |k: usize| {
+            let (u, v) = ((k / (columns + 1)) as f64 / 4.0, (k % (columns + 1) % columns) as f64 / columns as f64);
+            let ring = if u == 0.0 || u == 1.0 { 0.0 } else { (0.5 * TAU * u).sin() };
+            [ring * (TAU * v).cos(), ring * (TAU * v).sin(), (0.5 * TAU * u).cos()]
+        };
+        let data = (0..5 * (columns + 1)).flat_map(point).collect::<Vec<f64>>();
+        let nodes = Nodes::strided(data, 5, columns + 1, 0, 0).unwrap();
+        let sheet = Sheet::Grid(Grid::new(nodes, [false, true], Scheme::SixTap).unwrap());
+        let ball = Surface::new(vec![sheet], None, &Job::default()).unwrap();
+        let (_, pairs) = ball.own_pairs(ball.tolerance(), &Job::default()).unwrap();
+        let rows = |row: u32| pairs.iter().filter(|pair| pair.cells.iter().all(|cell| cell[0] == row)).count();
+        assert!(rows(0) == 0 && rows(3) == 0, "{} {}", rows(0), rows(3));
+        // Elsewhere each cell is a pair with itself and with the one beside it.
+        assert!((1..3).all(|row| rows(row) >= 2 * columns), "{} {}", rows(1), rows(2));
+        assert!(pairs.windows(2).all(|two| two[0] < two[1]) && pairs.iter().all(|pair| pair.cells.is_sorted()));
+        assert!(ball.meet_itself(&Options::default(), &Job::default()).unwrap().is_empty());
+    }
+}

@@ -1,0 +1,211 @@
+//! Which cells of a sheet have points in common as declared: neighbours, across seams too, and
+//! those round a pole.
+//!
+//! Two opposite borders of a sheet are a seam if it is closed there, or if their control points are
+//! the same but for rounding, in the same order or, as in a Möbius band, in the opposite one. A
+//! border whose control points are all one point is a pole.
+//!
+//! Invariant: a joint takes the parameters of the one cell to those of the other continuously.
+//! Cost: O(cells of the borders) for a sheet, O(1) for a pair of cells.
+
+use super::chart::ParameterBox;
+use super::poles;
+use crate::cells::Cells;
+use crate::prelude::*;
+
+/// How two opposite borders of a sheet are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Seam {
+    Open,
+    Straight,
+    Reversed,
+}
+
+/// Where a cell is by the parameters of one that it has points in common with: at this offset, with
+/// u and v running on or back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Joint {
+    pub(super) offset: [i64; 2],
+    pub(super) flips: [bool; 2],
+}
+
+/// How the cells of a sheet are joined.
+#[derive(Debug)]
+pub(super) struct Joints {
+    cells: [i64; 2],
+    seams: [Seam; 2],
+    /// By direction and side: the pole that is there.
+    poles: [[Option<Pole>; 2]; 2],
+}
+
+/// A border that is one point.
+#[derive(Debug, Clone, Copy)]
+struct Pole {
+    /// The sheet is proved not to meet itself within 2^-band of the cells round it.
+    band: Option<i32>,
+}
+
+/// Where a part of a cell is: its row and column of parts of this size.
+#[derive(Debug, Clone, Copy)]
+struct Part {
+    cell: [i64; 2],
+    at: [i64; 2],
+    /// How many there are in each direction of the cell.
+    count: i64,
+}
+
+impl Part {
+    fn whole(cell: [u32; 2]) -> Part {
+        Part { cell: cell.map(i64::from), at: [0; 2], count: 1 }
+    }
+}
+
+/// The control points of a border of cell `k` along it: of rows (`direction` 0) or columns.
+fn side<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> [DVec3; N] {
+    poles::outwards(cells, direction, side, k).points[0]
+}
+
+impl Joints {
+    /// Of a sheet. `noise`: control points that are no farther apart are one.
+    pub(super) fn new<const N: usize>(
+        cells: &impl Cells<N>,
+        closed: [bool; 2],
+        noise: f64,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let counts = cells.counts();
+        let mut joints = Joints { cells: counts.map(|n| n as i64), seams: [Seam::Open; 2], poles: [[None; 2]; 2] };
+        let near = |p: &DVec3, q: &DVec3| p.distance(*q) <= noise;
+        let is_pole = [0, 1].map(|d| {
+            [0, 1].map(|s| {
+                let first = side(cells, d, s, 0)[0];
+                (0..counts[1 - d]).all(|k| side(cells, d, s, k).iter().all(|p| near(p, &first)))
+            })
+        });
+        for d in 0..2 {
+            let n = counts[1 - d];
+            let same = |k: usize| side(cells, d, 0, k).iter().zip(&side(cells, d, 1, k)).all(|(p, q)| near(p, q));
+            let reversed = |k: usize| {
+                let other = side(cells, d, 1, n - 1 - k);
+                side(cells, d, 0, k).iter().zip(other.iter().rev()).all(|(p, q)| near(p, q))
+            };
+            joints.seams[d] = match () {
+                () if closed[d] => Seam::Straight,
+                () if is_pole[d] != [false; 2] => Seam::Open,
+                () if (0..n).all(same) => Seam::Straight,
+                () if (0..n).all(reversed) => Seam::Reversed,
+                () => Seam::Open,
+            };
+        }
+        for (d, s) in [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().filter(|&(d, s)| is_pole[d][s]) {
+            let is_ring = joints.seams[1 - d] == Seam::Straight;
+            joints.poles[d][s] = Some(Pole { band: poles::injective_band(cells, d, s, is_ring, job)? });
+        }
+        Ok(joints)
+    }
+
+    /// Whether two cells have points in common.
+    pub(super) fn are_joined(&self, [p, q]: [[u32; 2]; 2]) -> bool {
+        let [p, q] = [p, q].map(Part::whole);
+        self.between(p.cell, q.cell).next().is_some() || self.common_poles(p, q).next().is_some()
+    }
+
+    /// Whether two cells are proved to have nothing in common but what is declared.
+    pub(super) fn are_proved(&self, [p, q]: [[u32; 2]; 2]) -> bool {
+        let [p, q] = [p, q].map(Part::whole);
+        self.within_band(p, q)
+    }
+
+    /// The ways in which two cells have points in common, but for poles.
+    fn between(&self, p: [i64; 2], q: [i64; 2]) -> impl Iterator<Item = Joint> + '_ {
+        let steps = (0..9).map(|k| [k / 3 - 1, k % 3 - 1]);
+        steps.filter_map(move |offset| {
+            let (cell, flips) = self.neighbour(p, offset)?;
+            (cell == q).then_some(Joint { offset, flips })
+        })
+    }
+
+    /// The cell at an offset, and whether its u and v run back.
+    fn neighbour(&self, cell: [i64; 2], offset: [i64; 2]) -> Option<([i64; 2], [bool; 2])> {
+        let (mut at, mut flips) = ([cell[0] + offset[0], cell[1] + offset[1]], [false; 2]);
+        for d in 0..2 {
+            let n = self.cells[d];
+            if (0..n).contains(&at[d]) {
+                continue;
+            }
+            at[d] = at[d].rem_euclid(n);
+            match self.seams[d] {
+                Seam::Open => return None,
+                Seam::Straight => {}
+                Seam::Reversed => {
+                    at[1 - d] = self.cells[1 - d] - 1 - at[1 - d];
+                    flips[1 - d] = !flips[1 - d];
+                }
+            }
+        }
+        // A side that was turned about may be beyond the first of the two.
+        (0..2).all(|d| (0..self.cells[d]).contains(&at[d])).then_some((at, flips))
+    }
+
+    /// The poles at which both parts are.
+    fn common_poles(&self, p: Part, q: Part) -> impl Iterator<Item = Pole> + '_ {
+        (0..4).filter_map(move |k| {
+            let (d, s) = (k / 2, k % 2);
+            let is_at = |part: Part| match s {
+                0 => part.cell[d] == 0 && part.at[d] == 0,
+                _ => part.cell[d] == self.cells[d] - 1 && part.at[d] == part.count - 1,
+            };
+            self.poles[d][s].filter(|_| is_at(p) && is_at(q))
+        })
+    }
+
+    /// Whether both parts are round one pole, where the sheet is proved not to meet itself.
+    fn within_band(&self, p: Part, q: Part) -> bool {
+        (0..4).any(|k| {
+            let (d, s) = (k / 2, k % 2);
+            let Some(band) = self.poles[d][s].and_then(|pole| pole.band) else {
+                return false;
+            };
+            // In parts: how many of them are within the band.
+            let deep = |part: Part| part.count >> band;
+            let is_in = |part: Part| match s {
+                0 => part.cell[d] == 0 && part.at[d] < deep(part),
+                _ => part.cell[d] == self.cells[d] - 1 && part.at[d] >= part.count - deep(part),
+            };
+            is_in(p) && is_in(q)
+        })
+    }
+
+    /// How two parts of cells, of one size, are to each other.
+    pub(super) fn meeting<const N: usize>(&self, cells: [[u32; 2]; 2], part: &ParameterBox<N, N>) -> Meeting {
+        let count = (1.0 / part.size.x) as i64;
+        let at = (part.low / part.size).to_array().map(|x| x as i64);
+        let [p, q] = [0, 1].map(|k| Part { cell: cells[k].map(i64::from), at: [at[2 * k], at[2 * k + 1]], count });
+        if self.within_band(p, q) {
+            return Meeting::Injective;
+        }
+        let touches = |joint: &Joint| {
+            (0..2).all(|d| {
+                let own = if joint.flips[d] { count - 1 - q.at[d] } else { q.at[d] };
+                (own + joint.offset[d] * count - p.at[d]).abs() <= 1
+            })
+        };
+        if let Some(joint) = self.between(p.cell, q.cell).find(touches) {
+            return Meeting::Joined(joint);
+        }
+        if self.common_poles(p, q).next().is_some() { Meeting::AtPole } else { Meeting::Apart }
+    }
+}
+
+/// How two parts of cells are to each other.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Meeting {
+    /// They have no points in common as declared.
+    Apart,
+    /// They are the same, or have a side or a corner in common.
+    Joined(Joint),
+    /// They are at the same pole.
+    AtPole,
+    /// They are near a pole where the sheet does not meet itself.
+    Injective,
+}

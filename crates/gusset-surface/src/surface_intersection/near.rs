@@ -1,0 +1,154 @@
+//! Cells of one sheet that have points in common as declared: where else do they meet?
+//!
+//! Parts P and Q of one size, the same one or with a side or a corner in common, have S(p) = S(q)
+//! for p = q. That this is all follows from two rows L if the derivatives of L S have a dominant
+//! diagonal over both: the way from p to q through a common point runs in one direction by each
+//! parameter, so that L S(q) - L S(p) = M d, where M has entries within the bounds of those
+//! derivatives; M d = 0 needs |m_11| |d_1| <= |m_12| |d_2| and |m_22| |d_2| <= |m_21| |d_1|, which
+//! min |m_11| min |m_22| > max |m_12| max |m_21| leaves to d = 0 alone. L is the inverse of the
+//! tangents in the middle. This is the mean value theorem on a convex set of parameters; for the
+//! dominance see Hanniel and Elber (2007, "Subdivision termination criteria").
+//!
+//! Other parts are halved; those that are apart by their parameters are solved as two surfaces.
+//! Where the tangents are dependent, as where a curve of self-intersection ends (Whitney's
+//! umbrella), halving ends where both are as good as a line to the resolution.
+//!
+//! Cost: O(N^2) a test, and O(N^3) a split; a few parts for each halving round a singular point.
+
+use super::chart::ParameterBox;
+use super::joints::{Joint, Joints, Meeting};
+use super::net::Net;
+use super::solve::{FoundArcs, PairSearch, PairTask, Stop};
+use crate::prelude::*;
+
+/// Pairs of parts of one size that have points in common, and are not proved to have no others:
+/// above that they are reported as they are.
+const MAX_PARTS: usize = 512;
+/// Parts between two steps of the job.
+const PARTS_PER_STEP: usize = 1 << 8;
+
+/// Two cells of one sheet that have points in common.
+pub(super) struct NearPair<'a> {
+    pub(super) task: &'a PairTask,
+    pub(super) cells: [[u32; 2]; 2],
+    pub(super) joints: &'a Joints,
+}
+
+/// Bounds of the derivatives of L S by both parameters: rows, then columns.
+type Slopes = [[[f64; 2]; 2]; 2];
+
+impl NearPair<'_> {
+    /// Adds the arcs of the pair.
+    pub(super) fn solve<const N: usize>(
+        &self,
+        whole: &ParameterBox<N, N>,
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let mut search = self.task.search(&whole.nets, pieces, job);
+        let done = self.descend(&mut search, whole);
+        search.finish(done, whole)
+    }
+
+    /// Goes through the parts, level by level.
+    fn descend<const N: usize>(
+        &self,
+        search: &mut PairSearch<'_, N, N>,
+        whole: &ParameterBox<N, N>,
+    ) -> Result<(), Stop> {
+        let mut parts = alloc::filled(whole.clone(), 1)?;
+        while !parts.is_empty() {
+            let mut left = Vec::new();
+            for (k, part) in parts.into_iter().enumerate() {
+                if (k + 1).is_multiple_of(PARTS_PER_STEP) {
+                    search.step()?;
+                }
+                let joint = match self.joints.meeting(self.cells, &part) {
+                    Meeting::Injective => continue,
+                    Meeting::Apart => {
+                        search.run_near(&part)?;
+                        continue;
+                    }
+                    Meeting::Joined(joint) => Some(joint),
+                    Meeting::AtPole => None,
+                };
+                if !joint.is_some_and(|joint| self.is_injective(&part, joint)) {
+                    alloc::push(&mut left, part)?;
+                }
+            }
+            let is_last = left.len() > MAX_PARTS;
+            parts = Vec::new();
+            for part in left {
+                if is_last || self.is_thin(&part) {
+                    search.report(&part, false);
+                } else {
+                    self.split(&part, &mut parts)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// True if both parts are within half the resolution of one line: as near to a pinch they are
+    /// all within the resolution of each other, whatever their size.
+    fn is_thin<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
+        let [centre, u, v] = part.nets.a.tangents(0.5, 0.5);
+        let longer = if u.length_squared() >= v.length_squared() { u } else { v };
+        let axis = longer.normalize_or_zero();
+        let far = |p: &DVec3| (p - centre - axis * axis.dot(p - centre)).length();
+        let nets = [&part.nets.a, &part.nets.b].map(Net::patch);
+        nets.iter().flat_map(|net| net.points.as_flattened()).all(|p| far(p) <= 0.5 * self.task.resolution)
+    }
+
+    /// Adds the 16 pairs of quarters of both parts; of one part with itself each pair once.
+    fn split<const N: usize>(&self, part: &ParameterBox<N, N>, parts: &mut Vec<ParameterBox<N, N>>) -> Result<()> {
+        let is_one = self.cells[0] == self.cells[1] && part.low.x == part.low.z && part.low.y == part.low.w;
+        alloc::reserve(parts, 16)?;
+        for half in part.halves(0) {
+            for quarter in half.halves(1) {
+                for eighth in quarter.halves(2) {
+                    let both = eighth.halves(3).into_iter();
+                    let key = |x: f64, y: f64| (x > part.low.x, y > part.low.y);
+                    parts.extend(
+                        both.filter(|part| !is_one || key(part.low.x, part.low.y) <= key(part.low.z, part.low.w)),
+                    );
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// True if S(p) = S(q) over the two parts is proved to have none but the trivial solutions.
+    fn is_injective<const N: usize>(&self, part: &ParameterBox<N, N>, joint: Joint) -> bool {
+        let signs = joint.flips.map(|flips| if flips { -1.0 } else { 1.0 });
+        let [_, u, v] = part.nets.a.tangents(0.5, 0.5);
+        let [_, other_u, other_v] = part.nets.b.tangents(0.5, 0.5);
+        let (u, v) = (u + signs[0] * other_u, v + signs[1] * other_v);
+        let normal = u.cross(v);
+        let factor = 2.0 / normal.length_squared();
+        if !factor.is_finite() {
+            return false;
+        }
+        let rows = [v.cross(normal) * factor, normal.cross(u) * factor];
+        let noise = |row: DVec3| 4.0 * (N - 1) as f64 * self.task.rounding_error * row.length();
+        let (a, b) = (bounds(&part.nets.a, rows, [1.0; 2]), bounds(&part.nets.b, rows, signs));
+        let [[least, x], [y, other]] = [0, 1].map(|k| {
+            [0, 1].map(|n| {
+                let [low, high] = [a[k][n][0].min(b[k][n][0]), a[k][n][1].max(b[k][n][1])];
+                if k == n { low - noise(rows[k]) } else { low.abs().max(high.abs()) + noise(rows[k]) }
+            })
+        });
+        least > 0.0 && other > 0.0 && least * other > (1.0 + 1e-9) * x * y
+    }
+}
+
+/// Bounds of the derivatives of a net along two rows, its parameters turned by signs.
+fn bounds<const N: usize>(net: &Net<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
+    rows.map(|row| {
+        let ranges = net.along(row).slope_ranges();
+        [0, 1].map(|k| {
+            let [low, high] = ranges[k];
+            if signs[k] < 0.0 { [-high, -low] } else { [low, high] }
+        })
+    })
+}

@@ -1,0 +1,142 @@
+//! Arcs along sides that cells share: cut where others end.
+//!
+//! A curve along a side of a cell, or of a box, is found from both sides of it, in arcs that end in
+//! different places, as boxes are halved otherwise beyond. Cut at each other's ends they are the
+//! same arcs several times, of which `chain` keeps one. A cut of an arc that is found once does
+//! nothing: its two parts are joined again.
+//!
+//! Cost: O(log n) for each arc along a side, and a few evaluations for each end near to it.
+
+use super::places::{CurvePoint, PairPlaces};
+use super::solve::{Arc, FoundArcs};
+use crate::prelude::*;
+use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::sort;
+
+/// Arcs between two steps of the job, if they are along sides.
+const ARCS_PER_STEP: usize = 1 << 6;
+
+/// Ends of others as near as this part of an arc's length, between so many resolutions, to its own
+/// are these.
+const OWN_SHARE: f64 = 0.25;
+const OWN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
+
+/// A cut through an arc, behind one of its points.
+struct Cut {
+    arc: u32,
+    behind: u32,
+    /// How far along the chord there.
+    way: f64,
+    at: CurvePoint,
+}
+
+/// The curves of the pairs of cells.
+pub(super) struct Overlaps<'a> {
+    pub(super) pieces: &'a FoundArcs,
+    pub(super) places: &'a PairPlaces<'a>,
+    /// How exactly ends are known.
+    pub(super) resolution: f64,
+    pub(super) chord: f64,
+}
+
+impl Overlaps<'_> {
+    /// The arcs, those along sides cut; `None` if there is nothing to cut.
+    pub(super) fn cut(&self, job: &Job<'_>) -> Result<Option<FoundArcs>> {
+        let along = || self.pieces.arcs.iter().filter(|arc| arc.is_along_side);
+        let ends = alloc::gather(along().flat_map(|arc| arc.ends))?;
+        if ends.len() < 4 {
+            return Ok(None);
+        }
+        let tree = KdTree::new(&ends, &job.part(0.0, 0.1), "paths")?;
+        let mut cuts = Vec::new();
+        let arcs = &self.pieces.arcs;
+        for (k, arc) in arcs.iter().enumerate().filter(|(_, arc)| arc.is_along_side) {
+            job.part(0.1, 1.0).step_every(ARCS_PER_STEP, k, arcs.len(), "paths")?;
+            self.add_cuts(k as u32, arc, &ends, &tree, &mut cuts)?;
+        }
+        sort::stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
+        if cuts.is_empty() { Ok(None) } else { self.apply(&cuts).map(Some) }
+    }
+
+    /// The distance up to which an end of another arc is one of its own: of short arcs, as there
+    /// are beside poles, a part of their length.
+    fn reach(&self, arc: &Arc) -> f64 {
+        let length = arc.ends[0].distance(arc.ends[1]);
+        self.resolution * (OWN_SHARE * length / self.resolution).clamp(OWN_RESOLUTIONS[0], OWN_RESOLUTIONS[1])
+    }
+
+    /// Adds the cuts of one arc: at ends of others on it that are not its own.
+    fn add_cuts(&self, k: u32, arc: &Arc, ends: &[DVec3], tree: &KdTree<'_>, cuts: &mut Vec<Cut>) -> Result<()> {
+        let points = &self.pieces.points[arc.from as usize..arc.to as usize];
+        let within = self.reach(arc);
+        let mut from = self.places.point(arc.pair, points[0]);
+        for (n, pair) in points.windows(2).enumerate() {
+            let to = self.places.point(arc.pair, pair[1]);
+            let (whole, mut result) = (to - from, Ok(()));
+            // Without a bound of chords, arcs are of boxes over which they turn by little.
+            let chord = self.chord.min(whole.length());
+            let reach = Radius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
+            tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
+                let end = ends[end as usize];
+                let way = (end - from).dot(whole) / whole.length_squared();
+                let off = (end - from - way * whole).length();
+                let is_own = arc.ends.into_iter().any(|own| own.distance(end) <= within);
+                if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * chord {
+                    return;
+                }
+                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end, self.resolution);
+                if let Some(at) = at.filter(|at| at.point.distance(end) <= within) {
+                    result = alloc::push(cuts, Cut { arc: k, behind: n as u32, way, at });
+                }
+            });
+            result?;
+            from = to;
+        }
+        Ok(())
+    }
+
+    /// The arcs with cuts, which are in order.
+    fn apply(&self, cuts: &[Cut]) -> Result<FoundArcs> {
+        let mut made = FoundArcs {
+            points: alloc::copied(&self.pieces.points)?,
+            arcs: alloc::with_capacity(self.pieces.arcs.len() + cuts.len())?,
+            balls: alloc::copied(&self.pieces.balls)?,
+            exhausted: Vec::new(),
+        };
+        let mut rest = cuts;
+        for (k, arc) in self.pieces.arcs.iter().enumerate() {
+            let (own, others) = rest.split_at(rest.partition_point(|cut| cut.arc as usize == k));
+            rest = others;
+            let mut last = None;
+            for cut in own {
+                // Ends of several others are nearly one point.
+                let before = last.map_or(arc.ends[0], |cut: &Cut| cut.at.point);
+                if before.distance(cut.at.point) > self.reach(arc) {
+                    self.add_part(arc, [last, Some(cut)], &mut made)?;
+                    last = Some(cut);
+                }
+            }
+            if last.is_some() { self.add_part(arc, [last, None], &mut made)? } else { made.arcs.push(*arc) }
+        }
+        Ok(made)
+    }
+
+    /// Adds the part of an arc between two cuts; without one, it is to the arc's own end.
+    fn add_part(&self, arc: &Arc, cuts: [Option<&Cut>; 2], made: &mut FoundArcs) -> Result<()> {
+        let [from, to] = cuts.map(|cut| cut.map(|cut| arc.from + cut.behind + 1));
+        let inner = from.unwrap_or(arc.from) as usize..to.unwrap_or(arc.to) as usize;
+        let mut part = Arc { from: made.points.len() as u32, ..*arc };
+        let [first, last] = cuts.map(|cut| cut.map(|cut| cut.at.x));
+        alloc::extend(&mut made.points, first)?;
+        alloc::append(&mut made.points, &self.pieces.points[inner])?;
+        alloc::extend(&mut made.points, last)?;
+        part.to = made.points.len() as u32;
+        for (k, cut) in cuts.into_iter().enumerate() {
+            if let Some(CurvePoint { point, direction, .. }) = cut.map(|cut| cut.at) {
+                (part.ends[k], part.directions[k], part.is_cut[k]) = (point, direction, true);
+            }
+        }
+        made.arcs.push(part);
+        Ok(())
+    }
+}

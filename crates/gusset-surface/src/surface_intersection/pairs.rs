@@ -1,0 +1,423 @@
+//! Pairs of cells that may meet: both pyramids are descended together, and pairs of blocks that are
+//! apart are dropped.
+//!
+//! Axes of separation: Gottschalk, Lin and Manocha (1996, "OBBTree"). Invariant: boxes contain the
+//! surface over their cells, so that no pair that meets is dropped. Cost: O(pairs of blocks that
+//! come near to each other).
+
+use crate::cells::{BLOCK, Cells, cells_of_block};
+use crate::index::{OrientedBox, Pyramid};
+use crate::prelude::*;
+use crate::{Sheet, Surface, each_sheet};
+use gusset_base::sort;
+
+/// A pair of cells of two surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CellPair {
+    /// The sheet of the first surface, and that of the second.
+    pub sheets: [u32; 2],
+    /// Row and column of the cell of the first, and of the second.
+    pub cells: [[u32; 2]; 2],
+}
+
+/// The largest number of pairs of cells.
+pub const MAX_PAIRS: u64 = 1 << 26;
+
+/// Pairs of blocks, or of cells, between two looks at the job.
+const PAIRS_PER_STEP: usize = 1 << 16;
+
+/// A sheet and its index.
+struct Indexed<'a> {
+    number: u32,
+    sheet: &'a Sheet<'a>,
+    index: &'a Pyramid,
+}
+
+/// A block of one of the sheets.
+struct Node {
+    level: usize,
+    row: usize,
+    column: usize,
+    bounds: Aabb,
+    solid: Option<Parallelepiped>,
+}
+
+/// A parallelepiped: its centre, its half edges and how long they are, the products of two of them,
+/// and the product of all.
+#[derive(Clone, Copy)]
+struct Parallelepiped {
+    centre: DVec3,
+    half: [DVec3; 3],
+    lengths: [f64; 3],
+    normals: [DVec3; 3],
+    volume: f64,
+}
+
+impl Parallelepiped {
+    fn new(centre: DVec3, half: [DVec3; 3]) -> Parallelepiped {
+        let [x, y, z] = half;
+        let normals = [y.cross(z), z.cross(x), x.cross(y)];
+        Parallelepiped { centre, half, lengths: half.map(DVec3::length), normals, volume: x.dot(normals[0]).abs() }
+    }
+
+    fn of(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
+        let (centre, half) = oriented.edges();
+        Parallelepiped::new(centre + shift, half)
+    }
+
+    /// False if one of the axes of separation shows that the solids are farther apart than `by`:
+    /// those across faces and across pairs of edges. Extents along these are sums of products of
+    /// the half edges of the one and the normals of the other.
+    fn meets(&self, other: &Parallelepiped, by: f64) -> bool {
+        let between = other.centre - self.centre;
+        let products = |one: &Parallelepiped, other: &Parallelepiped| {
+            one.normals.map(|n| other.half.map(|half| half.dot(n).abs()))
+        };
+        let beyond = |one: &Parallelepiped, products: &[[f64; 3]; 3]| {
+            (0..3).any(|k| {
+                let area = one.lengths[(k + 1) % 3] * one.lengths[(k + 2) % 3];
+                between.dot(one.normals[k]).abs() > one.volume + products[k].iter().sum::<f64>() + by * area
+            })
+        };
+        let of_other = products(self, other);
+        if beyond(self, &of_other) {
+            return false;
+        }
+        let of_self = products(other, self);
+        if beyond(other, &of_self) {
+            return false;
+        }
+        // The half edges that are not in the axis a x b: (c, a, b) = (a x b, c), up to the sign.
+        let edges = |i: usize, j: usize| {
+            let extent =
+                of_other[(i + 1) % 3][j] + of_other[(i + 2) % 3][j] + of_self[(j + 1) % 3][i] + of_self[(j + 2) % 3][i];
+            let across = between.dot(self.half[i].cross(other.half[j]));
+            across.abs() > extent + by * self.lengths[i] * other.lengths[j]
+        };
+        !(0..9).any(|k| edges(k / 3, k % 3))
+    }
+}
+
+impl Node {
+    fn root(index: &Pyramid, shift: DVec3) -> Node {
+        let bounds = shifted(index.bounds(), shift - index.origin());
+        Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
+    }
+
+    /// Child k, if there is one and it may be as near to another block as `by`.
+    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
+        let level = &index.levels()[self.level - 1];
+        // Of a block that does not exist they are empty.
+        let bounds = shifted(level.child_boxes(self.row, self.column).get(k), shift);
+        if !overlap(&bounds, &near.bounds, by) {
+            return None;
+        }
+        let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
+        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::of(oriented, shift));
+        let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
+        (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
+    }
+
+    fn extent(&self) -> f64 {
+        (self.bounds.high - self.bounds.low).max_element()
+    }
+}
+
+fn shifted(bounds: Aabb, by: DVec3) -> Aabb {
+    Aabb { low: bounds.low + by, high: bounds.high + by }
+}
+
+fn overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
+    (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
+}
+
+/// A cell's quadrilateral, relative to the common origin: the points c + x a + y b + x y t, x and y
+/// from -1 to 1.
+#[derive(Clone, Copy)]
+struct Quadrilateral {
+    cell: [u32; 2],
+    bounds: Aabb,
+    centre: DVec3,
+    half: [DVec3; 2],
+    twist: DVec3,
+    lengths: [f64; 2],
+    /// a x b, and what t reaches along it.
+    normal: DVec3,
+    rise: f64,
+}
+
+impl Quadrilateral {
+    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> Quadrilateral {
+        let half = [0.25 * (r + s - p - q), 0.25 * (q + s - p - r)];
+        let (twist, normal) = (0.25 * (p + s - q - r), half[0].cross(half[1]));
+        Quadrilateral {
+            cell,
+            bounds,
+            centre: 0.25 * (p + q + r + s),
+            half,
+            twist,
+            lengths: half.map(DVec3::length),
+            normal,
+            rise: twist.dot(normal).abs(),
+        }
+    }
+
+    /// False if the quadrilaterals are farther apart than `by`, as the axes of separation of two
+    /// parallelograms show, their twists added.
+    fn meets(&self, other: &Quadrilateral, by: f64) -> bool {
+        if !overlap(&self.bounds, &other.bounds, by) {
+            return false;
+        }
+        let between = other.centre - self.centre;
+        let along = |one: &Quadrilateral, other: &Quadrilateral| other.half.map(|half| half.dot(one.normal).abs());
+        let beyond = |one: &Quadrilateral, other: &Quadrilateral, [x, y]: [f64; 2]| {
+            let extent = one.rise + x + y + other.twist.dot(one.normal).abs();
+            between.dot(one.normal).abs() > extent + by * one.lengths[0] * one.lengths[1]
+        };
+        let of_other = along(self, other);
+        if beyond(self, other, of_other) {
+            return false;
+        }
+        let of_self = along(other, self);
+        if beyond(other, self, of_self) {
+            return false;
+        }
+        let edges = |i: usize, j: usize| {
+            let axis = self.half[i].cross(other.half[j]);
+            let extent = of_other[j] + of_self[i] + self.twist.dot(axis).abs() + other.twist.dot(axis).abs();
+            between.dot(axis).abs() > extent + by * self.lengths[i] * other.lengths[j]
+        };
+        !(0..4).any(|k| edges(k / 2, k % 2))
+    }
+}
+
+/// The corners of the cells of a block, and those cells that may meet another.
+struct Block {
+    at: [usize; 2],
+    corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    /// How far the surface may be from the cells' quadrilaterals.
+    deviation: f64,
+    quads: Vec<Quadrilateral>,
+}
+
+impl Block {
+    const NONE: Block = Block {
+        at: [usize::MAX; 2],
+        corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
+        deviation: 0.0,
+        quads: Vec::new(),
+    };
+
+    /// Reads the block at a node, unless it is that already.
+    fn read(&mut self, sheet: &Indexed<'_>, node: &Node, origin: DVec3) {
+        if self.at == [node.row, node.column] {
+            return;
+        }
+        self.at = [node.row, node.column];
+        self.deviation = sheet.index.deviation(node.row, node.column);
+        let [rows, columns] = sheet.sheet.cells();
+        let [first, left] = self.at.map(|at| at * BLOCK);
+        each_sheet!(sheet.sheet, cells => {
+            for (i, line) in (first..=rows).zip(&mut self.corners) {
+                for (j, corner) in (left..=columns).zip(line) {
+                    *corner = cells.corner(i, j) - origin;
+                }
+            }
+        });
+    }
+
+    /// Chooses the cells that may be as near to a box as `by`.
+    fn choose(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
+        self.quads.clear();
+        for [i, j] in cells_of_block(self.at, sheet.cells()) {
+            let (r, c) = (i % BLOCK, j % BLOCK);
+            let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
+            let [[p, q], [s, t]] = corners;
+            let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
+            if overlap(&bounds, near, by) {
+                self.quads.push(Quadrilateral::new([i as u32, j as u32], corners, bounds));
+            }
+        }
+    }
+}
+
+impl Surface<'_> {
+    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that
+    /// may meet), by sheets and cells: all that are, and few others.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite;
+    /// [`Error::TooLarge`] above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
+        let all = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
+        self.candidates_among(all, other, (within, &|_| true), job)
+    }
+
+    /// Pairs of cells of the surface itself, each once. Without those that are `proved` to have
+    /// nothing to be looked for: round a pole they are as many as the square of its cells, of which
+    /// none needs be held.
+    ///
+    /// # Errors
+    /// As [`Surface::candidates`].
+    pub(super) fn candidates_of_itself(
+        &self,
+        within: f64,
+        proved: &dyn Fn(&CellPair) -> bool,
+        job: &Job<'_>,
+    ) -> Result<Vec<CellPair>> {
+        let once = (0..self.len()).flat_map(|k| (k..self.len()).map(move |n| [k, n]));
+        let wanted = |pair: &CellPair| {
+            let ([a, b], [p, q]) = (pair.sheets, pair.cells);
+            (a, p) <= (b, q) && !proved(pair)
+        };
+        self.candidates_among(once, self, (within, &wanted), job)
+    }
+
+    fn candidates_among(
+        &self,
+        sheets: impl Iterator<Item = [usize; 2]>,
+        other: &Surface<'_>,
+        (within, wanted): (f64, &dyn Fn(&CellPair) -> bool),
+        job: &Job<'_>,
+    ) -> Result<Vec<CellPair>> {
+        Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
+        let mut found = Vec::new();
+        for [k, n] in sheets {
+            let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
+                let (sheet, index) = surface.indexed(k);
+                Indexed { number: k as u32, sheet, index }
+            });
+            pairs(&a, &b, (within, wanted), &mut found, job)?;
+        }
+        Ok(found)
+    }
+}
+
+/// Adds the pairs of cells of two sheets that are wanted and may be as near as `within`, in order.
+fn pairs(
+    a: &Indexed<'_>,
+    b: &Indexed<'_>,
+    (within, wanted): (f64, &dyn Fn(&CellPair) -> bool),
+    found: &mut Vec<CellPair>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let origin = a.index.origin();
+    let shift = b.index.origin() - origin;
+    // Boxes hold the surface to the bit; the shift from one origin to the other rounds.
+    let size = [a, b].map(|sheet| {
+        let Aabb { low, high } = sheet.index.bounds();
+        low.abs().max(high.abs()).max_element()
+    });
+    let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
+    let before = found.len();
+    let blocks = [Block::NONE; 2];
+    let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
+    descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
+    let key = |pair: &CellPair| {
+        let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
+        i << 96 | j << 64 | k << 32 | l
+    };
+    sort::sort(&mut found[before..], |one, other| key(one).cmp(&key(other)), &job.part(0.0, 0.0), "pairs of cells")
+}
+
+/// The descent of both pyramids.
+struct Descent<'a> {
+    a: &'a Indexed<'a>,
+    b: &'a Indexed<'a>,
+    /// The origin of coordinates, and the shift of B's boxes to it.
+    origin: DVec3,
+    shift: DVec3,
+    by: f64,
+    /// Which pairs of cells are.
+    wanted: &'a dyn Fn(&CellPair) -> bool,
+    /// The last ones of A and of B.
+    blocks: [Block; 2],
+    /// Pairs since the last look at the job.
+    unheard: usize,
+    found: &'a mut Vec<CellPair>,
+    job: &'a Job<'a>,
+}
+
+impl Descent<'_> {
+    /// So many more pairs are looked at.
+    fn count(&mut self, pairs: usize) -> Result<()> {
+        self.unheard += pairs;
+        if self.unheard >= PAIRS_PER_STEP {
+            self.unheard = 0;
+            self.job.step(0.0, "pairs of cells")?;
+        }
+        Ok(())
+    }
+
+    /// Adds the pairs of cells of two blocks.
+    fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
+        self.count(1)?;
+        if one.level == 0 && other.level == 0 {
+            return self.cells(one, other);
+        }
+        let Descent { a, b, shift, by, .. } = *self;
+        let halves_a = one.level > 0 && (other.level == 0 || one.extent() >= other.extent());
+        for k in 0..4 {
+            if halves_a {
+                if let Some(child) = one.child(k, a.index, DVec3::ZERO, other, by) {
+                    self.visit(&child, other)?;
+                }
+            } else if let Some(child) = other.child(k, b.index, shift, one, by) {
+                self.visit(one, &child)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the pairs of cells of two blocks of cells.
+    fn cells(&mut self, one: &Node, other: &Node) -> Result<()> {
+        let Descent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
+        let [left, right] = blocks;
+        left.read(a, one, self.origin);
+        right.read(b, other, self.origin);
+        let by = self.by + left.deviation + right.deviation;
+        left.choose(a.sheet, &other.bounds, by);
+        right.choose(b.sheet, &one.bounds, by);
+        for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
+            let pair = CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] };
+            if wanted(&pair) && p.meets(q, by) {
+                alloc::push(found, pair)?;
+            }
+        }
+        Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)?;
+        let looked_at = left.quads.len() * right.quads.len();
+        self.count(looked_at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Boxes turned at random and a gap apart, which an axis of separation crosses straight: one
+    /// across a face, or across an edge of each.
+    #[test]
+    fn the_bound_of_boxes_is_the_whole_one() {
+        let mut random = fastrand::Rng::with_seed(3);
+        for k in 0..10_000 {
+            let mut turned = || {
+                let [x, y] = [0, 1].map(|_| DVec3::from_array([0, 1, 2].map(|_| random.f64() - 0.5)));
+                let x = x.normalize();
+                let y = x.cross(y).normalize();
+                [x, y, x.cross(y)].map(|axis| (0.1 + random.f64()) * axis)
+            };
+            let [one, mut other] = [0, 1].map(|_| Parallelepiped::new(DVec3::ZERO, turned()));
+            let axes = [one.half[k % 3], other.half[k % 3], one.half[k % 3].cross(other.half[k / 3 % 3])];
+            let along = axes[k / 9 % 3].normalize();
+            let corner = |solid: &Parallelepiped| -> DVec3 {
+                solid.half.map(|half| half * half.dot(along).signum()).iter().sum()
+            };
+            let gap = 0.01 + random.f64();
+            // From the farthest corner of the one to the nearest of the other, so that this is how
+            // far they are apart.
+            other.centre = corner(&one) + gap * along + corner(&other);
+            assert!(one.meets(&other, gap * (1.0 + 1e-9)), "{k}");
+            assert!(!one.meets(&other, 0.5 * gap), "{k}");
+        }
+    }
+}

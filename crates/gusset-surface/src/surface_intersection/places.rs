@@ -1,0 +1,96 @@
+//! Where parameters of a pair of cells are on the two surfaces.
+
+use super::equation::Frame;
+use super::pairs::CellPair;
+use crate::prelude::*;
+use crate::{Place, Surface};
+use glam::DVec4;
+
+/// Steps of Newton's method to a point of a curve.
+const NEAREST_STEPS: usize = 16;
+/// Steps that are shorter than this part of the tolerance are the last.
+const NEAREST_STEP_SHARE: f64 = 1e-3;
+/// Parameters that are farther outside their cells than this are moved with those of the other one.
+const CLAMP_ROUNDING: f64 = 1e-13;
+
+/// A point of the intersection: by parameters of a pair of cells, in space, and the direction
+/// there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CurvePoint {
+    pub(super) x: DVec4,
+    pub(super) point: DVec3,
+    pub(super) direction: DVec3,
+}
+
+/// Two surfaces and pairs of their cells.
+pub(super) struct PairPlaces<'a> {
+    pub(super) surfaces: [&'a Surface<'a>; 2],
+    pub(super) pairs: &'a [CellPair],
+    /// The origin of coordinates.
+    pub(super) origin: DVec3,
+}
+
+impl PairPlaces<'_> {
+    /// The places of parameters, those outside the cells at their sides.
+    pub(super) fn places(&self, pair: u32, x: DVec4) -> [Place; 2] {
+        let CellPair { sheets, cells } = self.pairs[pair as usize];
+        let x = x.clamp(DVec4::ZERO, DVec4::ONE);
+        [
+            Place { sheet: sheets[0], cell: cells[0], u: x.x, v: x.y },
+            Place { sheet: sheets[1], cell: cells[1], u: x.z, v: x.w },
+        ]
+    }
+
+    /// The point of the first surface, relative to the origin.
+    pub(super) fn point(&self, pair: u32, x: DVec4) -> DVec3 {
+        self.surfaces[0].jet(self.places(pair, x)[0]).point - self.origin
+    }
+
+    pub(super) fn frame(&self, pair: u32, x: DVec4) -> (DVec3, Frame) {
+        let [place, other] = self.places(pair, x);
+        let (a, b) = (self.surfaces[0].jet(place), self.surfaces[1].jet(other));
+        (a.point - self.origin, Frame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] })
+    }
+
+    /// The places of a solution, which may be outside its cells by the noise of a curve along a
+    /// side where the surfaces are nearly parallel: then the one surface's place is moved into its
+    /// cell, and the other's to the point there.
+    pub(super) fn places_inside(&self, pair: u32, x: DVec4) -> [Place; 2] {
+        let mut inside = x.clamp(DVec4::ZERO, DVec4::ONE);
+        let off = (inside - x).abs();
+        if off.max_element() > CLAMP_ROUNDING {
+            let frame = self.frame(pair, inside).1;
+            let moved = if off.x.max(off.y) >= off.z.max(off.w) { 2 } else { 0 };
+            let step = frame.step_across(moved);
+            if step.is_finite() {
+                (inside[moved], inside[moved + 1]) = (inside[moved] + step.x, inside[moved + 1] + step.y);
+            }
+        }
+        self.places(pair, inside)
+    }
+
+    /// The point of a pair's curve nearest to another, from parameters near it, far within the
+    /// tolerance.
+    pub(super) fn nearest(&self, pair: u32, start: DVec4, to: DVec3, tolerance: f64) -> Option<CurvePoint> {
+        let (mut x, mut last) = (start, f64::INFINITY);
+        for _ in 0..NEAREST_STEPS {
+            let (point, frame) = self.frame(pair, x);
+            let step = frame.step_towards(to - point);
+            if !step.is_finite() {
+                return None;
+            }
+            x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
+            // By lengths, as parameters are noise beside poles. Beside crossings rounding moves the point
+            // by more than the last step may be: there steps do not fall any more.
+            let [s, t, u, v] = frame.columns;
+            let (moved, other) = (s * step.x + t * step.y, u * step.z + v * step.w);
+            let length = moved.length().max(other.length());
+            if length <= NEAREST_STEP_SHARE * tolerance || (length <= 0.25 * tolerance && length > 0.25 * last) {
+                let (point, frame) = self.frame(pair, x);
+                return Some(CurvePoint { x, point, direction: frame.direction().normalize_or_zero() });
+            }
+            last = length;
+        }
+        None
+    }
+}

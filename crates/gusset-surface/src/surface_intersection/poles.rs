@@ -1,0 +1,159 @@
+//! Proof that a sheet does not meet itself round a pole.
+//!
+//! At a pole S(0, v) = c, the sheet is S = c + u T(u, v). Over a plane let r and a be the radius
+//! and the angle of u T. By s = log u and v their derivatives are
+//!
+//! r_s / r = 1 + T . u T_u / T^2, r_v / r = T . T_v / T^2,
+//! a_s = T x u T_u / T^2, a_v = T x T_v / T^2.
+//!
+//! If min(r_s / r) min(a_v) > max |r_v / r| max |a_s| over all the cells round the pole, two points
+//! whose log r and a are the same are one, as each row of the mean values of these derivatives
+//! shows for differences in (s, v), of which all are within a convex region. Once round, a rises by
+//! 2 pi: over the plane, and so in space, the sheet does not meet itself.
+//!
+//! Cost: O(N^3) a cell and depth.
+
+use super::graph::Interval;
+use crate::Patch;
+use crate::cells::Cells;
+use crate::prelude::*;
+use gusset_base::geom::bernstein::elevate;
+use std::f64::consts::TAU;
+
+/// Halvings towards the pole that are tried.
+const MAX_BAND: i32 = 8;
+/// Cells between two steps of the job.
+const CELLS_PER_STEP: usize = 1 << 8;
+/// Pieces of a cell round the pole.
+const PIECES: usize = 8;
+
+/// Cell k of those along a border, with u running from the border inwards.
+pub(super) fn outwards<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> Patch<N> {
+    let last = cells.counts()[direction] - 1;
+    let at = if side == 0 { 0 } else { last };
+    let mut patch = match direction {
+        0 => cells.patch(at, k),
+        _ => cells.patch(k, at).transposed(),
+    };
+    if side == 1 {
+        patch.points.reverse();
+    }
+    patch
+}
+
+/// T, of degree N - 1 by raising.
+fn quotient<const N: usize>(patch: &Patch<N>) -> Patch<N> {
+    let mut points = [[DVec3::ZERO; N]; N];
+    for a in 1..N {
+        let factor = (N - 1) as f64 / a as f64;
+        let rises = patch.points[a].iter().zip(&patch.points[0]).map(|(p, apex)| factor * (p - apex));
+        points[a - 1].iter_mut().zip(rises).for_each(|(point, rise)| *point = rise);
+    }
+    elevate(&mut points, N - 2);
+    Patch { points }
+}
+
+/// Bounds over pieces.
+struct Bounds {
+    /// The least of r_s / r and of a_v.
+    least: [f64; 2],
+    /// The greatest of |r_v / r| and of |a_s|.
+    greatest: [f64; 2],
+    /// How far the angle goes at the pole, and how much farther elsewhere.
+    turn: f64,
+    spread: f64,
+}
+
+impl Bounds {
+    /// Adds a piece; `None` if nothing can be said of it. `normal`: of the plane.
+    fn add<const N: usize>(&mut self, piece: &Patch<N>, normal: DVec3) -> Option<()> {
+        let middle = piece.point(0.5, 0.5);
+        let x = (middle - normal * middle.dot(normal)).try_normalize()?;
+        let axes = [x, normal.cross(x)];
+        let degree = (N - 1) as f64;
+        let flat = piece.points.map(|row| row.map(|p| axes.map(|axis| p.dot(axis))));
+        let mut value = flat[0][0].map(Interval::point);
+        let (mut by_u, mut by_v) = ([Interval::point(0.0); 2], [const { None }; 2]);
+        for (a, b, k) in (0..N * N * 2).map(|n| (n / 2 / N, n / 2 % N, n % 2)) {
+            value[k] = value[k].with(flat[a][b][k]);
+            if a + 1 < N {
+                // u T_u, with u from 0 to 1 by the piece's own parameters.
+                by_u[k] = by_u[k].with(degree * (flat[a + 1][b][k] - flat[a][b][k]));
+            }
+            if b + 1 < N {
+                let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES as f64;
+                by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.with(slope)));
+            }
+        }
+        let by_v = [by_v[0]?, by_v[1]?];
+        if value[0].low <= 0.0 {
+            return None;
+        }
+        let square = Interval::point(0.0).with((value[1].low.abs()).max(value[1].high.abs()).powi(2));
+        let inverse = (value[0] * value[0] + square).inverse()?;
+        let along = |slope: [Interval; 2]| (value[0] * slope[0] + value[1] * slope[1]) * inverse;
+        let across = |slope: [Interval; 2]| (value[0] * slope[1] - value[1] * slope[0]) * inverse;
+        let size = |range: Interval| range.low.abs().max(range.high.abs());
+        self.least[0] = self.least[0].min(1.0 + along(by_u).low);
+        self.least[1] = self.least[1].min(across(by_v).low);
+        self.greatest[0] = self.greatest[0].max(size(along(by_v)));
+        self.greatest[1] = self.greatest[1].max(size(across(by_u)));
+        let [from, to] = [flat[0][0], flat[0][N - 1]].map(|[x, y]| libm::atan2(y, x));
+        self.turn += to - from;
+        self.spread = self.spread.max(libm::atan(size(value[1]) / value[0].low));
+        Some(())
+    }
+
+    /// Whether they prove it.
+    fn are_injective(&self, is_ring: bool) -> bool {
+        let all = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
+        let is_dominant = self.least[0] > 0.0
+            && self.least[1] > 0.0
+            && self.least[0] * self.least[1] > (1.0 + 1e-9) * self.greatest[0] * self.greatest[1];
+        let once = if is_ring { self.turn < 1.5 * TAU } else { self.turn + 2.0 * self.spread < TAU };
+        all && is_dominant && once
+    }
+}
+
+/// The least number of halvings towards a pole after which the sheet is proved not to meet itself
+/// there. `is_ring`: the last cell round it is followed by the first.
+pub(super) fn injective_band<const N: usize>(
+    cells: &impl Cells<N>,
+    direction: usize,
+    side: usize,
+    is_ring: bool,
+    job: &Job<'_>,
+) -> Result<Option<i32>> {
+    let count = cells.counts()[1 - direction];
+    let mut quotients = alloc::collect((0..count).map(|k| quotient(&outwards(cells, direction, side, k))))?;
+    for band in 0..=MAX_BAND {
+        if are_injective(&quotients, is_ring, job)? {
+            return Ok(Some(band));
+        }
+        quotients.iter_mut().for_each(|patch| *patch = patch.halves()[0]);
+    }
+    Ok(None)
+}
+
+fn are_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool, job: &Job<'_>) -> Result<bool> {
+    let fan = |patch: &Patch<N>| patch.points[0].windows(2).map(|pair| pair[0].cross(pair[1])).sum::<DVec3>();
+    let Some(normal) = quotients.iter().map(fan).sum::<DVec3>().try_normalize() else {
+        return Ok(false);
+    };
+    let mut bounds = Bounds { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
+    let pieces = |patch: &Patch<N>| {
+        let eighths = |half: Patch<N>| half.halves().map(|quarter| quarter.halves());
+        patch.transposed().halves().map(eighths)
+    };
+    for (k, patch) in quotients.iter().enumerate() {
+        if (k + 1).is_multiple_of(CELLS_PER_STEP) {
+            job.step(0.0, "poles")?;
+        }
+        let pieces = pieces(patch);
+        let mut pieces = pieces.as_flattened().as_flattened().iter();
+        if !pieces.all(|piece| bounds.add(&piece.transposed(), normal).is_some()) {
+            return Ok(false);
+        }
+    }
+    Ok(bounds.are_injective(is_ring))
+}

@@ -1,0 +1,152 @@
+//! Points between the ends of an arc, until its chords are within a tolerance of it.
+//!
+//! Where the curve is between two of its points follows nearly from its tangents there, as the
+//! cubic through both: in space, how far it is from their chord, and so into how many pieces it is
+//! to be cut; by parameters, where the points in between are, so that a step or two of Newton's
+//! method suffice. Near a cusp a curve goes on beyond an end of its chord and comes back: distances
+//! are those from the chord, not from its line.
+//!
+//! Invariant: every point added solves the equation. Cost: one or two steps of Newton's method a
+//! point.
+
+use super::arc::End;
+use super::equation::Equation;
+use crate::prelude::*;
+use glam::{DVec3, DVec4};
+
+/// Cuts of cuts at most.
+const MAX_CUT_DEPTH: u32 = 6;
+/// Rows of control points of a cubic patch: arcs over such ones have no waves that the ends of
+/// pieces hide.
+const CUBIC: usize = 4;
+/// Pieces of one cut at most.
+const MAX_PIECES: f64 = 64.0;
+
+/// A point of the arc: where it is, and how it goes on, by parameters for the free one's unit, and
+/// in space.
+#[derive(Clone, Copy)]
+struct Knot {
+    x: DVec4,
+    rates: DVec4,
+    point: DVec3,
+    direction: DVec3,
+    /// How long the curve is for the free parameter's unit.
+    speed: f64,
+}
+
+/// An arc that is refined.
+pub(super) struct ArcRefinement<'a, const N: usize, const M: usize> {
+    pub(super) equation: &'a Equation<N, M>,
+    /// The parameter of which the others are functions.
+    pub(super) free: usize,
+    /// The greatest distance of the arc from its chords.
+    pub(super) chord: f64,
+}
+
+impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
+    /// Adds the points strictly between the ends, which are at `places`.
+    pub(super) fn between(&self, ends: [End; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
+        if self.chord == f64::INFINITY {
+            return Ok(());
+        }
+        let knots = [0, 1].map(|k| {
+            let End { x, tangent, direction } = ends[k];
+            let rates = tangent / tangent[self.free];
+            let speed = self.speed(tangent, direction);
+            Knot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }
+        });
+        let pieces = self.pieces(&knots);
+        if pieces > 1.0 {
+            return self.cut(knots, pieces, MAX_CUT_DEPTH, points);
+        }
+        if self.is_bent(&knots) { self.cut(knots, 2.0, MAX_CUT_DEPTH, points) } else { Ok(()) }
+    }
+
+    /// Tests the middle for bends that the ends do not show: true if it is too far from the chord,
+    /// or the halves are.
+    ///
+    /// Where the middle is `off` the chord and a half an arch of height f, the curve is off s + 4 f
+    /// s (1 - s) away from the chord, s of the way to the middle.
+    fn is_bent(&self, knots: &[Knot; 2]) -> bool {
+        let Some(middle) = self.knot(knots, 0.5) else {
+            return false;
+        };
+        let [first, last] = *knots;
+        let (off, chord) = (middle.point - first.point, last.point - first.point);
+        let along = chord.normalize_or_zero();
+        let off = (off - off.dot(along).clamp(0.0, chord.length()) * along).length();
+        let arch = self.height(&[first, middle]).max(self.height(&[middle, last]));
+        let max = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
+        max > self.chord
+    }
+
+    /// Adds the points between two knots that cut the arc into equal pieces by the free parameter,
+    /// and those of pieces that are still too long.
+    fn cut(&self, knots: [Knot; 2], pieces: f64, depth: u32, points: &mut Vec<DVec4>) -> Result<()> {
+        let mut before = knots[0];
+        for k in 1..=pieces as usize {
+            let last = k as f64 == pieces;
+            let next = if last { Some(knots[1]) } else { self.knot(&knots, k as f64 / pieces) };
+            let Some(next) = next else { continue };
+            let piece = [before, next];
+            if depth > 0 {
+                let more = self.pieces(&piece);
+                if more > 1.0 {
+                    self.cut(piece, more, depth - 1, points)?;
+                } else if (CUBIC < N.max(M) || turns_back(&piece)) && self.is_bent(&piece) {
+                    self.cut(piece, 2.0, depth - 1, points)?;
+                }
+            }
+            if !last {
+                alloc::push(points, next.x)?;
+            }
+            before = next;
+        }
+        Ok(())
+    }
+
+    /// The number of pieces whose chords are near enough to the arc between two knots: their
+    /// distance falls by the square of it.
+    fn pieces(&self, knots: &[Knot; 2]) -> f64 {
+        (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES)
+    }
+
+    /// How far the cubic between two knots is from their chord. With directions T and U across the
+    /// chord, L long, that is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3)
+    /// |T + U|. If it runs back at an end, by D, the parabola along the chord goes D^2 / (4 (L + D))
+    /// beyond it.
+    fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
+        let whole = last.point - first.point;
+        let length = whole.length();
+        let along = whole / length.max(f64::MIN_POSITIVE);
+        let across = |direction: DVec3| direction - direction.dot(along) * along;
+        let (one, other) = (across(first.direction), across(last.direction));
+        let aside = length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()));
+        let span = (last.x[self.free] - first.x[self.free]).abs();
+        let beyond = |knot: &Knot| {
+            let back = (-span * knot.speed * knot.direction.dot(along)).max(0.0);
+            back * back / (4.0 * (length + back)).max(f64::MIN_POSITIVE)
+        };
+        aside.max(beyond(first)).max(beyond(last))
+    }
+
+    fn speed(&self, tangent: DVec4, direction: DVec3) -> f64 {
+        direction.length() / tangent[self.free].abs()
+    }
+
+    /// The knot at a part of the way between two by the free parameter.
+    fn knot(&self, [first, last]: &[Knot; 2], t: f64) -> Option<Knot> {
+        let (s, whole) = (1.0 - t, last.x[self.free] - first.x[self.free]);
+        let rise = s * first.rates - t * last.rates;
+        let line = s * s * (1.0 + 2.0 * t) * first.x + t * t * (3.0 - 2.0 * t) * last.x;
+        let (x, frame) = self.equation.refine(line + (s * t * whole) * rise, self.free)?;
+        let (tangent, direction) = (frame.tangent(), frame.direction());
+        let (rates, speed) = (tangent / tangent[self.free], self.speed(tangent, direction));
+        Some(Knot { x, rates, point: self.equation.point(x), direction: direction.normalize_or_zero(), speed })
+    }
+}
+
+/// Whether the curve between two knots runs in opposite directions there.
+fn turns_back([first, last]: &[Knot; 2]) -> bool {
+    first.direction.dot(last.direction) < 0.0
+}

@@ -1,0 +1,457 @@
+//! All arcs of the intersection of a pair of cells, by [`subdivide`] of boxes of the four
+//! parameters across their longest sides.
+//!
+//! A box is decided if it is proved to hold no solution, or if its solutions are proved to be a
+//! graph (`chart`) whose arc is found (`arc`). It is unresolved when the two pieces over it are
+//! within the tolerance of each other all over: they touch there, or coincide. Cost: O(N^2) a test
+//! and O(N^3) a split, `max_boxes` boxes at most.
+
+use super::arc::{ArcSearch, End, PARAMETER_ROUNDING};
+use super::chart::ParameterBox;
+use super::equation::Equation;
+use super::refine::ArcRefinement;
+use crate::Patch;
+use crate::prelude::*;
+use glam::{DVec3, DVec4};
+use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use std::borrow::Cow;
+
+/// The box at which the cells are tested for contact in many places and for having no area:
+/// transversal intersections need fewer.
+const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
+
+/// Boxes that are shorter than so many tolerances are too small for a contact if the surfaces are
+/// transversal there, and those of so many resolutions in any case: contacts are as wide as the root
+/// of the tolerance times the radius of curvature.
+const SLENDER_TOLERANCES: f64 = 64.0;
+const TINY_RESOLUTIONS: f64 = 4.0;
+/// How thick pieces are, in tolerances, when they are not halved any more: thinner than the lens
+/// between surfaces that overlap by more than the tolerance, so that its rim is found whole.
+const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
+
+/// Boxes that are smaller than this, by a parameter, are halved by another one.
+const MIN_SPLIT_SIZE: f64 = 1e-8;
+/// Curves whose ends are as near as this to a side, by parameters, may run along it.
+const SIDE_SLACK: f64 = 1e-6;
+/// And if they are no steeper to it than this, by parameters.
+const SIDE_SLOPE: f64 = 1e-2;
+
+/// Boxes of a pair between two steps of the job.
+const BOXES_PER_STEP: usize = 1 << 10;
+
+/// Spots of one pair that do not touch each other.
+const MAX_BALLS: usize = 64;
+
+/// A piece of the intersection over one pair of cells, in the direction N_A x N_B.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arc {
+    /// Which pair.
+    pub(super) pair: u32,
+    /// Its points among those of the [`FoundArcs`].
+    pub(super) from: u32,
+    pub(super) to: u32,
+    /// The first and the last point, and the directions there.
+    pub(super) ends: [DVec3; 2],
+    pub(super) directions: [DVec3; 2],
+    /// Whether they are on the border of a sheet.
+    pub(super) at_border: [bool; 2],
+    /// Whether the arc was cut there.
+    pub(super) is_cut: [bool; 2],
+    /// Whether it ends where it begins: it goes round a cell that is closed.
+    pub(super) is_closed: bool,
+    /// Whether both ends are on one side of its box, so that the box beyond may have it too.
+    pub(super) is_along_side: bool,
+}
+
+impl Arc {
+    /// How many points it has.
+    pub(super) fn point_count(&self) -> usize {
+        (self.to - self.from) as usize
+    }
+}
+
+/// Where cells touch, or may do: a ball round it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct UnresolvedBall {
+    pub(super) pair: u32,
+    pub(super) x: DVec4,
+    pub(super) centre: DVec3,
+    pub(super) radius: f64,
+    /// How far the cells are apart at x.
+    pub(super) gap: f64,
+    /// The box of the parameters.
+    pub(super) low: DVec4,
+    pub(super) high: DVec4,
+    /// Whether it stands for all of both cells.
+    pub(super) is_whole: bool,
+}
+
+/// The arcs over some pairs, and unresolved balls.
+#[derive(Debug, Default)]
+pub(super) struct FoundArcs {
+    pub(super) points: Vec<DVec4>,
+    pub(super) arcs: Vec<Arc>,
+    pub(super) balls: Vec<UnresolvedBall>,
+    /// Pairs that need more boxes than permitted.
+    pub(super) exhausted: Vec<u32>,
+}
+
+impl FoundArcs {
+    /// The numbers of points, arcs and balls.
+    fn counts(&self) -> [usize; 3] {
+        [self.points.len(), self.arcs.len(), self.balls.len()]
+    }
+
+    /// Forgets what was added since.
+    fn truncate(&mut self, [points, arcs, balls]: [usize; 3]) {
+        self.points.truncate(points);
+        self.arcs.truncate(arcs);
+        self.balls.truncate(balls);
+    }
+
+    /// Adds what was found over other pairs.
+    pub(super) fn append(&mut self, other: &FoundArcs) -> Result<()> {
+        let before = self.points.len() as u32;
+        alloc::append(&mut self.points, &other.points)?;
+        let moved = |arc: &Arc| Arc { from: arc.from + before, to: arc.to + before, ..*arc };
+        alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))?;
+        alloc::append(&mut self.balls, &other.balls)?;
+        alloc::append(&mut self.exhausted, &other.exhausted)
+    }
+}
+
+/// How a pair of cells is to be solved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PairTask {
+    pub(super) pair: u32,
+    /// By parameter, whether another cell is below and above.
+    pub(super) neighbours: [[bool; 2]; 4],
+    /// Surfaces no farther apart may touch.
+    pub(super) tolerance: f64,
+    /// How exactly ends are known: it is no greater than the tolerance.
+    pub(super) resolution: f64,
+    /// Arcs up to this may be lost.
+    pub(super) shortest: f64,
+    /// The greatest distance of a chord from the curve.
+    pub(super) chord: f64,
+    /// Boxes that may be examined.
+    pub(super) max_boxes: usize,
+    /// Whether boxes left then are reported; else the pair is only named.
+    pub(super) last: bool,
+    /// Lengths up to this may be rounding.
+    pub(super) rounding_error: f64,
+}
+
+impl PairTask {
+    /// Whether the ends of an arc are on a side that no other cell is beyond; one that it runs along
+    /// does not end it.
+    fn are_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
+        let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
+        // A short arc that ends there has both ends near to it too.
+        let run = (ends[1] - ends[0]).abs();
+        let is_level = |k: usize| run[k] <= SIDE_SLOPE * run.max_element();
+        let runs_along =
+            |k: usize, side: usize| is_along_side && is_level(k) && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
+        let ends_at = |x: DVec4, k: usize, side: usize| {
+            sides(x[k], PARAMETER_ROUNDING)[side] && !self.neighbours[k][side] && !runs_along(k, side)
+        };
+        ends.map(|x| (0..4).any(|k| (0..2).any(|side| ends_at(x, k, side))))
+    }
+
+    /// Adds the arcs of the pair.
+    pub(super) fn solve<const N: usize, const M: usize>(
+        &self,
+        whole: &ParameterBox<N, M>,
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let mut search = self.search(&whole.nets, pieces, job);
+        // Most pairs have one box: no copy of it, and no memory for more.
+        let done = search.run(Cow::Borrowed(whole));
+        search.finish(done, whole)
+    }
+
+    /// A search of the pair's boxes, which share its limit.
+    pub(super) fn search<'a, const N: usize, const M: usize>(
+        &'a self,
+        equation: &'a Equation<N, M>,
+        pieces: &'a mut FoundArcs,
+        job: &'a Job<'a>,
+    ) -> PairSearch<'a, N, M> {
+        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, is_near: false, pieces, job }
+    }
+}
+
+/// The greatest distance of control points from a point.
+fn radius_about<const N: usize>(centre: DVec3, patch: &Patch<N>) -> f64 {
+    patch.points.as_flattened().iter().map(|corner| corner.distance(centre)).fold(0.0, f64::max)
+}
+
+/// The search of one pair of cells.
+pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
+    task: &'a PairTask,
+    equation: &'a Equation<N, M>,
+    /// What there was of other pairs.
+    before: [usize; 3],
+    examined: usize,
+    /// Whether boxes are split across the widest range, not across the longest side.
+    is_near: bool,
+    pieces: &'a mut FoundArcs,
+    job: &'a Job<'a>,
+}
+
+/// Why a search ends early.
+pub(super) enum Stop {
+    /// The cells touch in many places, or have no area.
+    Degenerate,
+    /// All permitted boxes have been examined.
+    Exhausted,
+    Failed(Error),
+}
+
+impl From<Error> for Stop {
+    fn from(error: Error) -> Self {
+        Stop::Failed(error)
+    }
+}
+
+impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>, 2> for PairSearch<'_, N, M> {
+    /// The ends of an arc, and its free parameter.
+    type Solution = ([End; 2], usize);
+    /// The parameter whose range is halved.
+    type Split = usize;
+    type Stop = Stop;
+
+    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
+        let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
+        self.examined += 1;
+        if self.examined.is_multiple_of(BOXES_PER_STEP) {
+            self.step()?;
+        }
+        let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
+        if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.coincide()) {
+            return Err(Stop::Degenerate);
+        }
+        if self.examined > self.task.max_boxes {
+            return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
+        }
+        // Where half of the boxes did not resolve a contact, others will not: the rest goes to the
+        // branches elsewhere, and contacts are left as they are at the tolerance.
+        let is_put_back = !self.task.last && resolution < tolerance;
+        let is_fine = self.examined <= self.task.max_boxes / 2 || is_put_back;
+        let frame = equation.frame(part.middle());
+        let mut unclear = None;
+        match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
+            BoxTest::Empty => {
+                // Apart, but not by more than a tolerance that is wider than the surfaces' own.
+                let is_near = !is_fine && resolution < tolerance && !frame.is_transversal();
+                let touches = is_near && part.is_within(&frame, tolerance, tolerance);
+                return Ok(if touches { BoxTest::Unresolved } else { BoxTest::Empty });
+            }
+            BoxTest::Unique(chart) => {
+                let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
+                let found = match search.along_line(&frame) {
+                    Some(found) => found,
+                    None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
+                    None => search.through_inside(&frame),
+                };
+                match found {
+                    BoxTest::Empty => return Ok(BoxTest::Empty),
+                    BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
+                    BoxTest::Undecided(k) => unclear = k,
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+        let extents = part.extents();
+        let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
+        let is_slender = extents[longest] <= SLENDER_TOLERANCES * tolerance && frame.is_transversal();
+        let is_tiny = extents[longest] <= TINY_RESOLUTIONS * resolution;
+        if (is_tiny || is_slender) && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty) {
+            return Ok(BoxTest::Empty);
+        }
+        let [thickness, reach] = match is_fine {
+            true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
+            false => [tolerance, -tolerance],
+        };
+        // Beside poles, and in cells that are small beside the tolerance, pieces that cross may be as
+        // thin in both directions.
+        let unresolved =
+            extents[longest] <= 0.25 * resolution || !is_slender && part.is_within(&frame, thickness, reach);
+        let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
+        // Near poles pieces are too short in one direction for that to be the longest ever.
+        let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
+        let split = if self.is_near { widest() } else { unclear.filter(is_long).unwrap_or(longest) };
+        Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(split) })
+    }
+
+    /// Adds an arc, unless it is as short as may be dropped.
+    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
+        // By rising free parameter; but the curve runs along N_A x N_B.
+        let rises = ends[0].tangent[free] > 0.0;
+        let ends = if rises { ends } else { [ends[1], ends[0]] };
+        let (equation, points) = (self.equation, &mut self.pieces.points);
+        let places = ends.map(|end| equation.point(end.x));
+        let is_near = |point: DVec3| places[0].distance(point) <= self.task.shortest;
+        let is_closed = is_near(places[1]);
+        // Half way round, if it is no point.
+        let half_way = || equation.solve(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
+        let is_within = |x: DVec4| (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_ROUNDING;
+        let is_away = |x: &DVec4| is_within(*x) && !is_near(equation.point(*x));
+        let away = if is_closed { half_way().filter(is_away) } else { None };
+        if is_closed && away.is_none() {
+            return Ok(());
+        }
+        let from = points.len() as u32;
+        alloc::push(points, ends[0].x)?;
+        ArcRefinement { equation, free, chord: self.task.chord }.between(ends, places, points)?;
+        if let Some(away) = away.filter(|_| points.len() as u32 == from + 1) {
+            alloc::push(points, away)?;
+        }
+        alloc::push(points, ends[1].x)?;
+        let to = points.len() as u32;
+        let pair = self.task.pair;
+        let is_along_side = !is_closed && part.has_on_side(ends.map(|end| end.x), SIDE_SLACK);
+        let at_border = self.task.are_at_border(ends.map(|end| end.x), is_along_side);
+        // Those of Newton's last step but one are off by that step, over the distance from a crossing.
+        let exact = |end: End| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
+        let directions = ends.map(|end| exact(end).normalize_or_zero());
+        let ends = places;
+        let arc = Arc { pair, from, to, ends, directions, at_border, is_cut: [false; 2], is_closed, is_along_side };
+        Ok(alloc::push(&mut self.pieces.arcs, arc)?)
+    }
+
+    fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), Stop> {
+        self.report(&part, false);
+        Ok(())
+    }
+
+    fn split(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
+        let [low, high] = part.halves(longest);
+        [Cow::Owned(high), Cow::Owned(low)]
+    }
+}
+
+impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
+    /// Adds the arcs of a box.
+    fn run(&mut self, part: Cow<'_, ParameterBox<N, M>>) -> Result<(), Stop> {
+        let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
+        subdivide(self, part, &mut Vec::new(), limits)
+    }
+
+    /// Adds the arcs of a box of a pair of cells that have points in common: contact in many
+    /// places says nothing of these, and next to a pinch they are longer in one direction the
+    /// nearer they are to it, which no proof minds.
+    pub(super) fn run_near(&mut self, part: &ParameterBox<N, M>) -> Result<(), Stop> {
+        self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
+        self.is_near = true;
+        self.run(Cow::Borrowed(part))
+    }
+
+    /// Reports to the job: how much is left of a pair is not known.
+    pub(super) fn step(&self) -> Result<()> {
+        self.job.step(0.0, "intersection")
+    }
+
+    /// Ends the search of a pair.
+    #[expect(clippy::needless_pass_by_value, reason = "what a search ends with ends here")]
+    pub(super) fn finish(mut self, done: Result<(), Stop>, whole: &ParameterBox<N, M>) -> Result<()> {
+        match done {
+            Ok(()) => Ok(()),
+            Err(Stop::Degenerate) => {
+                self.pieces.truncate(self.before);
+                self.report(whole, true);
+                Ok(())
+            }
+            Err(Stop::Exhausted) => {
+                self.pieces.truncate(self.before);
+                alloc::push(&mut self.pieces.exhausted, self.task.pair)
+            }
+            Err(Stop::Failed(error)) => Err(error),
+        }
+    }
+
+    /// Reports a box by a ball round it: those of the same pair that touch are merged.
+    pub(super) fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
+        let (PairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
+        let x = part.middle();
+        let frame = equation.frame(x);
+        // What both have in common is in either piece; where one is far smaller, that says more.
+        let (a, b) = (equation.point(x), equation.point(x) - frame.miss);
+        let (of_a, of_b) = (radius_about(a, &part.nets.a.patch()), radius_about(b, &part.nets.b.patch()));
+        let (centre, radius) = if of_a <= 2.0 * of_b { (a, of_a) } else { (b, of_b) };
+        let gap = frame.miss.length();
+        let (low, high) = (part.low, part.low + part.size);
+        let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
+        let own = &mut self.pieces.balls[self.before[2]..];
+        let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + resolution;
+        // Of too many apart from each other, the nearest one takes another.
+        let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
+        let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));
+        let found = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
+        match found {
+            Some(k) => {
+                let nearer = if gap < own[k].gap { ball } else { own[k] };
+                let radius = |ball: &UnresolvedBall| nearer.centre.distance(ball.centre) + ball.radius;
+                own[k] = UnresolvedBall {
+                    radius: radius(&ball).max(radius(&own[k])),
+                    low: low.min(own[k].low),
+                    high: high.max(own[k].high),
+                    is_whole: is_whole || own[k].is_whole,
+                    ..nearer
+                };
+            }
+            None => self.pieces.balls.push(ball),
+        }
+    }
+
+    /// Whether the cells touch at three places at least, as far as a few points show: it is no use
+    /// to look closer then.
+    fn coincide(&self) -> bool {
+        let mut contacts = [DVec3::ZERO; 3];
+        let mut count = 0;
+        for k in 0..18 {
+            let (along, across) = (0.5 * f64::from(k / 3 % 3), 0.5 * f64::from(k % 3));
+            let Some(contact) = self.contact(along, across, k < 9) else {
+                continue;
+            };
+            if contacts[..count].iter().all(|other| other.distance(contact) > 64.0 * self.task.tolerance) {
+                contacts[count] = contact;
+                count += 1;
+            }
+            if count == 3 {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The point of the one cell at the given parameters, if the other cell touches it there.
+    fn contact(&self, along: f64, across: f64, on_a: bool) -> Option<DVec3> {
+        let equation = self.equation;
+        let fixed = if on_a { 0 } else { 2 };
+        let mut x = DVec4::splat(0.5);
+        (x[fixed], x[fixed + 1]) = (along, across);
+        let (p, q) = (2 - fixed, 3 - fixed);
+        for _ in 0..8 {
+            let frame = equation.frame(x);
+            let [a, b] = frame.normals();
+            let (one, other) = (frame.columns[p], frame.columns[q]);
+            if frame.miss.length() <= self.task.tolerance {
+                let touches = a.cross(b).length() <= 1e-4 * a.length() * b.length();
+                return touches.then(|| equation.point(x));
+            }
+            // Gauss and Newton's step towards the nearest point.
+            let (aa, ab, bb) = (one.length_squared(), one.dot(other), other.length_squared());
+            let determinant = aa * bb - ab * ab;
+            let (f, g) = (frame.miss.dot(one), frame.miss.dot(other));
+            x[p] = (x[p] - (f * bb - g * ab) / determinant).clamp(0.0, 1.0);
+            x[q] = (x[q] - (g * aa - f * ab) / determinant).clamp(0.0, 1.0);
+            if !x.is_finite() {
+                return None;
+            }
+        }
+        None
+    }
+}

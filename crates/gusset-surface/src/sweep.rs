@@ -1,0 +1,185 @@
+//! Ranges of sums of six nodes of a line, along all rows of a grid or across them.
+//!
+//! The sums are Bézier points or differences of them, whose ranges bound the surface without its
+//! patches. Whole rows at once, by vector instructions chosen at run time. O(nodes).
+
+use super::axis::{Axis, TAPS, Weights};
+use super::cells::{BLOCK, block_range};
+use super::nodes::Nodes;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::aabb::Aabb;
+use gusset_base::simd::{self, Kernel};
+use std::ops::Range;
+
+/// Weights of K sums.
+pub(super) type Sums<const K: usize> = [[f64; TAPS]; K];
+
+/// A grid, and which sums belong to an interval of given weights.
+pub(super) struct Sweep<'a, const K: usize> {
+    pub(super) nodes: &'a Nodes<'a>,
+    pub(super) u: &'a Axis,
+    pub(super) v: &'a Axis,
+    pub(super) sums: fn(&Weights) -> Sums<K>,
+}
+
+/// Lowers and raises ranges to take in sums of six lines each, coordinate by coordinate.
+struct Widen<'a, const K: usize> {
+    sums: Sums<K>,
+    lines: [&'a [f64]; TAPS],
+    low: &'a mut [f64],
+    high: &'a mut [f64],
+}
+
+impl<const K: usize> Kernel for Widen<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Widen { sums, lines, low, high } = self;
+        widen(&sums, lines, low, high);
+    }
+}
+
+#[inline(always)]
+fn widen<const K: usize>(sums: &Sums<K>, lines: [&[f64]; TAPS], low: &mut [f64], high: &mut [f64]) {
+    let count = low.len();
+    let high = &mut high[..count];
+    let [a, b, c, d, e, f] = lines.map(|line| &line[..count]);
+    for k in 0..count {
+        let taps = [a[k], b[k], c[k], d[k], e[k], f[k]];
+        let (mut least, mut most) = (low[k], high[k]);
+        for w in sums {
+            let x = ((w[0] * taps[0] + w[1] * taps[1]) + (w[2] * taps[2] + w[3] * taps[3]))
+                + (w[4] * taps[4] + w[5] * taps[5]);
+            least = if x < least { x } else { least };
+            most = if x > most { x } else { most };
+        }
+        (low[k], high[k]) = (least, most);
+    }
+}
+
+/// Ranges of coordinates along a row: of cells or of columns.
+pub(super) struct Ranges {
+    low: Vec<f64>,
+    high: Vec<f64>,
+}
+
+impl Ranges {
+    fn new(count: usize) -> Result<Ranges> {
+        let all = |value| alloc::filled(value, 3 * count);
+        Ok(Ranges { low: all(f64::INFINITY)?, high: all(f64::NEG_INFINITY)? })
+    }
+
+    fn clear(&mut self) {
+        self.low.fill(f64::INFINITY);
+        self.high.fill(f64::NEG_INFINITY);
+    }
+
+    /// The box of the ranges of some places.
+    #[inline]
+    pub(super) fn over(&self, places: Range<usize>) -> Aabb {
+        let mut bounds = Aabb::EMPTY;
+        let parts = self.low[3 * places.start..3 * places.end].chunks_exact(3);
+        for (low, high) in parts.zip(self.high[3 * places.start..3 * places.end].chunks_exact(3)) {
+            bounds.low = bounds.low.min(DVec3::from_slice(low));
+            bounds.high = bounds.high.max(DVec3::from_slice(high));
+        }
+        bounds
+    }
+}
+
+/// True if a line is a side of one of some cells.
+fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
+    cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.cells() } else { cells.end }
+}
+
+impl<const K: usize> Sweep<'_, K> {
+    /// Boxes of the sums along the rows that the blocks of some rows of blocks depend on: each row
+    /// once, and then for all blocks that depend on it. `add` receives the number of the block, the
+    /// box over its columns, and whether the row is a side of its cells.
+    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
+        let rows = |r: usize| block_range(r, self.u.cells());
+        let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
+        // Rows that are closed go on at both ends.
+        let (mut ranges, mut line) = (Ranges::new(cells)?, alloc::with_capacity(3 * (cells + TAPS))?);
+        for row in self.u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
+            ranges.clear();
+            self.along(row, &mut line, &mut ranges);
+            let needed = block_rows.clone().filter(|&r| self.u.lines_of(rows(r)).any(|line| line == row));
+            let needed = alloc::gather(needed.map(|r| (r - block_rows.start, is_own(self.u, &rows(r), row))))?;
+            for c in 0..across {
+                let found = ranges.over(block_range(c, cells));
+                needed.iter().for_each(|&(r, own)| add(r * across + c, found, own));
+            }
+        }
+        Ok(())
+    }
+
+    /// Ranges, by column, of the sums across the rows of cells of each row of blocks: `each`
+    /// receives the number of a block, its columns of cells, and the ranges.
+    pub(super) fn across_blocks(
+        &self,
+        block_rows: Range<usize>,
+        mut each: impl FnMut(usize, Range<usize>, &Ranges),
+    ) -> Result<()> {
+        let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
+        let mut ranges = Ranges::new(cells + 1)?;
+        for (k, r) in block_rows.enumerate() {
+            ranges.clear();
+            block_range(r, self.u.cells()).for_each(|i| self.across(i, &mut ranges));
+            (0..across).for_each(|c| each(k * across + c, block_range(c, cells), &ranges));
+        }
+        Ok(())
+    }
+
+    /// Widens the ranges of cells by the sums along a row.
+    fn along(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
+        let cells = self.v.cells();
+        // All that have the same weights, six nodes from their place on; the row goes on at both
+        // ends if it is closed.
+        let inner = if self.v.is_closed() { 0..cells } else { 2.min(cells)..cells.saturating_sub(2).max(2.min(cells)) };
+        let node = |j: usize| self.nodes.get(row, j).to_array();
+        line.clear();
+        if self.v.is_closed() {
+            (0..cells + TAPS - 1).for_each(|k| line.extend(node((k + 2 * cells - 2) % cells)));
+        } else if let Some(packed) = self.nodes.packed_row(row) {
+            line.extend_from_slice(packed);
+        } else {
+            (0..=cells).for_each(|j| line.extend(node(j)));
+        }
+        for j in (0..inner.start).chain(inner.end..cells) {
+            let (columns, weights) = self.v.taps(j);
+            let nodes = columns.map(node);
+            let (low, high) = (&mut ranges.low[3 * j..3 * j + 3], &mut ranges.high[3 * j..3 * j + 3]);
+            let lines: [&[f64]; TAPS] = std::array::from_fn(|k| &nodes[k][..]);
+            widen(&(self.sums)(weights), lines, low, high);
+        }
+        if !inner.is_empty() {
+            let count = 3 * inner.len();
+            let lines = std::array::from_fn(|k| &line[3 * k..3 * k + count]);
+            let low = &mut ranges.low[3 * inner.start..3 * inner.end];
+            let high = &mut ranges.high[3 * inner.start..3 * inner.end];
+            simd::run(Widen { sums: (self.sums)(self.v.taps(inner.start).1), lines, low, high });
+        }
+    }
+
+    /// Widens the ranges of columns by the sums across the rows of interval i.
+    fn across(&self, i: usize, ranges: &mut Ranges) {
+        let (rows, weights) = self.u.taps(i);
+        let sums = (self.sums)(weights);
+        let packed = rows.map(|row| self.nodes.packed_row(row));
+        if let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f)] = packed {
+            let (low, high) = (&mut ranges.low[..], &mut ranges.high[..]);
+            simd::run(Widen { sums, lines: [a, b, c, d, e, f], low, high });
+            return;
+        }
+        for j in 0..self.nodes.columns() {
+            let nodes = rows.map(|row| self.nodes.get(row, j).to_array());
+            let lines: [&[f64]; TAPS] = std::array::from_fn(|k| &nodes[k][..]);
+            let (low, high) = (&mut ranges.low[3 * j..3 * j + 3], &mut ranges.high[3 * j..3 * j + 3]);
+            widen(&sums, lines, low, high);
+        }
+    }
+}

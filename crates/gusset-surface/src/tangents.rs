@@ -1,0 +1,118 @@
+//! Boxes of the tangents S_u and S_v of a grid's surface, from the nodes alone, without patches.
+//!
+//! Over a cell S = sum w_l(v) C_l(u), C_l the cubics along six lines, so S_u = sum w_l(v) C_l'(u),
+//! and C_l' is within the hull of its three control vectors 3 (b_k+1 - b_k), sums of six nodes
+//! each. Let those of the block's own lines be in a box B, and those of the lines beside it, on
+//! which its cells depend too, no farther than e from B. The weights w_l sum to 1, their absolute
+//! values to L at most, and those of the lines that are not the cell's own two to O at most. So S_u
+//! is in B, enlarged by (L - 1) / 2 of its size at both ends, and by O e.
+
+use super::axis::{Axis, TAPS, Weights};
+use super::displacements::widened;
+use super::nodes::Nodes;
+use super::sweep::{Sums, Sweep};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::aabb::Aabb;
+use std::ops::Range;
+
+/// Weights that give the control vectors of the derivative.
+fn steps(weights: &Weights) -> Sums<3> {
+    std::array::from_fn(|b| std::array::from_fn::<_, TAPS, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
+}
+
+/// Boxes of control vectors: on a block's own lines, and on all that its cells depend on.
+#[derive(Clone, Copy)]
+struct Spread {
+    own: Aabb,
+    all: Aabb,
+}
+
+impl Spread {
+    const EMPTY: Spread = Spread { own: Aabb::EMPTY, all: Aabb::EMPTY };
+
+    fn add(&mut self, bounds: Aabb, own: bool) {
+        self.all = self.all.union(bounds);
+        if own {
+            self.own = self.own.union(bounds);
+        }
+    }
+
+    /// Round the sums of lines that lie along `axis`.
+    fn sums(&self, axis: &Axis) -> Aabb {
+        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outside();
+        let grown = widened(self.own, axis.lebesgue());
+        Aabb { low: grown.low - beside, high: grown.high + beside }
+    }
+}
+
+/// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
+pub(super) fn tangents(
+    nodes: &Nodes<'_>,
+    [u, v]: [&Axis; 2],
+    block_rows: Range<usize>,
+    boxes: &mut [[Aabb; 2]],
+) -> Result<()> {
+    let sweep = Sweep { nodes, u, v, sums: steps };
+    // S_v.
+    let mut along = alloc::filled(Spread::EMPTY, boxes.len())?;
+    sweep.along_blocks(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
+    sweep.across_blocks(block_rows, |k, columns, ranges| {
+        let mut across = Spread::EMPTY;
+        across.add(ranges.over(columns.start..columns.end + 1), true);
+        v.lines_of(columns).for_each(|j| across.add(ranges.over(j..j + 1), false));
+        boxes[k] = [across.sums(v), along[k].sums(u)];
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cells::{BLOCK, Cells};
+    use crate::{Grid, Patch, Scheme};
+    use glam::DVec3;
+    use gusset_base::testing::cases;
+
+    /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their
+    /// sides somewhere, or the boxes were too large.
+    #[test]
+    fn tangents_are_in_their_boxes() {
+        let mut random = fastrand::Rng::with_seed(7);
+        let mut nearest = f64::INFINITY;
+        for round in 0..cases(400) as usize {
+            let cells = [[9, 6], [5, 5], [2, 9], [13, 4], [3, 3]][round % 5];
+            let closed = [round / 5 % 2 == 1, round / 10 % 2 == 1].map(|closed| closed && cells.iter().all(|&n| n > 2));
+            let scheme = if round / 20 % 2 == 0 { Scheme::SixTap } else { Scheme::FourPoint };
+            let [h, w] = cells;
+            let mut data = vec![0.0; 3 * (h + 1) * (w + 1)];
+            for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
+                let (a, b) = (if closed[0] { i % h } else { i }, if closed[1] { j % w } else { j });
+                for k in 0..3 {
+                    let again = data[3 * (a * (w + 1) + b) + k];
+                    data[3 * (i * (w + 1) + j) + k] = if (a, b) == (i, j) { random.f64() - 0.5 } else { again };
+                }
+            }
+            let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
+            let [rows, columns] = cells.map(|count| count.div_ceil(BLOCK));
+            let mut boxes = vec![[Aabb::EMPTY; 2]; rows * columns];
+            grid.tangents(0..rows, &mut boxes).unwrap();
+            for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+                let patch: Patch<4> = Grid::patch(&grid, i, j);
+                let bounds = &boxes[i / BLOCK * columns + j / BLOCK];
+                for k in 0..121 {
+                    let jet = patch.jet(f64::from(k / 11) / 10.0, f64::from(k % 11) / 10.0);
+                    for (tangent, bounds) in [jet.u, jet.v].into_iter().zip(bounds) {
+                        let size = bounds.high - bounds.low;
+                        let within = (tangent - bounds.low).min(bounds.high - tangent) / size;
+                        nearest = nearest.min(within.min_element());
+                        assert!(
+                            within.cmpge(DVec3::splat(-1e-13)).all(),
+                            "{cells:?} {closed:?} {scheme:?}, cell {i} {j}: {within}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(nearest < 0.05, "{nearest}");
+    }
+}

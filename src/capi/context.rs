@@ -1,0 +1,388 @@
+//! The context: how a host steers a call and learns what happened.
+
+use super::glue::versioned;
+use super::guard::caught;
+use super::handle::{self, Handle, handle};
+use super::host::{Callbacks, Host, Watch};
+use super::input::{self, Versioned};
+use super::status::{Failure, gusset_element, gusset_status, text};
+use crate::error::Error;
+use crate::job::Job;
+use gusset_base::reserve;
+use std::borrow::Cow;
+use std::ffi::{CStr, CString, c_char, c_int, c_void};
+use std::ptr;
+use std::sync::atomic::Ordering;
+use std::sync::{Mutex, MutexGuard, TryLockError};
+
+/// Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at
+/// a time, but gusset_context_cancel and gusset_context_get_progress may be called from any.
+pub struct gusset_context {
+    watch: Watch,
+    state: Mutex<State>,
+}
+
+handle! { gusset_context }
+
+/// Called now and then during long work, on the thread that made the call. fraction: part done, 0
+/// to 1. stage: what is being done, valid during the callback only. Return nonzero to cancel the
+/// call. It must not use the context, except for gusset_context_cancel and
+/// gusset_context_get_progress, and must not throw or longjmp.
+pub type gusset_progress_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
+
+/// Called with remarks that are no failures, on the thread that made the call; message is valid
+/// during the callback only. The same rules as for progress. Stitching, filling and assembling remark
+/// that
+/// - the pieces of a stitch, or the components of its two loops, disagree in orientation, and the
+///   second was turned over;
+/// - what is closed was inside out, and was turned over;
+/// - fairing was asked for, and no new vertices were;
+/// - rows, cells or fairing were asked for with a blend, which does not read them;
+/// - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
+/// - loops are left although others are near: near_loops_left of an assembly is not 0;
+/// - a closed component encloses no volume: zero_volume of an assembly is not empty.
+///
+/// Programs read the same from the results; the sentences may change.
+pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
+
+struct State {
+    threads: u32,
+    callbacks: Callbacks,
+    message: Cow<'static, CStr>,
+    report: gusset_error_report,
+}
+
+/// What went wrong in the last call, for programs.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct gusset_error_report {
+    /// sizeof(gusset_error_report), set by the caller.
+    pub struct_size: usize,
+    /// The status that the call returned.
+    pub status: i32,
+    /// What index counts: one of GUSSET_ELEMENT_...
+    pub element: gusset_element,
+    /// The first offending element.
+    pub index: u64,
+    /// Its value where it has one: the coordinate, the vertex index, the limit exceeded.
+    pub value: f64,
+    /// The mesh or loop that it belongs to: 0 the first, 1 the second.
+    pub input: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_error_report: 40 }
+
+impl gusset_context {
+    fn lock(&self) -> Result<MutexGuard<'_, State>, Failure> {
+        match self.state.try_lock() {
+            Ok(state) => Ok(state),
+            Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) => {
+                Err(Failure::new(gusset_status::GUSSET_ERROR_CONTEXT_BUSY, "the context is in use by another call"))
+            }
+        }
+    }
+}
+
+impl State {
+    fn record(&mut self, outcome: Result<(), Failure>) -> gusset_status {
+        (self.message, self.report) = (Cow::Borrowed(c""), gusset_error_report::default());
+        let Err(failure) = outcome else { return gusset_status::GUSSET_OK };
+        let Failure { status, message, element, index, value, input } = failure;
+        let message = CString::new(message.into_owned()).unwrap_or_default();
+        // What a context keeps is not to be in the reserve.
+        let kept = !reserve::holds(message.as_ptr());
+        self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(text(status as i32)) };
+        self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
+        status
+    }
+}
+
+/// Runs `body` with the context's job, or with the defaults if the context is NULL; records the
+/// outcome in the context. Without memory there is no success.
+pub(crate) fn guard(
+    context: *const gusset_context,
+    body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
+) -> gusset_status {
+    guard_change(context, |job| with_memory(body, job))
+}
+
+/// What `body` gives, unless memory was taken from the reserve for it.
+fn with_memory<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
+    let made = body(job)?;
+    job.memory()?;
+    Ok(made)
+}
+
+/// [`guard`] for a `body` that changes what the caller has, writes to its outputs, or makes handles:
+/// what is done is done, and it asks for the job's memory itself, before that.
+pub(crate) fn guard_change(
+    context: *const gusset_context,
+    body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
+) -> gusset_status {
+    let outcome = caught(|| {
+        if context.is_null() {
+            return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);
+        }
+        let context = handle::get(context, "context")?;
+        let mut state = context.lock()?;
+        let host = Host::new(&context.watch, state.callbacks);
+        let job = Job::new(state.threads as usize, &host);
+        // Caught here too, so that the report says so.
+        let outcome = caught(|| {
+            // A cancel that came before the call holds for it, however short it is.
+            if context.watch.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled.into()) } else { body(&job) }
+        });
+        Ok(state.record(outcome))
+    });
+    outcome.unwrap_or_else(|failure: Failure| failure.status)
+}
+
+/// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is `cleared`
+/// before anything else: whatever becomes of the context, the host finds that there after a
+/// failure.
+pub(crate) fn answer<T>(
+    context: *const gusset_context,
+    (out, name): (*mut T, &'static str),
+    cleared: T,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let slot = input::output(out, cleared, name);
+    guard_change(context, |job| {
+        // First of all: there must be a place for the result.
+        let slot = slot?;
+        *slot = with_memory(body, job)?;
+        Ok(())
+    })
+}
+
+/// [`answer`], to an output that may be NULL.
+pub(crate) fn answer_optional<T>(
+    context: *const gusset_context,
+    (out, name): (*mut T, &'static str),
+    cleared: T,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let slot = input::optional_output(out, cleared, name);
+    guard_change(context, |job| {
+        let slot = slot?;
+        input::set(slot, with_memory(body, job)?);
+        Ok(())
+    })
+}
+
+/// As [`answer`], with a struct that has a size.
+pub(crate) fn answer_struct<T: Versioned>(
+    context: *const gusset_context,
+    (out, name): (*mut T, &'static str),
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let out = input::output_struct(out, name);
+    guard_change(context, |job| {
+        let out = out?;
+        out.write(with_memory(body, job)?);
+        Ok(())
+    })
+}
+
+/// As [`answer`], with a new handle.
+pub(crate) fn create<T: Handle>(
+    context: *const gusset_context,
+    out: *mut *mut T,
+    name: &'static str,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    create_and_tell(context, out, name, |job| Ok((body(job)?, ())), |()| ())
+}
+
+/// [`create`], of a body that makes something beside the handle, for `tell` to write to other
+/// outputs.
+pub(crate) fn create_and_tell<T: Handle, U>(
+    context: *const gusset_context,
+    out: *mut *mut T,
+    name: &'static str,
+    body: impl FnOnce(&Job<'_>) -> Result<(T, U), Failure>,
+    tell: impl FnOnce(U),
+) -> gusset_status {
+    let slot = input::output(out, ptr::null_mut(), name);
+    guard_change(context, |job| {
+        let slot = slot?;
+        let boxed = |job: &Job<'_>| body(job).map(|(made, told)| (handle::boxed(made), told));
+        let (made, told) = with_memory(boxed, job)?;
+        tell(told);
+        *slot = handle::give(made);
+        Ok(())
+    })
+}
+
+/// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
+/// its body may use `?`.
+macro_rules! lend {
+    ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
+        $crate::capi::context::answer_struct(std::ptr::null(), ($out, stringify!($out)), |_| {
+            let $it = $crate::capi::handle::get($handle, stringify!($handle))?;
+            Ok($body)
+        })
+    };
+}
+pub(crate) use lend;
+
+/// Creates a context with automatic threads and no callbacks.
+///
+/// @param[out] context receives it, for gusset_context_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
+    create(ptr::null(), context, "context", |_| {
+        let none = ptr::null_mut();
+        let callbacks = Callbacks { progress: None, progress_user: none, log: None, log_user: none };
+        let (message, report) = (Cow::Borrowed(c""), gusset_error_report::default());
+        let state = Mutex::new(State { threads: 0, callbacks, message, report });
+        Ok(gusset_context { watch: Watch::default(), state })
+    })
+}
+
+/// Destroys a context; NULL is allowed.
+///
+/// No call may be using it.
+///
+/// @param[in,out] context the context.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
+    handle::destroy(context);
+}
+
+/// Sets the number of threads, on which results do not depend.
+///
+/// @param[in,out] context the context.
+/// @param threads 0 as many as the machine has, 1 the calling thread only.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
+    change(context, |state| state.threads = threads)
+}
+
+/// Sets the progress callback.
+///
+/// @param[in,out] context the context.
+/// @param progress NULL for none.
+/// @param user handed to it, and not looked at.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_set_progress(
+    context: *mut gusset_context,
+    progress: gusset_progress_fn,
+    user: *mut c_void,
+) -> gusset_status {
+    change(context, |State { callbacks, .. }| {
+        (callbacks.progress, callbacks.progress_user) = (progress, user);
+    })
+}
+
+/// Sets the log callback.
+///
+/// @param[in,out] context the context.
+/// @param log NULL for none.
+/// @param user handed to it, and not looked at.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_set_log(
+    context: *mut gusset_context,
+    log: gusset_log_fn,
+    user: *mut c_void,
+) -> gusset_status {
+    change(context, |State { callbacks, .. }| (callbacks.log, callbacks.log_user) = (log, user))
+}
+
+fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let mut state = handle::get(context, "context")?.lock()?;
+        set(&mut state);
+        state.record(Ok(()));
+        Ok(())
+    })
+}
+
+/// Cancels the running call, and every later one until gusset_context_reset.
+///
+/// @param context the context.
+/// @complexity O(1).
+/// @threads From any thread; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
+    if let Ok(context) = handle::get(context, "context") {
+        context.watch.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Takes a cancel back.
+///
+/// NULL is allowed.
+///
+/// @param context the context.
+/// @complexity O(1).
+/// @threads From any thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
+    if let Ok(context) = handle::get(context, "context") {
+        context.watch.cancelled.store(false, Ordering::Relaxed);
+    }
+}
+
+/// How much of the running (or last) call is done, 0 to 1; 0 for NULL.
+///
+/// @param context the context.
+/// @return 0 to 1; 0 for NULL.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
+    handle::get(context, "context").map_or(0.0, |context| context.watch.fraction())
+}
+
+/// What went wrong in the last call with this context, as an English sentence; empty after a
+/// success.
+///
+/// Never NULL. Valid until the next call with the context. Empty too for NULL, and while a call is
+/// running.
+///
+/// @param context the context.
+/// @return a NUL-terminated UTF-8 string, never NULL.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
+    let state = handle::get(context, "context").and_then(gusset_context::lock);
+    state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
+}
+
+/// What went wrong in the last call with this context, as numbers.
+///
+/// @param context the context.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_context_get_report(
+    context: *const gusset_context,
+    report: *mut gusset_error_report,
+) -> gusset_status {
+    lend!(context, report, |context| context.lock()?.report)
+}

@@ -1,0 +1,156 @@
+//! C interface: export of curves to other formats.
+
+use crate::capi::curve::{gusset_curve, view};
+use crate::capi::prelude::*;
+use std::ffi::c_char;
+
+/// A curve in another form. Opaque and immutable; it keeps nothing of the curve.
+#[derive(Default)]
+pub struct gusset_curve_form {
+    /// With a 0 at the end.
+    text: Vec<u8>,
+    points: Vec<DVec3>,
+    on_curve: Vec<u8>,
+    knots: Vec<f64>,
+    degree: usize,
+}
+
+handle! { gusset_curve_form }
+
+/// The parts of a form; those that it does not have are empty. Pointers are valid until it is
+/// destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_form_view {
+    /// sizeof(gusset_curve_form_view), set by the caller.
+    pub struct_size: usize,
+    /// The text of an SVG path, ended by a 0; empty for other forms.
+    pub text: *const c_char,
+    /// Its length without the 0.
+    pub text_length: usize,
+    /// The points of a contour or the control points of a spline: x, y, z of each.
+    pub points: *const f64,
+    /// How many.
+    pub point_count: usize,
+    /// Of a contour, for each point: 1 on the curve, 0 off it.
+    pub on_curve: *const u8,
+    /// Of a spline: the knots, point_count + degree + 1 of them.
+    pub knots: *const f64,
+    /// How many.
+    pub knot_count: usize,
+    /// Of a spline: its degree.
+    pub degree: usize,
+}
+
+versioned! { gusset_curve_form_view: 72 }
+
+/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not
+/// turned over.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
+///     this group; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+///     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_svg_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    form: *mut *mut gusset_curve_form,
+) -> gusset_status {
+    create(context, form, "form", |_| {
+        let mut text = view(curve, "curve")?.svg_path(&Job::default())?.into_bytes();
+        alloc::push(&mut text, 0)?;
+        Ok(gusset_curve_form { text, ..Default::default() })
+    })
+}
+
+/// The contour of a TrueType font: control points, and those joints that are not in the middle
+/// between two of them.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param tolerance how far from the middle still counts as there, at least 0, in the unit of the
+///     points; rounding always does.
+/// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+///     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_contour_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    tolerance: f64,
+    form: *mut *mut gusset_curve_form,
+) -> gusset_status {
+    create(context, form, "form", |_| {
+        let contour = view(curve, "curve")?.contour(tolerance)?;
+        Ok(gusset_curve_form { points: contour.points, on_curve: contour.on_curve, ..Default::default() })
+    })
+}
+
+/// The curve as a clamped B-spline, if all segments have one degree n.
+///
+/// Joints with one tangent become knots of multiplicity n - 1 and are no control points.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+///     (other degrees), OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_spline_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    form: *mut *mut gusset_curve_form,
+) -> gusset_status {
+    create(context, form, "form", |_| {
+        let spline = view(curve, "curve")?.spline()?;
+        let (points, knots, degree) = (spline.controls, spline.knots, spline.degree);
+        Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
+    })
+}
+
+/// Destroys a form; NULL is allowed.
+///
+/// @param[in,out] form the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form) {
+    handle::destroy(form);
+}
+
+/// Lends the parts.
+///
+/// @param form the form.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_form_get_view(
+    form: *const gusset_curve_form,
+    parts: *mut gusset_curve_form_view,
+) -> gusset_status {
+    lend!(form, parts, |form| gusset_curve_form_view {
+        struct_size: size_of::<gusset_curve_form_view>(),
+        text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
+        text_length: form.text.len().saturating_sub(1),
+        points: lent(&form.points).cast(),
+        point_count: form.points.len(),
+        on_curve: lent(&form.on_curve),
+        knots: lent(&form.knots),
+        knot_count: form.knots.len(),
+        degree: form.degree,
+    })
+}

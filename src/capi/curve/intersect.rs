@@ -1,0 +1,290 @@
+//! C interface: points, intersections and minima found on curves.
+
+use crate::capi::curve::{gusset_curve, gusset_place, points, view};
+use crate::capi::mesh::gusset_indices;
+use crate::capi::prelude::*;
+use crate::curve::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
+use crate::curve::{CurveView, Place};
+
+/// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
+#[derive(Default)]
+pub struct gusset_places {
+    places: Vec<gusset_place>,
+    others: Vec<gusset_place>,
+    points: Vec<DVec3>,
+    overlaps: Vec<[gusset_place; 4]>,
+    inside: Vec<u32>,
+    undecided: bool,
+}
+
+handle! { gusset_places }
+
+/// What was found. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_places_view {
+    /// sizeof(gusset_places_view), set by the caller.
+    pub struct_size: usize,
+    /// The places, in the order of the (first) curve.
+    pub places: *const gusset_place,
+    /// How many.
+    pub count: usize,
+    /// The points there: x, y, z of each.
+    pub points: *const f64,
+    /// Of intersections: the places on the second curve, or the later ones on the same; else NULL.
+    pub others: *const gusset_place,
+    /// Parts that two segments have in common: start and end on the first, the same start and end
+    /// on the second; four places each. Of tangent angles: start and end of a part, twice.
+    pub overlaps: *const gusset_place,
+    /// How many, each of four places.
+    pub overlap_count: usize,
+    /// Of crossings: the segments that lie in the line or plane altogether.
+    pub inside: gusset_indices,
+    /// 1 if some pair of segments was given up: they run beside each other within rounding for a
+    /// long way.
+    pub undecided: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_places_view: 80 }
+
+/// gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
+pub const GUSSET_SAMPLE_COUNT: u32 = 0;
+/// gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always
+/// the last.
+pub const GUSSET_SAMPLE_STEP: u32 = 1;
+/// gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between
+/// the points; each segment is halved at most 20 times, which leaves 1e-12 of its size.
+pub const GUSSET_SAMPLE_CHORD: u32 = 2;
+
+fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
+    alloc::collect(places.map(gusset_place::from))
+}
+
+impl gusset_places {
+    fn of_plane_intersections(found: PlaneIntersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let points = curve.points_at(&found.places)?;
+        let places = list(found.places.into_iter())?;
+        Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
+    }
+
+    fn of_tangent_angles(found: TangentAngles, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let points = curve.points_at(&found.places)?;
+        let part = |[from, to]: [Place; 2]| [from, to, from, to].map(gusset_place::from);
+        let overlaps = alloc::collect(found.intervals.into_iter().map(part))?;
+        Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
+    }
+
+    pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        Self::of_pairs(found.places.iter().map(|near| [near.a, near.b]), &found.overlaps, found.undecided, curve)
+    }
+
+    fn of_intersections(found: &Intersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        Self::of_pairs(found.points.iter().map(|common| [common.a, common.b]), &found.overlaps, found.undecided, curve)
+    }
+
+    /// Places on `curve` and on another.
+    fn of_pairs(
+        pairs: impl ExactSizeIterator<Item = [Place; 2]> + Clone,
+        overlaps: &[Overlap],
+        undecided: bool,
+        curve: &CurveView<'_>,
+    ) -> Result<Self, Failure> {
+        let at = alloc::collect(pairs.clone().map(|[place, _]| place))?;
+        let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
+        Ok(gusset_places {
+            places: list(at.iter().copied())?,
+            others: list(pairs.map(|[_, other]| other))?,
+            points: curve.points_at(&at)?,
+            overlaps: alloc::collect(overlaps.iter().map(ends))?,
+            inside: Vec::new(),
+            undecided,
+        })
+    }
+}
+
+/// Where a curve crosses or touches a plane.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param point x, y, z of a point of the plane.
+/// @param normal x, y, z across it, of any length but 0.
+/// @param[out] places receives the result, for gusset_places_destroy, as for all functions of this
+///     group; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal),
+///     NOT_FINITE, OUT_OF_MEMORY.
+/// @complexity O(points), and O(degree^2) a crossing.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    point: *const f64,
+    normal: *const f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let (view, point, normal) = (view(curve, "curve")?, points(point, 1, 3)?[0], points(normal, 1, 3)?[0]);
+        gusset_places::of_plane_intersections(view.intersect_plane(point, normal)?, &view)
+    })
+}
+
+/// Where a plane curve crosses or touches a line.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param point x, y of a point of the line.
+/// @param direction x, y along it, not 0.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
+///     gusset_curve_intersect_plane_create.
+/// @complexity O(points), and O(degree^2) a crossing.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_intersect_line_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    point: *const f64,
+    direction: *const f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let (view, point, along) = (view(curve, "curve")?, points(point, 1, 2)?[0], points(direction, 1, 2)?[0]);
+        gusset_places::of_plane_intersections(view.intersect_line(point, along)?, &view)
+    })
+}
+
+/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then
+/// joints of neighbours do not count.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param other the other curve.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity Bounded work for each pair of segments whose boxes meet.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_intersect_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    other: *const gusset_curve,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |job| {
+        let one = view(curve, "curve")?;
+        if other.is_null() {
+            return gusset_places::of_intersections(&one.self_intersections(job)?, &one);
+        }
+        gusset_places::of_intersections(&one.intersections(&view(other, "other")?, job)?, &one)
+    })
+}
+
+/// The points of a curve whose tangents make a given angle with a direction: all of them, each
+/// once.
+///
+/// At a cusp, where the derivative is 0, the tangents before and after it count, to 1e-6; at a joint
+/// those of both segments, but not those between. Angles within 1e-7 of 0, pi / 2 and pi are taken
+/// for these; tangents count as along the direction, or against it, to 1e-9.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve, of any dimension and degree.
+/// @param direction x, y, z, of any length but 0, packed.
+/// @param angle 0 to pi.
+/// @param[out] places receives the places; overlaps are parts all of whose tangents make the angle,
+///     as those of straight segments: where each begins and ends, twice. NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (direction,
+///     angle), NOT_FINITE (direction), OUT_OF_MEMORY.
+/// @complexity O(points), and O(degree^2) for each place.
+/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    direction: *const f64,
+    angle: f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let (view, direction) = (view(curve, "curve")?, points(direction, 1, 3)?[0]);
+        gusset_places::of_tangent_angles(view.tangents_at_angle(direction, angle)?, &view)
+    })
+}
+
+/// Points along a curve, in its order; of a closed curve the start is not repeated at the end.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param rule GUSSET_SAMPLE_...
+/// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
+///     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(points, and samples).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_sample_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    rule: u32,
+    amount: f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let view = view(curve, "curve")?;
+        let spacing = match rule {
+            GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => Spacing::Count(amount as usize),
+            GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
+            GUSSET_SAMPLE_STEP => Spacing::Step(amount),
+            GUSSET_SAMPLE_CHORD => Spacing::Chord(amount),
+            other => return Err(Failure::unknown("rule", other.into())),
+        };
+        let found = view.sampled(spacing, &Job::default())?;
+        let places = list(found.places.into_iter())?;
+        Ok(gusset_places { places, points: found.points, ..Default::default() })
+    })
+}
+
+/// Destroys what was found; NULL is allowed.
+///
+/// @param[in,out] places the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
+    handle::destroy(places);
+}
+
+/// Lends what was found.
+///
+/// @param places the places.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_places_get_view(
+    places: *const gusset_places,
+    view: *mut gusset_places_view,
+) -> gusset_status {
+    lend!(places, view, |found| gusset_places_view {
+        struct_size: size_of::<gusset_places_view>(),
+        places: lent(&found.places),
+        count: found.places.len(),
+        points: lent(&found.points).cast(),
+        others: lent(&found.others),
+        overlaps: lent(found.overlaps.as_flattened()),
+        overlap_count: found.overlaps.len(),
+        inside: gusset_indices::lend(&found.inside),
+        undecided: found.undecided.into(),
+        reserved: 0,
+    })
+}

@@ -1,0 +1,177 @@
+//! C interface: curves, and places on them.
+
+pub mod construct;
+pub mod export;
+pub mod frame;
+pub mod intersect;
+pub mod measure;
+pub mod outline;
+pub mod outline_options;
+
+use crate::capi::mesh::gusset_indices;
+use crate::capi::prelude::*;
+use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_OFFSETS;
+use crate::curve::{Curve, CurveView, Place, Points};
+
+/// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
+/// from many threads.
+pub struct gusset_curve(pub(crate) Curve);
+
+handle! { gusset_curve }
+
+/// A place on a curve.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_place {
+    /// Counted from 0.
+    pub segment: u32,
+    /// 0.
+    pub reserved: u32,
+    /// The parameter: 0 at the segment's first control point, 1 at its last.
+    pub t: f64,
+}
+
+/// The parts of a curve. Pointers are valid until it is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_view {
+    /// sizeof(gusset_curve_view), set by the caller.
+    pub struct_size: usize,
+    /// The control points: x, y, z of each; z is 0 for a plane curve.
+    pub points: *const f64,
+    /// How many.
+    pub point_count: usize,
+    /// 0, then the place of the last control point of each segment among the points: segment k has
+    /// the points ends[k] to ends[k + 1].
+    pub ends: gusset_indices,
+    /// 1: the curve ends where it begins and goes on there.
+    pub closed: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_curve_view: 48 }
+fixed! { gusset_place: 16 }
+// Points are lent as x, y, z.
+const _: () = assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == align_of::<f64>());
+
+impl From<Place> for gusset_place {
+    fn from(place: Place) -> Self {
+        gusset_place { segment: place.segment, reserved: 0, t: place.t }
+    }
+}
+
+impl gusset_place {
+    pub(crate) fn checked(self) -> Result<Place, Failure> {
+        match self.reserved {
+            0 => Ok(Place { segment: self.segment, t: self.t }),
+            other => Err(Failure::unknown("reserved", other.into())),
+        }
+    }
+}
+
+/// The caller's places, at any alignment.
+pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
+    alloc::try_collect(input::items(data, count, name)?.map(gusset_place::checked))
+}
+
+/// The caller's points: x, y, z of each, packed.
+pub(crate) fn points(data: *const f64, count: usize, dimension: usize) -> Result<Vec<DVec3>, Failure> {
+    let needed = Points::bytes_needed(0, count, dimension)?;
+    let bytes = input::bytes(data.cast::<c_void>(), needed, 1, "points")?;
+    let points = Points::strided(bytes, 0, count, dimension)?;
+    Ok(alloc::collect((0..count).map(|i| points.get(i)))?)
+}
+
+/// The view of a curve of the caller's.
+pub(crate) fn view<'a>(curve: *const gusset_curve, name: &'static str) -> Result<CurveView<'a>, Failure> {
+    Ok(handle::get(curve, name)?.0.view())
+}
+
+/// Writes points as x, y, z.
+pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
+    out.chunks_exact_mut(3).zip(points).for_each(|(to, p)| to.copy_from_slice(&p.to_array()));
+}
+
+/// Makes a curve from its control points.
+///
+/// Degrees are 1 to 64; coordinates any finite numbers.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param points x, y of each control point, or x, y, z, packed.
+/// @param point_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
+/// @param dimension 2 or 3.
+/// @param ends 0, then the place of the last control point of each segment, rising; the last is
+///     point_count - 1.
+/// @param end_count the number of segments and 1.
+/// @param closed 1 if the last control point is the first one again, else 0.
+/// @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: MISALIGNED_ARGUMENT, NULL_ARGUMENT, BAD_OFFSETS, OUT_OF_RANGE
+///     (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(points).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_create(
+    context: *const gusset_context,
+    points: *const f64,
+    point_count: usize,
+    dimension: u32,
+    ends: *const u32,
+    end_count: usize,
+    closed: u32,
+    curve: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, curve, "curve", |_| {
+        let points = self::points(points, point_count, dimension as usize)?;
+        if end_count == 0 || end_count > point_count.max(1) {
+            let message = format!("{point_count} points have 1 to as many ends, and not {end_count}");
+            return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
+        }
+        let ends = input::list(ends, end_count, "ends")?;
+        Ok(gusset_curve(CurveView::new(&points, &ends, flag(closed, "closed")?)?.to_owned()?))
+    })
+}
+
+/// Destroys a curve; NULL is allowed.
+///
+/// @param[in,out] curve the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
+    handle::destroy(curve);
+}
+
+/// Lends the control points, valid until the curve is destroyed.
+///
+/// @param curve the curve.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_get_view(
+    curve: *const gusset_curve,
+    parts: *mut gusset_curve_view,
+) -> gusset_status {
+    lend!(curve, parts, |curve| {
+        let view = curve.0.view();
+        gusset_curve_view {
+            struct_size: size_of::<gusset_curve_view>(),
+            points: lent(view.points()).cast(),
+            point_count: view.points().len(),
+            ends: gusset_indices::lend(view.ends()),
+            closed: view.is_closed().into(),
+            reserved: 0,
+        }
+    })
+}
+
+/// The product of counts, for buffers of `what`.
+pub(crate) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
+    let product = count.checked_mul(each);
+    product
+        .ok_or_else(|| Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
+}

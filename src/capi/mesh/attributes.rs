@@ -1,0 +1,232 @@
+//! C interface: values of elements, carried over to results.
+
+use crate::attributes::{Channel, Origins, Output, Rule, ValueType, apply};
+use crate::capi::mesh::origins::{gusset_domain, gusset_origins};
+use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::prelude::*;
+use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
+use crate::mesh::merge::merge_map;
+use gusset_base::geom::strided::Strided;
+
+/// The type of values.
+pub type gusset_value_type = u32;
+/// 32-bit floats.
+pub const GUSSET_VALUE_F32: gusset_value_type = 1;
+/// 64-bit floats.
+pub const GUSSET_VALUE_F64: gusset_value_type = 2;
+/// 8-bit unsigned integers.
+pub const GUSSET_VALUE_U8: gusset_value_type = 3;
+/// 16-bit unsigned integers.
+pub const GUSSET_VALUE_U16: gusset_value_type = 4;
+/// 32-bit unsigned integers.
+pub const GUSSET_VALUE_U32: gusset_value_type = 5;
+
+/// How the values of several sources become one. An element with one source has its value, bit for
+/// bit.
+pub type gusset_channel_rule = u32;
+/// The weighted mean, as of colours; of integers rounded.
+pub const GUSSET_RULE_LINEAR: gusset_channel_rule = 0;
+/// Directions of three components, floats: the weighted mean on the sphere, of length 1. Those of
+/// faces that the operation turned over are turned, too.
+pub const GUSSET_RULE_NORMAL: gusset_channel_rule = 1;
+/// Weights of bones, at least 0: the weighted mean, of which the max_influences largest are kept,
+/// the first of equal ones, and made to have the sum 1, or of integers the largest number of the
+/// type.
+pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_channel_rule = 2;
+/// The value of the source that counts most, the first of equal ones, as of materials and numbers.
+pub const GUSSET_RULE_NEAREST: gusset_channel_rule = 3;
+/// Texture coordinates. At the corners of new faces they are the weighted mean where both sides are
+/// on one chart: on each rim as long as the old faces have the same values at its vertices, and
+/// across a gap where for most of the new faces the values beyond are nearer to where their own
+/// side's chart would go on than half of the way there and of their base. Elsewhere each new face
+/// goes on with the chart of the old face that it comes from, unfolded, and the charts meet in a
+/// seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the
+/// cut, or, where that is no repeat of the texture, as where the base's chart goes on: no face runs
+/// back over the chart. Of vertices and faces it is the weighted mean.
+pub const GUSSET_RULE_TEXTURE: gusset_channel_rule = 4;
+
+c_enum! {
+    value_type: ValueType {
+        GUSSET_VALUE_F32 => F32,
+        GUSSET_VALUE_F64 => F64,
+        GUSSET_VALUE_U8 => U8,
+        GUSSET_VALUE_U16 => U16,
+        GUSSET_VALUE_U32 => U32,
+    }
+    rule: Rule {
+        GUSSET_RULE_LINEAR => Linear,
+        GUSSET_RULE_NORMAL => Normal,
+        GUSSET_RULE_SKIN_WEIGHTS => SkinWeights,
+        GUSSET_RULE_NEAREST => Nearest,
+        GUSSET_RULE_TEXTURE => Texture,
+    }
+}
+
+/// What the values of elements are, and how they are mixed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_channel {
+    /// sizeof(gusset_channel), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_DOMAIN_...: the elements that have values.
+    pub domain: gusset_domain,
+    /// GUSSET_VALUE_...; zero is no valid value.
+    pub value_type: gusset_value_type,
+    /// How many values an element has, 1 to 4096.
+    pub components: u32,
+    /// GUSSET_RULE_...
+    pub rule: gusset_channel_rule,
+    /// With GUSSET_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
+    pub max_influences: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The values of one input's elements.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Zeroable)]
+pub struct gusset_channel_values {
+    /// The components of each element at the start of every stride, at any alignment; NULL with count
+    /// 0 if the input has no such values: its elements have 0 then, and new ones the values of the
+    /// other sources.
+    pub values: *const c_void,
+    /// The number of elements: of the input's vertices, corners or faces, all.
+    pub count: usize,
+    /// Bytes from one element to the next; 0 if they are packed.
+    pub stride: usize,
+}
+
+versioned! { gusset_channel: 32 reserved }
+fixed! { gusset_channel_values: 24 }
+
+/// Carries values of the inputs' elements over to the elements of a result.
+///
+/// Elements of one source have its bits; the rule says what becomes of several. An element without
+/// sources, or whose sources all lack the channel, has 0.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param origins the origins of the result's elements.
+/// @param channel what the values are.
+/// @param inputs the values of each input of the origins, in their order; at any alignment.
+/// @param input_count their number.
+/// @param[out] values receives the components of each element at the start of every stride, at any
+///     alignment; the bytes between are left alone. From its first byte to its last it must not
+///     overlap the inputs' values.
+/// @param count the number of elements that it has room for, at least those of the result.
+/// @param stride bytes from one element to the next; 0 for packed ones.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (components, or value_type and components that the rule does
+///     not take; a negative skin weight, with the element and the input), NOT_FINITE with the
+///     element and the input, but for GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of
+///     inputs than there are, or of values, with the input), BAD_STRIDE, SIZE_OVERFLOW,
+///     BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE, linear in the corners of
+///     new faces; on the context's threads.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_attributes_apply(
+    context: *const gusset_context,
+    origins: *const gusset_origins,
+    channel: *const gusset_channel,
+    inputs: *const gusset_channel_values,
+    input_count: usize,
+    values: *mut c_void,
+    count: usize,
+    stride: usize,
+) -> gusset_status {
+    guard(context, |job| {
+        let given = input::read(channel, false, "channel")?;
+        let origins = &handle::get(origins, "origins")?.0;
+        carry_over(origins, given, (inputs, input_count), (values, count, stride), job)
+    })
+}
+
+/// What [`gusset_attributes_apply`] does, with channel, inputs and room for values as a caller gives
+/// them.
+pub(crate) fn carry_over(
+    origins: &Origins,
+    given: gusset_channel,
+    (inputs, input_count): (*const gusset_channel_values, usize),
+    (values, count, stride): (*mut c_void, usize, usize),
+    job: &Job<'_>,
+) -> Result<(), Failure> {
+    let domain = choice(given.domain)?;
+    let made = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?);
+    let mut channel = made
+        .map_err(|error| match error {
+            Error::OptionOutOfRange { option: "value_type", .. } => {
+                Error::OptionOutOfRange { option: "value_type", value: given.value_type.into() }
+            }
+            other => other,
+        })?
+        .with_max_influences(given.max_influences);
+    // Before any of them is read.
+    let inputs_needed = origins.inputs().len();
+    if input_count != inputs_needed {
+        return Err(Error::InputsDiffer { given: input_count as u64, needed: inputs_needed as u64 }.into());
+    }
+    let room = Strided::span(count, stride, channel.size(), "values")?;
+    let room_range = values as usize..(values as usize).saturating_add(room);
+    for k in 0..input_count {
+        let of_input = |failure: Failure| failure.of_input(k as u32);
+        let one = input::reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
+        if one.values.is_null() && one.count == 0 {
+            channel.push_missing()?;
+            continue;
+        }
+        let size =
+            Strided::span(one.count, one.stride, channel.size(), "values").map_err(|error| of_input(error.into()))?;
+        let bytes = input::bytes(one.values, size, 1, "values").map_err(of_input)?;
+        let range = bytes.as_ptr_range();
+        if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
+            return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlap those of an input")));
+        }
+        channel.push(bytes, one.stride, one.count)?;
+    }
+    let needed = origins.table(domain).len();
+    if count < needed {
+        let message = format!("values has room for {count} elements and {needed} are needed");
+        return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    let out = input::results(values.cast::<u8>(), room, "values")?;
+    let mut out = Output::new(out, stride, count, channel.values())?;
+    Ok(apply(origins, &channel, &mut out, job)?)
+}
+
+/// Finds which vertices of a mesh are one: those with equal keys, as of the vertices that were split
+/// at seams of texture coordinates or normals, or those at equal positions, where -0 equals 0.
+///
+/// For each vertex it gives the smallest of those that it is one with, as the field merge of
+/// gusset_mesh_view takes it. Without keys, a vertex whose position is not finite is one with itself
+/// alone.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param keys one for each vertex, at any alignment; NULL: positions.
+/// @param[out] merge room for as many numbers as the mesh has vertices; at any alignment.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_mesh_find_merge(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    keys: *const u32,
+    merge: *mut u32,
+) -> gusset_status {
+    guard(context, |job| {
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let mesh = given_mesh.view();
+        let count = mesh.positions().len();
+        let keys = (!keys.is_null()).then(|| input::list(keys, count, "keys")).transpose()?;
+        let found = merge_map(&mesh, keys.as_deref(), &job.part(0.1, 1.0))?;
+        if merge.is_null() {
+            return Err(Failure::null("merge"));
+        }
+        input::results(merge.cast::<u8>(), 4 * count, "merge")?.copy_from_slice(bytemuck::cast_slice(&found));
+        Ok(())
+    })
+}

@@ -1,0 +1,142 @@
+//! C interface: checks of meshes.
+
+use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::capi::prelude::*;
+use crate::check::{Check, check};
+
+/// There are edges, and every one has exactly two faces; degenerate faces have none.
+pub const GUSSET_MESH_CLOSED: u32 = 1;
+/// No non-manifold edge and no non-manifold vertex.
+pub const GUSSET_MESH_MANIFOLD: u32 = 2;
+/// No edge whose two faces run it in the same direction.
+pub const GUSSET_MESH_ORIENTED: u32 = 4;
+/// Faces can be turned over so that it becomes oriented.
+pub const GUSSET_MESH_ORIENTABLE: u32 = 8;
+
+/// What a check found. Opaque and immutable; it keeps nothing of the mesh.
+pub struct gusset_check(Check);
+
+handle! { gusset_check }
+
+/// Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are
+/// valid until the check is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_check_view {
+    /// sizeof(gusset_check_view), set by the caller.
+    pub struct_size: usize,
+    /// Vertices, unused ones too.
+    pub vertex_count: u32,
+    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not
+    /// degenerate. Degenerate faces have no edges.
+    pub edge_count: u32,
+    /// Faces.
+    pub face_count: u32,
+    /// Pieces: faces that share an edge are in one.
+    pub component_count: u32,
+    /// Walks round the boundary, fan by fan.
+    pub boundary_walk_count: u32,
+    /// GUSSET_MESH_... bits.
+    pub properties: u32,
+    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
+    pub euler: i64,
+    /// The number of handles of all components together; -1 if the mesh is not manifold or not
+    /// orientable, or has a degenerate face.
+    pub genus: i64,
+    /// The half-edges of the edges with exactly one face.
+    pub boundary_edges: gusset_indices,
+    /// The first half-edge of each edge with three or more faces.
+    pub non_manifold_edges: gusset_indices,
+    /// The ends of those edges, and the bow-ties.
+    pub non_manifold_vertices: gusset_indices,
+    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
+    /// own ends are therefore among them, as a rule.
+    pub bow_ties: gusset_indices,
+    /// The first half-edge of each edge whose two faces run it in the same direction.
+    pub orientation_conflicts: gusset_indices,
+    /// Faces with the same cycle of vertices, in either direction, as a face before them;
+    /// degenerate ones apart.
+    pub duplicate_faces: gusset_indices,
+    /// Faces that repeat a vertex.
+    pub degenerate_faces: gusset_indices,
+    /// Faces without area that repeat none: their vector area is 0 up to rounding.
+    pub zero_area_faces: gusset_indices,
+    /// Vertices that no face uses.
+    pub unused_vertices: gusset_indices,
+}
+
+versioned! { gusset_check_view: 192 }
+
+/// Checks a mesh.
+///
+/// What it finds is no error.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param[out] check receives the result, for gusset_check_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_check_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    check: *mut *mut gusset_check,
+) -> gusset_status {
+    create(context, check, "check", |job| {
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let mesh = given_mesh.view();
+        Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
+    })
+}
+
+/// Destroys a check; NULL is allowed.
+///
+/// @param[in,out] check the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
+    handle::destroy(check);
+}
+
+/// Lends what the check found.
+///
+/// @param check the check.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_check_get_view(
+    check: *const gusset_check,
+    report: *mut gusset_check_view,
+) -> gusset_status {
+    lend!(check, report, |gusset_check(c)| {
+        let bit = |set, bit| if set { bit } else { 0 };
+        gusset_check_view {
+            struct_size: size_of::<gusset_check_view>(),
+            vertex_count: c.vertices,
+            edge_count: c.edges,
+            face_count: c.faces,
+            component_count: c.components,
+            boundary_walk_count: c.boundary_walks,
+            properties: bit(c.closed, GUSSET_MESH_CLOSED)
+                | bit(c.manifold, GUSSET_MESH_MANIFOLD)
+                | bit(c.oriented, GUSSET_MESH_ORIENTED)
+                | bit(c.orientable, GUSSET_MESH_ORIENTABLE),
+            euler: c.euler,
+            genus: c.genus.map_or(-1, i64::from),
+            boundary_edges: gusset_indices::lend(&c.boundary_edges),
+            non_manifold_edges: gusset_indices::lend(&c.non_manifold_edges),
+            non_manifold_vertices: gusset_indices::lend(&c.non_manifold_vertices),
+            bow_ties: gusset_indices::lend(&c.bow_ties),
+            orientation_conflicts: gusset_indices::lend(&c.orientation_conflicts),
+            duplicate_faces: gusset_indices::lend(&c.duplicate_faces),
+            degenerate_faces: gusset_indices::lend(&c.degenerate_faces),
+            zero_area_faces: gusset_indices::lend(&c.zero_area_faces),
+            unused_vertices: gusset_indices::lend(&c.unused_vertices),
+        }
+    })
+}

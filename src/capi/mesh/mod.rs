@@ -1,0 +1,216 @@
+//! C interface: meshes, as arrays of the host or of a result.
+
+pub mod align;
+pub mod assembly;
+pub mod attributes;
+pub mod boundary;
+pub mod check;
+pub mod develop;
+pub mod facing;
+pub mod fill;
+pub mod orient;
+pub mod origins;
+pub mod sew;
+pub mod stitch;
+pub mod stitch_options;
+pub mod strip;
+pub mod trim;
+pub mod weld;
+pub mod winged;
+
+use crate::capi::prelude::*;
+use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
+use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions, Scalar};
+
+/// Coordinates are 32-bit floats.
+pub const GUSSET_F32: u32 = 1;
+/// Coordinates are 64-bit floats.
+pub const GUSSET_F64: u32 = 2;
+/// Indices and face offsets are 32-bit unsigned integers.
+pub const GUSSET_U32: u32 = 0;
+/// Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+pub const GUSSET_U64: u32 = 1;
+
+/// Indices that a result lends, or that the caller gives.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_indices {
+    /// The first one; may be NULL if count is 0.
+    pub data: *const u32,
+    /// How many.
+    pub count: usize,
+}
+
+/// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing
+/// is copied on the way in.
+///
+/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many
+/// corners (TOO_LARGE); at least three corners a face (FACE_TOO_SMALL); indices below vertex_count
+/// (INDEX_OUT_OF_RANGE); finite coordinates at all vertices that faces use (NOT_FINITE), while
+/// unused ones may hold anything. The arrays may have any alignment. They must be as long as the
+/// counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
+/// BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read.
+///
+/// As output: packed positions, face_offsets given, face_size 0.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_mesh_view {
+    /// sizeof(gusset_mesh_view), set by the caller.
+    pub struct_size: usize,
+    /// x, y, z at the start of every stride, of the type that scalar names.
+    pub positions: *const c_void,
+    /// Bytes from one position to the next; 0 if they are packed.
+    pub position_stride: usize,
+    /// The number of vertices.
+    pub vertex_count: usize,
+    /// face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1.
+    /// NULL if face_size is given.
+    pub face_offsets: *const c_void,
+    /// The vertex at each corner, face after face. Corner h is also the name of the half-edge that
+    /// starts there.
+    pub face_corners: *const c_void,
+    /// The number of faces.
+    pub face_count: usize,
+    /// GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
+    pub scalar: u32,
+    /// GUSSET_U32.
+    pub index: u32,
+    /// The number of corners of every face, or 0 if face_offsets is given.
+    pub face_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// For each vertex the vertex that it is one with, of the type that index names: itself, or one
+    /// that is one with itself; NULL if none is one with another. So can vertices be kept apart that
+    /// carry different values, as at seams of texture coordinates, and the surface has no border
+    /// there: see gusset_mesh_find_merge. Positions are those of the vertices that others are one
+    /// with. Results name these in lists of vertices; their faces have the vertices that were given.
+    pub merge: *const c_void,
+}
+
+versioned! { gusset_mesh_view: 72 reserved }
+
+/// A mesh of the caller's, and the corners of its faces where vertices are one with others.
+pub(crate) struct GivenMesh<'a> {
+    mesh: MeshView<'a>,
+    merged: Option<(&'a [u8], Vec<u32>)>,
+}
+
+impl GivenMesh<'_> {
+    pub(crate) fn view(&self) -> MeshView<'_> {
+        self.merged.as_ref().map_or(self.mesh, |(merge, corners)| self.mesh.merged(merge, corners))
+    }
+}
+
+/// The caller's mesh number `number`, held to the rules.
+pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<GivenMesh<'a>, Failure> {
+    checked(view, "mesh", job).map_err(|failure| failure.of_input(number))
+}
+
+/// An array of the caller's meshes, whose structs are as large as the first one says.
+pub(crate) fn meshes<'a>(
+    views: *const gusset_mesh_view,
+    count: usize,
+    job: &Job<'_>,
+) -> Result<Vec<GivenMesh<'a>>, Failure> {
+    Error::check_count("pieces", count as u64, MAX_ELEMENTS)?;
+    let views = input::structs(views, count, "pieces")?.enumerate();
+    alloc::try_collect(views.map(|(k, view)| {
+        let read = |view| checked(view, "piece", &job.share(k, count));
+        view.and_then(read).map_err(|failure| failure.of_input(k as u32))
+    }))
+}
+
+/// A mesh of the caller's, held to the rules; `name` is that of its view.
+pub(crate) fn checked<'a>(
+    view: *const gusset_mesh_view,
+    name: &'static str,
+    job: &Job<'_>,
+) -> Result<GivenMesh<'a>, Failure> {
+    let view = input::read(view, false, name)?;
+    let scalar = choice(view.scalar)?;
+    if view.index != GUSSET_U32 {
+        return Err(Failure::unknown("index", view.index.into()));
+    }
+    // Before the layout: the arrays of an empty mesh may well be NULL.
+    for (what, count) in [("vertices", view.vertex_count), ("faces", view.face_count)] {
+        if count == 0 {
+            return Err(Error::EmptyMesh { what }.into());
+        }
+    }
+    if view.face_offsets.is_null() == (view.face_size == 0) {
+        let message = "exactly one of face_offsets and face_size must be given";
+        return Err(Failure::new(GUSSET_ERROR_BAD_FACE_LAYOUT, message));
+    }
+    // All counts before any element.
+    let position_bytes = Positions::bytes_needed(view.position_stride, view.vertex_count, scalar)?;
+    let offset_count = Faces::offset_count(view.face_count)?;
+    let positions = input::bytes(view.positions, position_bytes, 1, "positions")?;
+    let positions = Positions::strided(positions, view.position_stride, view.vertex_count, scalar)?;
+    let faces = if view.face_offsets.is_null() {
+        let corners = Faces::corner_count(view.face_size, view.face_count)?;
+        let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
+        Faces::uniform(corners, view.face_size, view.face_count)?
+    } else {
+        let offsets = input::bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
+        // The offsets first: a wrong last entry would say that the corners reach further than they
+        // do.
+        let corners = Faces::check_offsets(offsets, view.face_count, job)?;
+        let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
+        Faces::with_offsets(offsets, corners, view.face_count)?
+    };
+    if view.merge.is_null() {
+        return Ok(GivenMesh { mesh: MeshView::new(positions, faces, job)?, merged: None });
+    }
+    let merge = input::bytes(view.merge, view.vertex_count, 4, "merge")?;
+    let mesh = MeshView::new(positions, faces, &job.part(0.0, 0.7))?;
+    let corners = mesh.merged_corners(merge, &job.part(0.7, 1.0))?;
+    Ok(GivenMesh { mesh, merged: Some((merge, corners)) })
+}
+
+/// The arrays of `mesh`.
+pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
+    let scalar = mesh.positions.view().scalar();
+    gusset_mesh_view {
+        struct_size: 0,
+        positions: match &mesh.positions {
+            PositionBuffer::F32(points) => lent(points).cast(),
+            PositionBuffer::F64(points) => lent(points).cast(),
+        },
+        position_stride: scalar.position_size(),
+        vertex_count: mesh.positions.len(),
+        face_offsets: lent(&mesh.face_offsets).cast(),
+        face_corners: lent(&mesh.face_corners).cast(),
+        face_count: mesh.face_count(),
+        scalar: scalar.number(),
+        index: GUSSET_U32,
+        face_size: 0,
+        reserved: 0,
+        merge: lent(&mesh.merge).cast(),
+    }
+}
+
+impl gusset_indices {
+    /// Lends a slice; NULL for an empty one.
+    pub(crate) fn lend(indices: &[u32]) -> Self {
+        gusset_indices { data: lent(indices), count: indices.len() }
+    }
+}
+
+/// Vertices of a mesh, each as the one that it is one with.
+pub(crate) fn merged(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
+    vertices.iter_mut().for_each(|v| *v = mesh.faces().merge_of(*v));
+    vertices
+}
+
+/// The caller's indices, copied as they may have any alignment; `None` for a NULL struct.
+pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Result<Option<Vec<u32>>, Failure> {
+    if given.is_null() {
+        return Ok(None);
+    }
+    let given = *input::reference(given, name)?;
+    Error::check_count("indices", given.count as u64, MAX_ELEMENTS)?;
+    input::list(given.data, given.count, name).map(Some)
+}
+
+c_enum! { scalar: Scalar { GUSSET_F32 => F32, GUSSET_F64 => F64 } }

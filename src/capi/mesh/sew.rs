@@ -1,0 +1,140 @@
+//! C interface: sewing.
+
+use crate::attributes::KeepSplits;
+use crate::capi::mesh::weld::gusset_weld_options;
+use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::capi::prelude::*;
+use crate::repair::sew::{Sew, sew};
+
+/// A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+pub struct gusset_sew(pub(crate) Sew);
+
+handle! { gusset_sew }
+
+/// What became of the old mesh. Lists are ascending; pointers are valid until the sewn mesh is
+/// destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_sew_view {
+    /// sizeof(gusset_sew_view), set by the caller.
+    pub struct_size: usize,
+    /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+    pub vertex_map: gusset_indices,
+    /// Per old face, the index in the result of the first face that it became; UINT32_MAX if it
+    /// was dropped.
+    pub face_map: gusset_indices,
+    /// Per face of the result, the old face that it is, or is a part of; ascending.
+    pub face_origin: gusset_indices,
+    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
+    pub left_vertices: gusset_indices,
+    /// Vertices that became one with a smaller one.
+    pub welded_vertices: u32,
+    /// Edges of two faces that were free edges, or parts of such.
+    pub sewn_edges: u32,
+    /// Points at which free edges were split.
+    pub splits: u32,
+    /// Old faces that were cut or gained corners.
+    pub split_faces: u32,
+    /// Old faces that were dropped.
+    pub dropped_faces: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How far apart what lies together was allowed to be, short edges apart; 0 for equal
+    /// positions.
+    pub tolerance: f64,
+}
+
+versioned! { gusset_sew_view: 104 }
+
+/// Sews borders that lie on one another, also where their vertices do not match.
+///
+/// Vertices are welded first, as by gusset_weld_create. Where a vertex of one border then lies
+/// inside a free edge of another (a T-junction), the edge is split there, if that makes pieces of
+/// which exactly two lie on one another; triangles with split edges are cut into triangles, none of
+/// them turned over, and larger faces gain corners. Then borders are welded again. So the result
+/// has no edge of three or more faces and no degenerate face that welding alone would not have
+/// made. Vertices that lie inside an edge which is not split there are listed as left, as are those
+/// that welding leaves.
+///
+/// A vertex lies inside an edge that is longer than twice the tolerance if it is within the
+/// tolerance of it and beyond that from both its ends. By default it is that of welding: see
+/// gusset_weld_options.
+///
+/// The result has the old faces in their order, and the parts of one in place of it, one after the
+/// other. Of vertices made one the smallest is left, and its position keeps its bits; new vertices
+/// have the position of an old one.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded
+///     before edges are split, and borders after it.
+/// @param[out] sew receives the result, for gusset_sew_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_weld_create, TOO_LARGE (the result has too many
+///     elements).
+/// @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside
+///     each edge; linear extra memory.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sew_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    options: *const gusset_weld_options,
+    sew: *mut *mut gusset_sew,
+) -> gusset_status {
+    create(context, sew, "sew", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let mesh = given_mesh.view();
+        let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
+        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
+        Ok(gusset_sew(done))
+    })
+}
+
+/// Destroys a sewn mesh; NULL is allowed.
+///
+/// @param[in,out] sew the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_sew_destroy(sew: *mut gusset_sew) {
+    handle::destroy(sew);
+}
+
+/// Lends the sewn mesh, valid until its handle is destroyed.
+///
+/// @param sew the sewn mesh.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sew_get_mesh(sew: *const gusset_sew, view: *mut gusset_mesh_view) -> gusset_status {
+    lend!(sew, view, |sew| mesh::lend(&sew.0.mesh))
+}
+
+/// Lends the maps, lists and counts.
+///
+/// @param sew the sewn mesh.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_sew_get_mesh.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sew_get_view(sew: *const gusset_sew, parts: *mut gusset_sew_view) -> gusset_status {
+    lend!(sew, parts, |gusset_sew(done)| gusset_sew_view {
+        struct_size: size_of::<gusset_sew_view>(),
+        vertex_map: gusset_indices::lend(&done.vertex_map),
+        face_map: gusset_indices::lend(&done.face_map),
+        face_origin: gusset_indices::lend(&done.face_origin),
+        left_vertices: gusset_indices::lend(&done.left_vertices),
+        welded_vertices: done.welded_vertices,
+        sewn_edges: done.sewn_edges,
+        splits: done.splits,
+        split_faces: done.split_faces,
+        dropped_faces: done.dropped_faces,
+        reserved: 0,
+        tolerance: done.tolerance,
+    })
+}

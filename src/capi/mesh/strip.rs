@@ -1,0 +1,169 @@
+//! C interface: strips between two polylines.
+
+use crate::capi::mesh::facing::points;
+use crate::capi::mesh::gusset_indices;
+use crate::capi::mesh::stitch_options::{GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, rows};
+use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::prelude::*;
+use crate::stitch::{Ruled, RuledOptions, Start, ruled};
+
+/// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
+pub struct gusset_strip(pub(crate) Ruled);
+
+handle! { gusset_strip }
+
+/// How a strip is made; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_strip_options {
+    /// sizeof(gusset_strip_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_MERIDIANS_...
+    pub meridians: u32,
+    /// GUSSET_SEARCH_...
+    pub search: u32,
+    /// GUSSET_START_..., for closed polylines; open ones begin at their first points.
+    pub start: u32,
+    /// 1: the polylines are closed; 0: they are open.
+    pub closed: u32,
+    /// GUSSET_ROWS_...; the mean edge is the mean segment of both polylines.
+    pub rows: u32,
+    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    pub row_count: u32,
+    /// GUSSET_CELLS_...
+    pub cells: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The parts of a strip. Pointers are valid until it is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_strip_view {
+    /// sizeof(gusset_strip_view), set by the caller.
+    pub struct_size: usize,
+    /// The points of A and of B that the first meridian joins.
+    pub start: [u32; 2],
+    /// The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for
+    /// closed polylines of N and M points, where place N is place 0 again, and to (N - 1, M - 1)
+    /// for open ones; count is twice the number of meridians.
+    pub meridians: gusset_indices,
+    /// The paper's matrix P, row by row from A to B, one column for each meridian: vertices of the
+    /// mesh.
+    pub matrix: gusset_indices,
+    /// Of each new vertex (they are the last ones of the mesh), the two that it lies between, on A
+    /// and on B, by turns: the ends of its meridian.
+    pub parents: gusset_indices,
+    /// Of each new vertex, the weight of its second parent, 0 to 1: in row k of r rows k / (r + 1).
+    pub weights: *const f64,
+    /// Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no
+    /// face.
+    pub row_count: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_strip_options: 40 reserved, gusset_strip_view: 80 }
+
+impl gusset_strip_options {
+    fn checked(self) -> Result<(bool, RuledOptions), Failure> {
+        let start = match self.start {
+            GUSSET_START_AUTO => Some(Start::Auto),
+            GUSSET_START_CLOSEST => Some(Start::Closest),
+            GUSSET_START_GIVEN => None,
+            other => return Err(Failure::unknown("start", other.into())),
+        };
+        let closed = flag(self.closed, "closed")?;
+        let (meridians, search) = (choice(self.meridians)?, choice(self.search)?);
+        let (rows, cells) = (rows(self.rows, self.row_count)?, choice(self.cells)?);
+        Ok((closed, RuledOptions { meridians, search, start, rows, cells }))
+    }
+}
+
+/// Makes a strip of faces between two polylines that run side by side, as gusset_stitch_create does
+/// between two rims: the third, intermediate mesh alone.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
+///     each, closed ones at least 3, and the last point is not the first again.
+/// @param count_a see points_a.
+/// @param points_b see points_a.
+/// @param count_b see points_a.
+/// @param options NULL for the defaults (open polylines).
+/// @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
+///     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
+/// @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
+/// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
+///     strips.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_strip_create(
+    context: *const gusset_context,
+    points_a: *const f64,
+    count_a: usize,
+    points_b: *const f64,
+    count_b: usize,
+    options: *const gusset_strip_options,
+    strip: *mut *mut gusset_strip,
+) -> gusset_status {
+    create(context, strip, "strip", |job| {
+        let (closed, options) = input::read(options, true, "options")?.checked()?;
+        let a = points(points_a, count_a, "points_a")?;
+        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
+        Ok(gusset_strip(ruled(&a, &b, closed, &options, job)?))
+    })
+}
+
+/// Destroys a strip; NULL is allowed.
+///
+/// @param[in,out] strip the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
+    handle::destroy(strip);
+}
+
+/// Lends the mesh, valid until the strip is destroyed: the points of A, 0 to N - 1, those of B, then
+/// the new ones row by row. Faces run A_i+1, A_i, B_j: against polyline A, and along B. Where both
+/// sides advance at once triangles split a quad by its shorter diagonal.
+///
+/// @param strip the strip.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_strip_get_mesh(
+    strip: *const gusset_strip,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    lend!(strip, view, |strip| mesh::lend(&strip.0.mesh))
+}
+
+/// Lends the meridians and the matrix, valid until the strip is destroyed.
+///
+/// @param strip the strip.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_strip_get_view(
+    strip: *const gusset_strip,
+    parts: *mut gusset_strip_view,
+) -> gusset_status {
+    lend!(strip, parts, |gusset_strip(done)| gusset_strip_view {
+        struct_size: size_of::<gusset_strip_view>(),
+        start: done.start,
+        meridians: gusset_indices::lend(done.meridians.as_flattened()),
+        matrix: gusset_indices::lend(&done.matrix),
+        parents: gusset_indices::lend(done.parents.as_flattened()),
+        weights: lent(&done.weights),
+        row_count: done.rows,
+        reserved: 0,
+    })
+}

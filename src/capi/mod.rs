@@ -1,0 +1,62 @@
+//! The C interface: checks pointers, turns panics into status codes, computes nothing.
+//!
+//! | file | what it owns |
+//! |---|---|
+//! | [`status`] | the status codes, and which one each error of the core becomes |
+//! | `glue` | macros that write impls for structs and enums |
+//! | `guard` | panics made failures |
+//! | `input` | raw pointers to slices, buffers, flags and structs |
+//! | `handle` | objects behind opaque pointers, with their kinds |
+//! | `host` | callbacks, as the core calls them |
+//! | [`context`] | threads, progress, cancel, log, message, report; how calls begin and end |
+//! | [`version`] | versions of the library and of its binary interface |
+//!
+//! | folder | what it owns |
+//! |---|---|
+//! | [`mesh`] | the mesh view; boundaries, checks, repairs; stitching, holes, assembly |
+//! | [`curve`] | the handle of a curve, places on it; outlines, frames of a body |
+//! | [`net`] | the handle of a net; gluing, motion, measures, scenes, streams |
+//! | [`surface`] | sheets, the handle of a surface, its queries; the paper's search |
+//! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
+//! | `openmfx` | with the feature of this name: the entry points of OpenMfx hosts |
+//!
+//! Unsafe code is here, in the kernels of `simd`, in `threads` and in `reserve`, nowhere else.
+
+#![allow(unsafe_code, reason = "the border to C")]
+#![allow(non_camel_case_types, reason = "these are the names that C sees")]
+#![allow(rustdoc::broken_intra_doc_links, reason = "the comments are written for C, where brackets index arrays")]
+#![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
+
+/// Names that nearly every file of the border uses.
+mod prelude {
+    pub(crate) use super::context::{
+        answer, answer_optional, answer_struct, create, create_and_tell, guard, guard_change, gusset_context, lend,
+    };
+    pub(crate) use super::glue::{c_enum, fixed, laid_out_like, versioned};
+    pub(crate) use super::handle::{self, handle};
+    pub(crate) use super::input::{self, Choice, choice, fill, flag, lent};
+    pub(crate) use super::status::{Failure, gusset_status};
+    pub(crate) use crate::error::{Element, Error};
+    pub(crate) use crate::job::Job;
+    pub(crate) use glam::DVec3;
+    pub(crate) use gusset_base::alloc;
+    pub(crate) use std::ffi::c_void;
+    pub(crate) use std::ptr;
+}
+
+pub mod context;
+pub mod curve;
+mod glue;
+#[doc(hidden)]
+pub mod guard;
+pub(crate) mod handle;
+mod host;
+#[doc(hidden)]
+pub mod input;
+pub mod mesh;
+pub mod net;
+/// cbindgen:ignore
+pub mod plugin;
+pub mod status;
+pub mod surface;
+pub mod version;

@@ -1,0 +1,194 @@
+//! C interface: folds and contacts that deformations cause.
+
+use crate::capi::net::field::{Given, fields, gusset_field};
+use crate::capi::net::{gusset_net, read, reglue};
+use crate::capi::prelude::*;
+use crate::error::Result;
+use crate::net::analyse::{Analysis, absorb, analyse, analyse_field};
+
+/// What a deformation does to a net. Immutable; may be read from many threads.
+pub struct gusset_net_analysis {
+    analysis: Analysis,
+    contracted: Vec<u32>,
+    stars: Vec<u32>,
+}
+
+handle! { gusset_net_analysis }
+
+impl gusset_net_analysis {
+    fn new(analysis: Analysis) -> Result<Self> {
+        let contracted = alloc::collect(analysis.contracted.iter().map(|found| found.link))?;
+        let stars = alloc::collect(analysis.contracted.iter().map(|found| found.star.number() as u32))?;
+        Ok(gusset_net_analysis { analysis, contracted, stars })
+    }
+}
+
+/// An analysis, lent: valid until gusset_net_analysis_destroy.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_analysis_view {
+    /// sizeof(gusset_net_analysis_view), set by the caller.
+    pub struct_size: usize,
+    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column
+    /// and row included), its new length divided by its old one; NaN if it had none, or an end is
+    /// missing.
+    pub links: *const f64,
+    /// 2 * rows * columns.
+    pub link_count: usize,
+    /// Of each cell, its new area divided by its old one; negative where the surface is folded over
+    /// or, after gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is
+    /// not there.
+    pub cells: *const f64,
+    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after
+    /// gusset_net_analysis_create.
+    pub determinants: *const f64,
+    /// (rows - 1) * (columns - 1).
+    pub cell_count: usize,
+    /// The links that have become a point and are not glued: see gusset_net_absorb.
+    pub contracted: *const u32,
+    /// Of each of them, what the star of its first node has become with all of them contracted: the
+    /// number of the local gluing, 0 to 17.
+    pub stars: *const u32,
+    /// How many.
+    pub contracted_count: usize,
+    /// The glued links whose ends have come apart.
+    pub torn: *const u32,
+    /// How many.
+    pub torn_count: usize,
+    /// The cells that are turned the other way than most.
+    pub folded: *const u32,
+    /// How many.
+    pub folded_count: usize,
+    /// 1 if nothing is newly glued, torn or folded: the paper's soft deformation; else it is hard.
+    pub soft: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_net_analysis_view: 112 }
+
+/// Compares a net after a deformation with what it was before: what is newly glued, torn, folded
+/// over, stretched.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param before what it was; its gluing counts.
+/// @param after what it is, of the same size.
+/// @param tolerance lengths up to it, at least 0 and finite, are none.
+/// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
+///     CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), 24 bytes a node.
+/// @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
+///     neither follows from gluing nor implies it.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_analysis_create(
+    context: *const gusset_context,
+    before: *const gusset_net,
+    after: *const gusset_net,
+    tolerance: f64,
+    analysis: *mut *mut gusset_net_analysis,
+) -> gusset_status {
+    create(context, analysis, "analysis", |job| {
+        Ok(gusset_net_analysis::new(analyse(read(before)?, read(after)?, tolerance, job)?)?)
+    })
+}
+
+/// The same of what fields would do to a net, which stays as it is, with the determinants of their
+/// Jacobian.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param fields as for gusset_net_deform.
+/// @param count as for gusset_net_deform.
+/// @param time as for gusset_net_deform.
+/// @param tolerance as for gusset_net_analysis_create.
+/// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_net_analysis_create and of gusset_net_deform.
+/// @complexity O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy of the net.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    fields: *const gusset_field,
+    count: usize,
+    time: f64,
+    tolerance: f64,
+    analysis: *mut *mut gusset_net_analysis,
+) -> gusset_status {
+    create(context, analysis, "analysis", |job| {
+        let given = self::fields(fields, count, time)?;
+        let steps = alloc::collect(given.iter().map(Given::step))?;
+        Ok(gusset_net_analysis::new(analyse_field(read(net)?, &steps, tolerance, job)?)?)
+    })
+}
+
+/// Lends an analysis.
+///
+/// @param analysis the analysis.
+/// @param[out] parts its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_analysis_get_view(
+    analysis: *const gusset_net_analysis,
+    parts: *mut gusset_net_analysis_view,
+) -> gusset_status {
+    lend!(analysis, parts, |gusset_net_analysis { analysis, contracted, stars }| {
+        let Analysis { links, cells, determinants, torn, folded, .. } = analysis;
+        gusset_net_analysis_view {
+            struct_size: 0,
+            links: lent(links),
+            link_count: links.len(),
+            cells: lent(cells),
+            determinants: lent(determinants),
+            cell_count: cells.len(),
+            contracted: lent(contracted),
+            stars: lent(stars),
+            contracted_count: contracted.len(),
+            torn: lent(torn),
+            torn_count: torn.len(),
+            folded: lent(folded),
+            folded_count: folded.len(),
+            soft: analysis.is_soft().into(),
+            reserved: 0,
+        }
+    })
+}
+
+/// Destroys an analysis; NULL is allowed.
+///
+/// @param[in,out] analysis the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
+    handle::destroy(analysis);
+}
+
+/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it.
+///
+/// Positions stay what they are: follow it with gusset_net_snap.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
+/// @param count see links.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
+///     CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+/// @complexity O(nodes).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_absorb(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    links: *const u32,
+    count: usize,
+) -> gusset_status {
+    reglue(context, net, |net, _| Ok(absorb(net.topology(), input::items(links, count, "links")?)?))
+}

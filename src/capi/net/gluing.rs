@@ -1,0 +1,269 @@
+//! C interface: the gluing of a net: sides, matrix, seams, closures.
+
+use crate::capi::net::net_handle::{gusset_net, read, reglue};
+use crate::capi::prelude::*;
+use crate::net::topology::{Links, Run};
+use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
+
+/// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k *
+/// column_step_a) and node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to
+/// count - 1.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_seam {
+    /// Row of the first node of run A.
+    pub row_a: u32,
+    /// Its column.
+    pub column_a: u32,
+    /// Rows from each node to the next.
+    pub row_step_a: i32,
+    /// Columns from each node to the next.
+    pub column_step_a: i32,
+    /// The same for run B.
+    pub row_b: u32,
+    /// The same for run B.
+    pub column_b: u32,
+    /// The same for run B.
+    pub row_step_b: i32,
+    /// The same for run B.
+    pub column_step_b: i32,
+    /// The number of nodes of each; at least 1, and 1 if all steps are 0.
+    pub count: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What becomes of the sides of a net: a sum of these.
+pub type gusset_sides = u32;
+/// Every row is closed: its last node is its first one again.
+pub const GUSSET_SIDES_ROWS_CLOSED: gusset_sides = 1;
+/// Every column is closed.
+pub const GUSSET_SIDES_COLUMNS_CLOSED: gusset_sides = 2;
+/// The first row is one point.
+pub const GUSSET_SIDES_POLE_TOP: gusset_sides = 4;
+/// The last row is one point.
+pub const GUSSET_SIDES_POLE_BOTTOM: gusset_sides = 8;
+/// The first column is one point.
+pub const GUSSET_SIDES_POLE_LEFT: gusset_sides = 16;
+/// The last column is one point.
+pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
+/// Open on all sides.
+pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
+/// Rows closed; the first and the last row are rims.
+pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
+/// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and
+/// pyramids with their caps.
+pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
+/// All four sides are one point: a disc whose rim is drawn together.
+pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
+/// Rows and columns closed.
+pub const GUSSET_SIDES_TORUS: gusset_sides = 3;
+
+/// What is glued to what. All zeros: nothing.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_gluing {
+    /// sizeof(gusset_net_gluing), set by the caller.
+    pub struct_size: usize,
+    /// The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for
+    /// others. Row 2i has the horizontal links of the nodes of row i, each to the next node and the
+    /// last one to the first; row 2i + 1 the vertical ones, those of the last row to the first row.
+    /// NULL: sides says it all.
+    pub matrix: *const u8,
+    /// Runs of nodes glued to runs of nodes, besides.
+    pub seams: *const gusset_seam,
+    /// How many.
+    pub seam_count: usize,
+    /// What becomes of the sides; 0 with a matrix.
+    pub sides: gusset_sides,
+    /// 1: faces are to be taken the other way round.
+    pub reversed: u32,
+}
+
+versioned! { gusset_net_gluing: 40 }
+fixed! { gusset_seam: 40 }
+
+/// Sides of the caller's.
+pub(crate) fn sides(bits: gusset_sides) -> Result<Sides, Failure> {
+    if bits > 63 {
+        return Err(Failure::unknown("sides", bits.into()));
+    }
+    let on = |side: gusset_sides| bits & side != 0;
+    Ok(Sides {
+        rows_closed: on(GUSSET_SIDES_ROWS_CLOSED),
+        columns_closed: on(GUSSET_SIDES_COLUMNS_CLOSED),
+        pole_top: on(GUSSET_SIDES_POLE_TOP),
+        pole_bottom: on(GUSSET_SIDES_POLE_BOTTOM),
+        pole_left: on(GUSSET_SIDES_POLE_LEFT),
+        pole_right: on(GUSSET_SIDES_POLE_RIGHT),
+    })
+}
+
+/// Sides for the caller.
+pub(crate) fn sides_bits(sides: Sides) -> gusset_sides {
+    let bit = |on: bool, side: gusset_sides| if on { side } else { 0 };
+    bit(sides.rows_closed, GUSSET_SIDES_ROWS_CLOSED)
+        | bit(sides.columns_closed, GUSSET_SIDES_COLUMNS_CLOSED)
+        | bit(sides.pole_top, GUSSET_SIDES_POLE_TOP)
+        | bit(sides.pole_bottom, GUSSET_SIDES_POLE_BOTTOM)
+        | bit(sides.pole_left, GUSSET_SIDES_POLE_LEFT)
+        | bit(sides.pole_right, GUSSET_SIDES_POLE_RIGHT)
+}
+
+/// A seam of the caller's.
+pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
+    if seam.reserved != 0 {
+        return Err(Failure::unknown("reserved", seam.reserved.into()));
+    }
+    let run = |row, column, row_step, column_step| Run { row, column, row_step, column_step };
+    Ok(Seam {
+        a: run(seam.row_a, seam.column_a, seam.row_step_a, seam.column_step_a),
+        b: run(seam.row_b, seam.column_b, seam.row_step_b, seam.column_step_b),
+        count: seam.count,
+    })
+}
+
+/// Seams of the caller's, at any alignment.
+pub(crate) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
+    Error::check_count("seams", count as u64, MAX_NODES)?;
+    alloc::try_collect(input::items(data, count, "seams")?.map(|given| seam(&given)))
+}
+
+impl From<&Seam> for gusset_seam {
+    fn from(seam: &Seam) -> Self {
+        let Seam { a, b, count } = *seam;
+        gusset_seam {
+            row_a: a.row,
+            column_a: a.column,
+            row_step_a: a.row_step,
+            column_step_a: a.column_step,
+            row_b: b.row,
+            column_b: b.column,
+            row_step_b: b.row_step,
+            column_step_b: b.column_step,
+            count,
+            reserved: 0,
+        }
+    }
+}
+
+/// The topology that the caller describes; NULL: nothing is glued.
+pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job<'_>) -> Result<Topology, Failure> {
+    let gluing = input::read(gluing, true, "gluing")?;
+    let links = if gluing.matrix.is_null() {
+        Links::Sides(sides(gluing.sides)?)
+    } else if gluing.sides != 0 {
+        return Err(Failure::unknown("sides, beside a matrix,", gluing.sides.into()));
+    } else {
+        let bytes = input::bytes(gluing.matrix.cast(), 2 * shape.node_count(), 1, "matrix")?;
+        Links::Matrix(Matrix::from_bytes(shape, bytes)?)
+    };
+    let seams = seams(gluing.seams, gluing.seam_count)?;
+    Ok(Topology::new_cancellable(shape, links, &seams, job, "gluing")?
+        .with_reversed(flag(gluing.reversed, "reversed")?))
+}
+
+/// Glues a net otherwise; positions stay what they are.
+///
+/// On failure the net is as it was.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param gluing NULL for a sheet; it replaces what was glued.
+/// @return GUSSET_OK, or an error: as gusset_net_create.
+/// @complexity O(nodes + pairs of seams).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_set_gluing(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    gluing: *const gusset_net_gluing,
+) -> gusset_status {
+    reglue(context, net, |net, job| topology(net.shape(), gluing, job))
+}
+
+/// How a net is glued, in its one form.
+///
+/// @param net the net.
+/// @param[out] sides receives the sides if they say all about its links, else UINT32_MAX: then see
+///     gusset_net_get_matrix.
+/// @param[out] seam_count receives the number of seams.
+/// @param[out] reversed receives 1 if faces are taken the other way round. NULL for what is not
+///     wanted.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_get_topology(
+    net: *const gusset_net,
+    sides: *mut gusset_sides,
+    seam_count: *mut usize,
+    reversed: *mut u32,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::optional_output(sides, 0, "sides");
+        let count = input::optional_output(seam_count, 0, "seam_count");
+        let turned = input::optional_output(reversed, 0, "reversed");
+        let (out, count, turned) = (out?, count?, turned?);
+        let topology = read(net)?.topology();
+        input::set(out, topology.sides().map_or(u32::MAX, sides_bits));
+        input::set(count, topology.seams().len());
+        input::set(turned, topology.is_reversed().into());
+        Ok(())
+    })
+}
+
+/// Writes the characteristic matrix of a net as gusset_net_gluing has it.
+///
+/// @param net the net.
+/// @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
+/// @param capacity see matrix.
+/// @param[out] written receives that number. NULL and 0 ask for it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+///     written but the number), OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_get_matrix(
+    net: *const gusset_net,
+    matrix: *mut u8,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    guard_change(ptr::null(), |job| {
+        let written = input::output(written, 0, "written")?;
+        let topology = read(net)?.topology();
+        let needed = 2 * topology.shape().node_count();
+        fill((matrix, capacity, "matrix"), needed, written, job, || {
+            Ok(topology.matrix()?.to_bytes(topology.shape())?)
+        })
+    })
+}
+
+/// Writes the seams of a net.
+///
+/// @param net the net.
+/// @param[out] seams room for capacity of them.
+/// @param capacity see seams.
+/// @param[out] written receives their number. NULL and 0 ask for it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+///     written but the number).
+/// @complexity O(seams).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_get_seams(
+    net: *const gusset_net,
+    seams: *mut gusset_seam,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    guard_change(ptr::null(), |job| {
+        let written = input::output(written, 0, "written")?;
+        let all = read(net)?.topology().seams();
+        fill((seams, capacity, "seams"), all.len(), written, job, || Ok(all.iter().map(gusset_seam::from)))
+    })
+}

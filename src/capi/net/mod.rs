@@ -1,0 +1,390 @@
+//! Nets and their coordinates.
+
+pub mod analyse;
+pub mod arrange;
+pub mod complex;
+pub mod field;
+pub mod glue;
+pub mod gluing;
+pub mod join;
+pub mod measure;
+pub mod mesh;
+pub mod morph;
+mod net_handle;
+pub mod normals;
+pub mod planarise;
+pub mod primitive;
+pub mod resample;
+pub mod scene;
+pub mod settle;
+pub mod stream;
+pub mod transform;
+pub mod validate;
+
+use crate::capi::net::gluing::{gusset_net_gluing, topology};
+use crate::capi::prelude::*;
+use crate::capi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
+use crate::mesh::Scalar;
+use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+
+pub use net_handle::gusset_net;
+pub(crate) use net_handle::{edit, read, reglue};
+
+/// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
+/// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
+/// is three numbers; matrices kept by columns have a row_stride of one number and a column_stride
+/// of a column. Normals are those of columns and then rows: opposite to those of a sheet of the
+/// same nodes.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_view {
+    /// sizeof(gusset_net_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of rows of nodes, H; at least 2.
+    pub rows: usize,
+    /// The number of columns, W; at least 2. rows * columns is at most 2^31 - 1.
+    pub columns: usize,
+    /// X.
+    pub x: *mut c_void,
+    /// Y.
+    pub y: *mut c_void,
+    /// Z.
+    pub z: *mut c_void,
+    /// Bytes from row to row; 0 for rows without gaps.
+    pub row_stride: usize,
+    /// Bytes from number to number in a row; 0 for numbers without gaps.
+    pub column_stride: usize,
+    /// GUSSET_F32 or GUSSET_F64.
+    pub scalar: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_net_view: 72 reserved }
+
+/// How the caller's matrices lie: bytes from row to row, from number to number, and all that one
+/// matrix spans.
+struct Layout {
+    row: usize,
+    column: usize,
+    span: usize,
+}
+
+impl Layout {
+    fn of(shape: Shape, arrays: &gusset_net_view, size: usize) -> Result<Self, Failure> {
+        let overflow = || Failure::from(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 });
+        let extent = |count: usize, stride: usize, each: usize| {
+            (count - 1).checked_mul(stride).and_then(|n| n.checked_add(each)).ok_or_else(overflow)
+        };
+        let column = if arrays.column_stride == 0 { size } else { arrays.column_stride };
+        let row = match arrays.row_stride {
+            0 => shape.columns().checked_mul(column).ok_or_else(overflow)?,
+            given => given,
+        };
+        // Rows one after the other, or columns one after the other: numbers must not overlap.
+        let (width, height) = (extent(shape.columns(), column, size)?, extent(shape.rows(), row, size)?);
+        let (stride, least) = if column < size || row < size {
+            (column.min(row), size)
+        } else if row < width && column < height {
+            (row, width)
+        } else {
+            let span = extent(shape.rows(), row, width)?;
+            return if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) };
+        };
+        Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
+    }
+
+    /// Where number (i, j) begins.
+    fn at(&self, i: usize, j: usize) -> usize {
+        i * self.row + j * self.column
+    }
+}
+
+/// A copy of the caller's matrices, which may lie at any alignment.
+fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+    let size = size_of::<T>();
+    let layout = Layout::of(shape, arrays, size)?;
+    let mut planes = Planes::zeroed(shape)?;
+    for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
+        let from = input::bytes(from, layout.span, 1, name)?;
+        for i in 0..shape.rows() {
+            let to = &mut planes.row_mut(i)[axis];
+            let from = &from[layout.at(i, 0)..];
+            if layout.column == size {
+                bytemuck::cast_slice_mut::<T, u8>(to).copy_from_slice(&from[..shape.columns() * size]);
+            } else {
+                let numbers = from.chunks(layout.column).map(|bytes| bytemuck::pod_read_unaligned(&bytes[..size]));
+                to.iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
+            }
+        }
+    }
+    Ok(planes)
+}
+
+/// The caller's matrices themselves.
+fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+    let size = size_of::<T>();
+    let layout = Layout::of(shape, arrays, size)?;
+    if layout.column != size || !layout.row.is_multiple_of(size) {
+        let message = "a net in the caller's memory has rows of numbers without gaps, whole numbers apart";
+        return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+    }
+    let starts = [arrays.x, arrays.y, arrays.z].map(|matrix| matrix as usize);
+    if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.span) && starts.iter().all(|&start| start != 0) {
+        return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap"));
+    }
+    let matrix = |data: *mut c_void, name| input::results::<T>(data.cast(), layout.span / size, name);
+    let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
+    Ok(Planes::borrowed(shape, layout.row / size, matrices)?)
+}
+
+/// Copies coordinates to the caller's matrices, which may lie at any alignment.
+fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view) -> Result<(), Failure> {
+    let (shape, size) = (net.shape(), size_of::<T>());
+    let layout = Layout::of(shape, arrays, size)?;
+    for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
+        let to = input::results::<u8>(to.cast(), layout.span, name)?;
+        for i in 0..shape.rows() {
+            each!(net.coordinates(), planes => {
+                for (j, &value) in planes.row(i)[axis].iter().enumerate() {
+                    let at = layout.at(i, j);
+                    put::<T>(&mut to[at..at + size], value);
+                }
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A number in another type; in its own bit for bit.
+fn put<T: Real>(to: &mut [u8], value: impl Real) {
+    if size_of_val(&value) == size_of::<T>() {
+        to.copy_from_slice(bytemuck::bytes_of(&value));
+    } else {
+        to.copy_from_slice(bytemuck::bytes_of(&T::of(value.into())));
+    }
+}
+
+/// Makes a net of a copy of the caller's coordinates.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param arrays the coordinates, rows x columns numbers each, at any alignment; any numbers: a
+///     node with one that is NaN or infinite is missing.
+/// @param gluing NULL for a sheet.
+/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
+///     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with
+///     the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it
+/// all.
+/// @source Deryagin, "Model of the tetragonal regular network".
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_create(
+    context: *const gusset_context,
+    arrays: *const gusset_net_view,
+    gluing: *const gusset_net_gluing,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| net_of(arrays, gluing, false, job))
+}
+
+/// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
+///     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
+///     and unmoved until the net is destroyed.
+/// @param gluing NULL for a sheet.
+/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
+///     NULL_ARGUMENT, OVERLAP.
+/// @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a
+/// node, or 1/4 byte.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_borrow_create(
+    context: *const gusset_context,
+    arrays: *const gusset_net_view,
+    gluing: *const gusset_net_gluing,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| net_of(arrays, gluing, true, job))
+}
+
+/// A net of the caller's matrices, borrowed or copied.
+fn net_of(
+    arrays: *const gusset_net_view,
+    gluing: *const gusset_net_gluing,
+    borrow: bool,
+    job: &Job<'_>,
+) -> Result<gusset_net, Failure> {
+    fn planes<T: Real>(shape: Shape, arrays: &gusset_net_view, borrow: bool) -> Result<Planes<'static, T>, Failure> {
+        if borrow { borrowed(shape, arrays) } else { copied(shape, arrays) }
+    }
+    let (arrays, shape) = read_arrays(arrays)?;
+    let coordinates = match choice(arrays.scalar)? {
+        Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow)?),
+        Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow)?),
+    };
+    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing, job)?)))
+}
+
+fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
+    let arrays = input::read(arrays, false, "arrays")?;
+    Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
+}
+
+/// Makes a copy of a net, with its bridges, in memory of the library's.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net unchanged.
+/// @param[out] copy receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
+///     of the two is changed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_clone_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    copy: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, copy, "copy", |_| Ok(gusset_net::of_shared(handle::get(net, "net")?.share()?)))
+}
+
+/// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type.
+///
+/// From double to float coordinates are rounded, and nodes whose coordinates are too large for it
+/// become missing.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param scalar GUSSET_F32 or GUSSET_F64.
+/// @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_convert_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    scalar: u32,
+    converted: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, converted, "converted", |_| Ok(gusset_net::new(read(net)?.converted(choice(scalar)?)?)))
+}
+
+/// Destroys a net; NULL is allowed.
+///
+/// @param[in,out] net the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
+    handle::destroy(net);
+}
+
+fn lend(net: &Net<'_>) -> gusset_net_view {
+    each!(net.coordinates(), planes => {
+        let matrices = planes.matrices();
+        let size = size_of_val(&matrices[0][0]);
+        let [x, y, z] = matrices.map(|matrix| matrix.as_ptr().cast_mut().cast());
+        gusset_net_view {
+            struct_size: 0,
+            rows: planes.shape().rows(),
+            columns: planes.shape().columns(),
+            x,
+            y,
+            z,
+            row_stride: planes.stride() * size,
+            column_stride: size,
+            scalar: net.coordinates().scalar().number(),
+            reserved: 0,
+        }
+    })
+}
+
+/// Lends size and coordinates to be read only, as copies may share them, valid until the net is
+/// changed or destroyed.
+///
+/// @param net the net.
+/// @param[out] arrays its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
+    lend!(net, arrays, |net| lend(net.net()))
+}
+
+/// Lends the coordinates to be written, valid until the next call with this net.
+///
+/// Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
+/// scene is copied first.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param[out] arrays receives the arrays; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_net_get_view, OUT_OF_MEMORY.
+/// @complexity O(1), or O(nodes) if memory is copied.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_edit(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    arrays: *mut gusset_net_view,
+) -> gusset_status {
+    let out = input::output_struct(arrays, "arrays");
+    guard_change(context, |job| {
+        let out = out?;
+        let net = edit(net, job)?;
+        let mut lent = lend(net);
+        // The pointers must come from where they may be written through.
+        let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {
+            planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())
+        });
+        [lent.x, lent.y, lent.z] = pointers;
+        out.write(lent);
+        Ok(())
+    })
+}
+
+/// Copies the coordinates of a net to the caller's matrices.
+///
+/// Bytes between the numbers stay as they are.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
+///     type: double to float is rounded.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
+///     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW.
+/// @complexity O(nodes).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_read(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    arrays: *const gusset_net_view,
+) -> gusset_status {
+    guard(context, |_| {
+        let net = read(net)?;
+        let (arrays, shape) = read_arrays(arrays)?;
+        let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
+        if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
+            return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
+        }
+        match choice(arrays.scalar)? {
+            Scalar::F32 => write::<f32>(net, &arrays),
+            Scalar::F64 => write::<f64>(net, &arrays),
+        }
+    })
+}

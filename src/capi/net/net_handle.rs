@@ -1,0 +1,67 @@
+//! The handle of a net.
+
+use crate::capi::prelude::*;
+use crate::net::{Net, Topology};
+use std::sync::Arc;
+
+/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take
+/// it as const may run at the same time in many threads; those that change it need it for
+/// themselves.
+pub struct gusset_net(Arc<Net<'static>>);
+
+handle! { gusset_net }
+
+impl gusset_net {
+    /// A handle of a net that owns its memory, or of the host's.
+    pub(crate) fn new(net: Net<'static>) -> Self {
+        gusset_net(Arc::new(net))
+    }
+
+    /// The net.
+    pub(crate) fn net(&self) -> &Net<'static> {
+        &self.0
+    }
+
+    /// The net, to be changed: what shares it, a scene or a copy, keeps it as it is.
+    pub(crate) fn edit(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
+        let own = if Arc::get_mut(&mut self.0).is_none() { Some(Arc::new(self.0.copied()?)) } else { None };
+        job.memory()?;
+        if let Some(own) = own {
+            self.0 = own;
+        }
+        Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
+    }
+
+    /// The net as it is now, for somebody else to keep; a net in the host's memory is copied.
+    pub(crate) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
+        if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
+    }
+
+    /// A handle of a net that somebody else keeps too.
+    pub(crate) fn of_shared(net: Arc<Net<'static>>) -> Self {
+        gusset_net(net)
+    }
+}
+
+/// The net of a handle.
+pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
+    Ok(handle::get(net, "net")?.net())
+}
+
+/// The net of a handle, to be changed.
+pub(crate) fn edit<'a>(net: *mut gusset_net, job: &Job<'_>) -> Result<&'a mut Net<'static>, Failure> {
+    handle::get_mut(net, "net")?.edit(job)
+}
+
+/// Glues a net anew.
+pub(crate) fn reglue(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    topology: impl FnOnce(&Net<'_>, &Job<'_>) -> Result<Topology, Failure>,
+) -> gusset_status {
+    guard_change(context, |job| {
+        let topology = topology(read(net)?, job)?;
+        edit(net, job)?.set_topology(topology);
+        Ok(())
+    })
+}

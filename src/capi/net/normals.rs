@@ -1,0 +1,79 @@
+//! C interface: normals of nets.
+
+use crate::capi::net::{gusset_net, read};
+use crate::capi::prelude::*;
+use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
+use crate::mesh::Scalar;
+use crate::net::normals::normals_into;
+use crate::net::{Coordinates, Net, Planes, Real, each};
+
+/// The caller's buffers as matrices of the net's size.
+fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {
+    let count = net.shape().node_count();
+    if capacity < count {
+        let message = format!("x, y and z have room for {capacity} and {count} are needed");
+        return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    check_overlap(net, buffers, count * size_of::<T>())?;
+    let [x, y, z] = buffers.map(<*mut c_void>::cast::<T>);
+    let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
+    Ok(Planes::borrowed(net.shape(), 0, matrices)?)
+}
+
+/// The buffers must share memory neither with each other nor with the coordinates, which a host may
+/// have been lent.
+fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Result<(), Failure> {
+    let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
+        planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))
+    });
+    let own = buffers.map(|start| (start as usize, bytes));
+    let apart = |(a, length_a): (usize, usize), (b, length_b): (usize, usize)| {
+        a.saturating_add(length_a) <= b || b.saturating_add(length_b) <= a
+    };
+    let good = (0..3).all(|k| apart(own[k], own[(k + 1) % 3]) && ranges.iter().all(|&range| apart(own[k], range)));
+    let is_null = buffers.iter().any(|start| start.is_null());
+    if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
+}
+
+/// Computes the unit normal of every node of a net.
+///
+/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the
+/// other way for nets that are reversed. Nodes that are glued get the same bits, poles and seams
+/// their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are
+/// there decide.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] x receives the first coordinates of the normals, float or double as the net's are,
+///     rows x columns numbers, row after row without gaps, aligned; the three buffers are apart
+///     from each other and from the net's own.
+/// @param[out] y receives the second ones.
+/// @param[out] z receives the third ones.
+/// @param capacity the numbers that each has room for.
+/// @param[out] missing_count receives the number of nodes that have no normal and get zeros:
+///     missing ones, and those whose cells have no area or cancel out; may be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP,
+///     OUT_OF_MEMORY, CANCELLED (the buffers are filled in part).
+/// @complexity O(nodes); a bit a node, and memory for the glued nodes.
+/// @threads From any thread; the same bits for any number of threads.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_normals(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    x: *mut c_void,
+    y: *mut c_void,
+    z: *mut c_void,
+    capacity: usize,
+    missing_count: *mut u64,
+) -> gusset_status {
+    answer_optional(context, (missing_count, "missing_count"), 0, |job| {
+        let net = read(net)?;
+        let mut out = match net.coordinates().scalar() {
+            Scalar::F32 => Coordinates::F32(planes(net, [x, y, z], capacity)?),
+            Scalar::F64 => Coordinates::F64(planes(net, [x, y, z], capacity)?),
+        };
+        Ok(normals_into(net, &mut out, job)?)
+    })
+}

@@ -1,0 +1,520 @@
+//! C interface: scenes.
+
+use crate::capi::net::arrange::gusset_direction;
+use crate::capi::net::join::gusset_join_options;
+use crate::capi::net::{gusset_net, read};
+use crate::capi::prelude::*;
+use crate::net::scene::{Content, Instance, Scene};
+use crate::net::{BridgeMode, Direction, JoinOptions};
+use glam::{DAffine3, DVec3};
+
+/// What an entry of a scene is.
+pub type gusset_scene_kind = u32;
+/// A net.
+pub const GUSSET_SCENE_NET: gusset_scene_kind = 0;
+/// A group of entries.
+pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
+
+/// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
+/// indices, which are never given twice. Functions that take it as const may run at the same time
+/// in many threads; those that change it need it for themselves.
+pub struct gusset_scene(Scene);
+
+handle! { gusset_scene }
+
+/// An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_transform {
+    /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
+    pub rows: [f64; 12],
+}
+
+/// An entry of a scene.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_scene_entry_report {
+    /// sizeof(gusset_scene_entry_report), set by the caller.
+    pub struct_size: usize,
+    /// Into the space of the groups that it is in.
+    pub transform: gusset_transform,
+    /// The number of entries in a group; 0 for a net.
+    pub child_count: usize,
+    /// GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
+    pub kind: gusset_scene_kind,
+    /// 1 if it is shown; a group that it is in may hide it all the same.
+    pub visible: u32,
+}
+
+/// How much is in a scene.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_scene_report {
+    /// sizeof(gusset_scene_report), set by the caller.
+    pub struct_size: usize,
+    /// Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
+    pub instances: u64,
+    /// Instances of nets alone.
+    pub net_instances: u64,
+    /// Entries that are nets.
+    pub nets: u32,
+    /// Entries that are groups.
+    pub groups: u32,
+    /// The longest way from an entry in no group: 1 if no group has entries, 0 for an empty scene.
+    pub levels: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// One way to an entry from an entry in no group.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_scene_instance {
+    /// Into the space of the scene.
+    pub world: gusset_transform,
+    /// The entry.
+    pub entry: u32,
+    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in
+    /// none.
+    pub parent: u32,
+    /// 1 unless it or a group on the way is hidden.
+    pub visible: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_scene_entry_report: 120, gusset_scene_report: 40 }
+fixed! { gusset_scene_instance: 112 }
+
+impl From<DAffine3> for gusset_transform {
+    fn from(map: DAffine3) -> Self {
+        let [x, y, z] = [map.matrix3.row(0), map.matrix3.row(1), map.matrix3.row(2)];
+        let t = map.translation;
+        gusset_transform { rows: [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z] }
+    }
+}
+
+impl From<gusset_transform> for DAffine3 {
+    fn from(given: gusset_transform) -> Self {
+        let r = given.rows;
+        let column = |k: usize| DVec3::new(r[k], r[4 + k], r[8 + k]);
+        DAffine3::from_cols(column(0), column(1), column(2), column(3))
+    }
+}
+
+fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
+    Ok(&handle::get(scene, "scene")?.0)
+}
+
+fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
+    job.memory()?;
+    Ok(&mut handle::get_mut(scene, "scene")?.0)
+}
+
+/// Makes an empty scene.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[out] scene receives it, for gusset_scene_destroy.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_create(
+    context: *const gusset_context,
+    scene: *mut *mut gusset_scene,
+) -> gusset_status {
+    create(context, scene, "scene", |_| Ok(gusset_scene(Scene::new())))
+}
+
+/// Destroys a scene; NULL is allowed.
+///
+/// @param[in,out] scene the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
+    handle::destroy(scene);
+}
+
+/// Adds a net, in no group yet, as it is now: what is done to the handle later does not change the
+/// scene.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param net the net.
+/// @param[out] entry receives its index.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_add_net(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    net: *const gusset_net,
+    entry: *mut u32,
+) -> gusset_status {
+    let entry = input::output(entry, u32::MAX, "entry");
+    guard_change(context, |job| {
+        let entry = entry?;
+        let net = handle::get(net, "net")?.share()?;
+        *entry = changed(scene, job)?.add_net(net)?;
+        Ok(())
+    })
+}
+
+/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
+/// its transform.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @param net the net.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the
+///     entry (also for a group), OUT_OF_MEMORY.
+/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_net(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    net: *const gusset_net,
+) -> gusset_status {
+    guard_change(context, |job| {
+        let net = handle::get(net, "net")?.share()?;
+        Ok(changed(scene, job)?.set_net(entry, net)?)
+    })
+}
+
+/// Adds an empty group, in no group yet.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param[out] entry receives its index.
+/// @return GUSSET_OK, or an error: as gusset_scene_add_net.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_add_group(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: *mut u32,
+) -> gusset_status {
+    let entry = input::output(entry, u32::MAX, "entry");
+    guard_change(context, |job| {
+        let entry = entry?;
+        *entry = changed(scene, job)?.add_group()?;
+        Ok(())
+    })
+}
+
+/// Puts an entry into a group, behind what is in it; again, if it is in it already.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param group the index of the group.
+/// @param child the index of the entry.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
+///     entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY.
+/// @complexity O(1) for an entry without children or a group in no group; at most O(entries below
+///     the one or above the other, whichever are fewer).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_add_child(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    group: u32,
+    child: u32,
+) -> gusset_status {
+    guard_change(context, |job| Ok(changed(scene, job)?.add_child(group, child)?))
+}
+
+/// Takes an entry out of a group: the first one, if it is in it several times.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param group the index of the group.
+/// @param child the index of the entry.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it
+///     is not in the group.
+/// @complexity O(children of the group + groups of the child).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_remove_child(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    group: u32,
+    child: u32,
+) -> gusset_status {
+    guard_change(context, |job| Ok(changed(scene, job)?.remove_child(group, child)?))
+}
+
+/// Removes an entry from the scene and from all groups; what was in a group stays.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT.
+/// @complexity O(children of its groups + groups of its children).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_remove(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+) -> gusset_status {
+    guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
+}
+
+/// Places an entry in the space of the groups that it is in.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @param transform twelve finite numbers.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     OUT_OF_RANGE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_transform(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    transform: *const gusset_transform,
+) -> gusset_status {
+    guard_change(context, |job| {
+        let transform = *input::reference(transform, "transform")?;
+        Ok(changed(scene, job)?.set_transform(entry, transform.into())?)
+    })
+}
+
+/// Shows an entry, or hides it and all that is in it.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @param visible 1 or 0.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     UNKNOWN_VALUE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_visible(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    visible: u32,
+) -> gusset_status {
+    guard_change(context, |job| Ok(changed(scene, job)?.set_visible(entry, flag(visible, "visible")?)?))
+}
+
+/// What an entry is.
+///
+/// @param scene the scene.
+/// @param entry its index.
+/// @param[out] out its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_get_entry(
+    scene: *const gusset_scene,
+    entry: u32,
+    out: *mut gusset_scene_entry_report,
+) -> gusset_status {
+    lend!(scene, out, |gusset_scene(scene)| {
+        let (kind, child_count) = match scene.content(entry)? {
+            Content::Net(_) => (GUSSET_SCENE_NET, 0),
+            Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
+        };
+        let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
+        gusset_scene_entry_report {
+            struct_size: size_of::<gusset_scene_entry_report>(),
+            transform,
+            child_count,
+            kind,
+            visible,
+        }
+    })
+}
+
+/// The net of an entry, as a handle that shares its memory until it is changed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param entry its index.
+/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+///     group, OUT_OF_MEMORY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_net_create(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    entry: u32,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| Ok(gusset_net::of_shared(self::scene(scene)?.net(entry)?.clone())))
+}
+
+/// The entries in a group, in order.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param group its index.
+/// @param[out] children room for capacity indices, or NULL with capacity 0 to ask for their number.
+/// @param capacity see children.
+/// @param[out] written receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+///     net, BUFFER_TOO_SMALL.
+/// @complexity O(children).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_get_children(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    group: u32,
+    children: *mut u32,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    guard_change(context, |job| {
+        let written = written?;
+        input::copy((children, capacity, "children"), self::scene(scene)?.children(group)?, written, job)
+    })
+}
+
+/// How much is in a scene.
+///
+/// @param scene the scene.
+/// @param[out] counts its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     OUT_OF_MEMORY.
+/// @complexity O(entries + children), however many instances there are.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_get_report(
+    scene: *const gusset_scene,
+    counts: *mut gusset_scene_report,
+) -> gusset_status {
+    lend!(scene, counts, |gusset_scene(scene)| {
+        let counts = scene.counts()?;
+        gusset_scene_report {
+            struct_size: size_of::<gusset_scene_report>(),
+            instances: counts.instances,
+            net_instances: counts.net_instances,
+            nets: counts.nets,
+            groups: counts.groups,
+            levels: counts.levels,
+            reserved: 0,
+        }
+    })
+}
+
+/// All instances and where they are: each behind the group that it is in, children in order.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param[out] instances room for capacity of them, or NULL with capacity 0 to ask for their
+///     number.
+/// @param capacity see instances.
+/// @param[out] written receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE
+///     (more than 2^24, as sharing can make of few entries: refused before any is looked at),
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(entries + instances).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_world_transforms(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    instances: *mut gusset_scene_instance,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    guard_change(context, |job| {
+        let written = written?;
+        let scene = self::scene(scene)?;
+        fill((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
+            Ok(scene.instances(job)?.into_iter().map(|Instance { entry, parent, visible, world }| {
+                let (world, visible) = (world.into(), visible.into());
+                gusset_scene_instance { world, entry, parent, visible, reserved: 0 }
+            }))
+        })
+    })
+}
+
+/// Joins the nets of all visible instances, where they are in the space of the scene, to one.
+///
+/// Nets under transforms that mirror are flipped where the others would be opposed to them, as if
+/// options said turn. gusset_scene_unflatten_create is the inverse.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param options NULL for each net below the one before, with hidden bridges.
+/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24
+///     instances, or nodes), and those of gusset_net_concatenate_create.
+/// @complexity O(entries + instances + nodes).
+/// @source Deryagin, scenes as "a single whole".
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_flatten_create(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    options: *const gusset_join_options,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| {
+        let options = if options.is_null() {
+            JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
+        } else {
+            input::read(options, false, "options")?.checked()?
+        };
+        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?))
+    })
+}
+
+/// A scene of the nets between the bridges of a direction that run from side to side and were made
+/// last, all at once: the inverse of gusset_scene_flatten_create, in one group (entry 0).
+///
+/// Nets come back as they are in the space of the flat one, bit for bit; copies that were made to
+/// equalise sizes are removed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param direction GUSSET_DIRECTION_..., that of the bridges.
+/// @param[out] scene receives it, for gusset_scene_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_unflatten_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    direction: gusset_direction,
+    scene: *mut *mut gusset_scene,
+) -> gusset_status {
+    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::of_flat(read(net)?, choice(direction)?, job)?)))
+}

@@ -1,0 +1,341 @@
+//! C interface: compact streams of nets.
+
+use crate::capi::net::{gusset_net, read};
+use crate::capi::prelude::*;
+use crate::net::MAX_NODES;
+use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_within, encode};
+
+/// How a stream stores coordinates.
+pub type gusset_stream_mode = u32;
+/// Rounded to some number of bits, and compressed.
+pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
+/// Compressed, bit for bit, NaN too.
+pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
+/// As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are
+/// mapped into memory.
+pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
+
+/// How a net is to be stored.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stream_options {
+    /// sizeof(gusset_stream_options), set by the caller.
+    pub struct_size: usize,
+    /// Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in
+    /// each, and for one block of all rows if the mode is RAW.
+    pub rows_per_block: usize,
+    /// How coordinates are stored.
+    pub mode: gusset_stream_mode,
+    /// For QUANTISED, the bits of a coordinate, 8 to 24; 0 for 14. Else 0.
+    pub bits: u32,
+    /// For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all
+    /// follows from the longest. Else 0.
+    pub per_axis: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What the first bytes of a stream say.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stream_report {
+    /// sizeof(gusset_stream_report), set by the caller.
+    pub struct_size: usize,
+    /// The rows of nodes.
+    pub rows: usize,
+    /// The columns of nodes.
+    pub columns: usize,
+    /// Rows in each block; the last one may have fewer.
+    pub rows_per_block: usize,
+    /// The bytes before the first block.
+    pub prelude_size: u64,
+    /// QUANTISED: the coordinates of level 0; a coordinate of level k is origin + k * step. Else 0.
+    pub origin: [f64; 3],
+    /// QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it
+    /// is rounded to its type, half a unit in its last place. Else 0.
+    pub step: [f64; 3],
+    /// GUSSET_F32 or GUSSET_F64.
+    pub scalar: u32,
+    /// How coordinates are stored.
+    pub mode: gusset_stream_mode,
+    /// QUANTISED: the bits of a coordinate. Else 0.
+    pub bits: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The bytes of a stream. Opaque and immutable; may be used from many threads.
+pub struct gusset_stream(Vec<u8>);
+
+handle! { gusset_stream }
+
+/// A stream that is decoded while it arrives. Opaque; used by one thread at a time.
+pub struct gusset_stream_decoder(StreamDecoder);
+
+handle! { gusset_stream_decoder }
+
+versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104 }
+
+impl gusset_stream_options {
+    fn checked(self) -> Result<StreamOptions, Failure> {
+        let mode = match (self.mode, self.bits) {
+            (GUSSET_STREAM_QUANTISED, 0) => Mode::Quantised { bits: 14 },
+            (GUSSET_STREAM_QUANTISED, bits) => Mode::Quantised { bits },
+            (GUSSET_STREAM_LOSSLESS, 0) => Mode::Lossless,
+            (GUSSET_STREAM_RAW, 0) => Mode::Raw,
+            (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => return Err(Failure::unknown("bits", bits.into())),
+            (other, _) => return Err(Failure::unknown("mode", other.into())),
+        };
+        let per_axis = flag(self.per_axis, "per_axis")?;
+        if per_axis && !matches!(mode, Mode::Quantised { .. }) {
+            return Err(Failure::unknown("per_axis", self.per_axis.into()));
+        }
+        Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
+    }
+}
+
+/// Makes a stream of a net: its coordinates, what is glued to what, its bridges.
+///
+/// QUANTISED and LOSSLESS do not store nodes that are glued to others; decoding gives them the same
+/// bits (LOSSLESS stores all if the net's differ). QUANTISED gives nodes with a coordinate that is
+/// NaN or infinite three NaN. Method: linear prediction with weights fitted to each block, and a
+/// range coder with adaptive models.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param options NULL for 14 bits a coordinate.
+/// @param[out] stream receives the bytes, for gusset_stream_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+///     (bits; QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
+///     of them.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_encode_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    options: *const gusset_stream_options,
+    stream: *mut *mut gusset_stream,
+) -> gusset_status {
+    create(context, stream, "stream", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        Ok(gusset_stream(encode(read(net)?, &options, job)?))
+    })
+}
+
+/// Lends the bytes of a stream, valid until it is destroyed.
+///
+/// @param stream the stream.
+/// @param[out] data receives where they are.
+/// @param[out] size receives how many they are.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_get_view(
+    stream: *const gusset_stream,
+    data: *mut *const c_void,
+    size: *mut usize,
+) -> gusset_status {
+    let (data, size) = (input::output(data, ptr::null(), "data"), input::output(size, 0, "size"));
+    guard(ptr::null(), |_| {
+        let (data, size) = (data?, size?);
+        let bytes = &handle::get(stream, "stream")?.0;
+        (*data, *size) = (lent(bytes).cast(), bytes.len());
+        Ok(())
+    })
+}
+
+/// Destroys a stream; NULL is allowed.
+///
+/// @param[in,out] stream the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
+    handle::destroy(stream);
+}
+
+/// Reads the header of a stream.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param data its first 128 bytes, or more.
+/// @param size how many there are.
+/// @param[out] info its struct_size set.
+/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+///     BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_inspect(
+    context: *const gusset_context,
+    data: *const c_void,
+    size: usize,
+    info: *mut gusset_stream_report,
+) -> gusset_status {
+    answer_struct(context, (info, "info"), |_| {
+        let info = StreamInfo::read(input::bytes(data, size, 1, "data")?)?;
+        let (mode, bits) = match info.mode {
+            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
+            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
+            Mode::Raw => (GUSSET_STREAM_RAW, 0),
+        };
+        Ok(gusset_stream_report {
+            struct_size: 0,
+            rows: info.shape.rows(),
+            columns: info.shape.columns(),
+            rows_per_block: info.rows_per_block,
+            prelude_size: info.prelude_size,
+            origin: info.origin,
+            step: info.step,
+            scalar: info.scalar.number(),
+            mode,
+            bits,
+            reserved: 0,
+        })
+    })
+}
+
+/// Makes the net of a stream.
+///
+/// A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one
+/// of its size can need it: 4096 nodes a byte at most. That is little of a file of one's own, and may
+/// be much of a stranger's: 96 KiB a byte.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param data all its bytes, at any alignment.
+/// @param size how many.
+/// @param node_limit a net of more nodes is refused before memory is asked for; 0 for no other limit
+///     than that by the size.
+/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
+///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), with blocks decoded by the context's threads.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_decode_create(
+    context: *const gusset_context,
+    data: *const c_void,
+    size: usize,
+    node_limit: u64,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| {
+        let data = input::bytes(data, size, 1, "data")?;
+        let limit = if node_limit == 0 { u64::MAX } else { node_limit };
+        Ok(gusset_net::new(decode_within(data, limit, job)?))
+    })
+}
+
+/// Begins to decode a stream that arrives in pieces.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param node_limit a net of more nodes is refused, as its memory is taken before all of the
+///     stream is there; 0 for no limit but the library's, 2^31 - 1.
+/// @param[out] decoder receives the decoder, for gusset_stream_decoder_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_create(
+    context: *const gusset_context,
+    node_limit: u64,
+    decoder: *mut *mut gusset_stream_decoder,
+) -> gusset_status {
+    create(context, decoder, "decoder", |_| {
+        let limit = if node_limit == 0 { MAX_NODES } else { node_limit };
+        Ok(gusset_stream_decoder(StreamDecoder::new(limit)))
+    })
+}
+
+/// Gives a decoder the next bytes of its stream, any number of them.
+///
+/// After a failure every call fails alike, but OUT_OF_MEMORY leaves the decoder as it was.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] decoder the decoder.
+/// @param data the bytes, at any alignment.
+/// @param size how many.
+/// @param[out] rows_done receives how many rows are complete, those of all blocks so far; NULL if
+///     it is not wanted.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
+///     TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(bytes + nodes of the blocks that they complete).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_push(
+    context: *const gusset_context,
+    decoder: *mut gusset_stream_decoder,
+    data: *const c_void,
+    size: usize,
+    rows_done: *mut usize,
+) -> gusset_status {
+    let rows_done = input::optional_output(rows_done, 0, "rows_done");
+    guard_change(context, |_| {
+        let rows_done = rows_done?;
+        let decoder = handle::get_mut(decoder, "decoder")?;
+        input::set(rows_done, decoder.0.push(input::bytes(data, size, 1, "data")?)?);
+        Ok(())
+    })
+}
+
+/// Makes the net of the rows that a decoder has so far, at least two: open on all sides, without
+/// gluing and bridges, for a preview.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param decoder the decoder.
+/// @param[out] net receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL if there are
+///     fewer rows, OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
+    context: *const gusset_context,
+    decoder: *const gusset_stream_decoder,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview()?)))
+}
+
+/// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing
+/// had been pushed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] decoder the decoder.
+/// @param[out] net receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM if the stream is
+///     not complete, or what pushing failed with.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
+    context: *const gusset_context,
+    decoder: *mut gusset_stream_decoder,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    let slot = input::output(net, ptr::null_mut(), "net");
+    guard_change(context, |job| {
+        let (slot, decoder) = (slot?, handle::get_mut(decoder, "decoder")?);
+        job.memory()?;
+        *slot = handle::give(handle::boxed(gusset_net::new(decoder.0.finish()?)));
+        Ok(())
+    })
+}
+
+/// Destroys a decoder; NULL is allowed.
+///
+/// @param[in,out] decoder the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_stream_decoder_destroy(decoder: *mut gusset_stream_decoder) {
+    handle::destroy(decoder);
+}

@@ -1,0 +1,118 @@
+//! What a host gives: meshes, curves, values, callbacks.
+
+use super::descriptor::{
+    GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input, gusset_plugin_curves, gusset_plugin_mesh,
+};
+use super::outcome::Fault;
+use crate::capi::glue::laid_out_like;
+use crate::capi::host::Callbacks;
+use crate::capi::input::{self, choice};
+use crate::capi::mesh::{self, GUSSET_F32, GUSSET_F64, GivenMesh, gusset_mesh_view};
+use crate::capi::status::Failure;
+use crate::error::{Element, Error};
+use crate::filters::Filter;
+use crate::filters::data::{Curves, Input, InputKind};
+use crate::job::Job;
+use crate::mesh::{MAX_ELEMENTS, Positions};
+use gusset_base::alloc;
+
+// The plugin's numbers are the library's, and so is its view of a mesh.
+const _: () = assert!(GUSSET_PLUGIN_F32 == GUSSET_F32 && GUSSET_PLUGIN_F64 == GUSSET_F64);
+laid_out_like! {
+    gusset_plugin_mesh: gusset_mesh_view {
+        struct_size, positions, position_stride, vertex_count, face_offsets, face_corners, face_count, scalar, index,
+        face_size, reserved, merge,
+    }
+}
+
+/// An input with what it needs to own: meshes stay in the host's memory, curves are small and
+/// copied.
+pub(super) enum Given<'a> {
+    Mesh(GivenMesh<'a>),
+    Curves(Curves),
+}
+
+impl Given<'_> {
+    pub(super) fn lend(&self) -> Input<'_> {
+        match self {
+            Given::Mesh(mesh) => Input::Mesh(mesh.view()),
+            Given::Curves(curves) => Input::Curves(curves),
+        }
+    }
+}
+
+/// All inputs of a call, held to the rules and to what the filter takes: their number before any is
+/// read, and each one's kind before its arrays are.
+pub(super) fn inputs<'a>(
+    filter: &Filter,
+    given: *const gusset_input,
+    count: u32,
+    job: &Job<'_>,
+) -> Result<Vec<Given<'a>>, Fault> {
+    filter.check_input_count(count as usize)?;
+    let given = input::structs(given, count as usize, "inputs")?;
+    alloc::try_collect(given.enumerate().map(|(k, one)| {
+        let part = job.share(k, count as usize);
+        one.map_err(Fault::from).and_then(|one| read(filter, one, k, &part)).map_err(|fault| fault.of_input(k as u32))
+    }))
+}
+
+fn read<'a>(filter: &Filter, given: *const gusset_input, place: usize, job: &Job<'_>) -> Result<Given<'a>, Fault> {
+    let given = input::read(given, false, "inputs")?;
+    let kind = choice(given.kind)?;
+    filter.check_input_kind(place, kind)?;
+    Ok(match kind {
+        InputKind::Mesh => Given::Mesh(mesh::checked(given.view.cast(), "view", job)?),
+        InputKind::Curves => Given::Curves(curves(given.view.cast(), job)?),
+    })
+}
+
+fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
+    let view = input::read(view, false, "view")?;
+    let scalar = choice(view.scalar)?;
+    Error::check_count("points", view.point_count as u64, MAX_ELEMENTS)?;
+    Error::check_count("curves", view.curve_count as u64, MAX_ELEMENTS)?;
+    let size = Positions::bytes_needed(view.point_stride, view.point_count, scalar)?;
+    let points = input::bytes(view.points, size, 1, "points")?;
+    let points = Positions::strided(points, view.point_stride, view.point_count, scalar)?;
+    let mut found = Curves {
+        points: alloc::with_capacity(view.point_count)?,
+        offsets: vec![0],
+        closed: alloc::filled(false, view.curve_count)?,
+    };
+    for p in 0..view.point_count {
+        job.step_every(1 << 16, p, view.point_count, "reading curves")?;
+        let point = points.get(p as u32).to_array();
+        if let Some(&value) = point.iter().find(|coordinate| !coordinate.is_finite()) {
+            return Err(Error::NotFinite { element: Element::Point, index: p as u64, value }.into());
+        }
+        found.points.push(point);
+    }
+    if view.curve_count > 0 {
+        found.offsets = input::list(view.offsets.cast(), view.curve_count + 1, "offsets")?;
+        if !view.closed.is_null() {
+            let closed = input::bytes(view.closed.cast(), view.curve_count, 1, "closed")?;
+            if let Some(&other) = closed.iter().find(|&&byte| byte > 1) {
+                return Err(Failure::unknown("closed", other.into()));
+            }
+            found.closed = alloc::collect(closed.iter().map(|&byte| byte == 1))?;
+        }
+    }
+    found.check()?;
+    Ok(found)
+}
+
+/// Whether the host asks where the elements of outputs come from.
+pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
+    match input::read(host, true, "host")?.origins {
+        0 => Ok(false),
+        1 => Ok(true),
+        other => Err(Failure::unknown("origins", other.into())),
+    }
+}
+
+/// The host's number of threads, and its callbacks.
+pub(super) fn host(host: *const gusset_host) -> Result<(usize, Callbacks), Failure> {
+    let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;
+    Ok((threads as usize, Callbacks { progress, progress_user: user, log, log_user: user }))
+}

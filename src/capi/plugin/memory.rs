@@ -1,0 +1,58 @@
+//! Room within the library's memory, for hosts that run it as WebAssembly: they see no other, and
+//! have no allocator there.
+
+use gusset_base::reserve;
+use std::alloc::{Layout, alloc, dealloc};
+use std::ptr;
+
+/// The alignment of every block: no number that crosses the border needs more.
+const ALIGN: usize = 16;
+
+fn layout(size: usize) -> Option<Layout> {
+    Layout::from_size_align(size, ALIGN).ok().filter(|layout| layout.size() > 0)
+}
+
+/// A block of `size` bytes, which may hold anything; NULL if there is no memory, or for no bytes.
+/// The reserve behind the allocator is for those who cannot fail: a call that finds it full stops.
+#[unsafe(no_mangle)]
+pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
+    let Some(layout) = layout(size) else { return ptr::null_mut() };
+    // SAFETY: a layout of more than no bytes.
+    let block = unsafe { alloc(layout) };
+    if reserve::holds(block) {
+        // SAFETY: a block of that layout, which nobody has.
+        unsafe { dealloc(block, layout) };
+        return ptr::null_mut();
+    }
+    block
+}
+
+/// Gives back a block of gusset_memory_allocate, with the same size; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_memory_free(block: *mut u8, size: usize) {
+    if let Some(layout) = layout(size).filter(|_| !block.is_null()) {
+        // SAFETY: the caller's promise: a block of that layout.
+        unsafe { dealloc(block, layout) };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ALIGN, gusset_memory_allocate, gusset_memory_free};
+
+    #[test]
+    fn blocks_are_aligned_and_what_cannot_be_is_null() {
+        assert!(gusset_memory_allocate(0).is_null() && gusset_memory_allocate(usize::MAX).is_null());
+        let blocks = [1, 17, 4096].map(|size| (gusset_memory_allocate(size), size));
+        for (block, size) in blocks {
+            assert!(!block.is_null() && block.addr().is_multiple_of(ALIGN));
+            // SAFETY: a block of that size, given back once.
+            unsafe {
+                block.write_bytes(7, size);
+                gusset_memory_free(block, size);
+            }
+        }
+        // SAFETY: NULL is allowed.
+        unsafe { gusset_memory_free(std::ptr::null_mut(), 0) };
+    }
+}

@@ -1,0 +1,95 @@
+//! What becomes of a run: outputs, or why there are none.
+
+use crate::attributes::Origins;
+use crate::capi::handle::handle;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Result;
+use crate::filters::data::{Curves, Output};
+use crate::mesh::Mesh;
+use gusset_base::alloc;
+use std::ffi::CString;
+
+/// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at
+/// once.
+pub struct gusset_outputs {
+    pub(super) outputs: Vec<Held>,
+    pub(super) message: CString,
+    pub(super) fault: Option<Fault>,
+}
+
+handle! { gusset_outputs }
+
+/// An output as hosts read it.
+pub(super) enum Held {
+    Mesh(Mesh, Option<Box<Origins>>),
+    Curves(Curves),
+    Text(CString, Vec<(CString, f64)>),
+}
+
+impl gusset_outputs {
+    pub(super) fn of(outputs: Vec<Output>) -> Result<Self> {
+        let outputs = alloc::try_collect(outputs.into_iter().map(Held::of))?;
+        Ok(gusset_outputs { outputs, message: CString::default(), fault: None })
+    }
+
+    pub(super) fn failed(fault: Fault) -> Self {
+        let message = CString::new(fault.failure.message.as_bytes()).unwrap_or_default();
+        gusset_outputs { outputs: Vec::new(), message, fault: Some(fault) }
+    }
+}
+
+impl Held {
+    fn of(output: Output) -> Result<Self> {
+        Ok(match output {
+            Output::Mesh(mesh, origins) => Held::Mesh(mesh, origins),
+            Output::Curves(mut curves) => {
+                // A host may read the first offset even where there are no curves.
+                if curves.offsets.is_empty() {
+                    curves.offsets = alloc::filled(0, 1)?;
+                }
+                Held::Curves(curves)
+            }
+            Output::Text(report) => {
+                let named = |&(name, value): &(&str, f64)| Ok((text(name)?, value));
+                Held::Text(text(&report)?, alloc::try_collect(report.values().iter().map(named))?)
+            }
+        })
+    }
+}
+
+/// A copy of a text, which may be long, with a NUL at its end.
+fn text(of: &str) -> Result<CString> {
+    let mut bytes = alloc::with_capacity(of.len() + 1)?;
+    bytes.extend_from_slice(of.as_bytes());
+    Ok(CString::new(bytes).unwrap_or_default())
+}
+
+/// A failure, and the numbers of the parameter and of the input that it is about, if it is about
+/// one.
+pub(super) struct Fault {
+    pub(super) failure: Failure,
+    pub(super) param: Option<u32>,
+    pub(super) input: Option<u32>,
+}
+
+impl<F: Into<Failure>> From<F> for Fault {
+    fn from(failure: F) -> Self {
+        let failure = failure.into();
+        // Without an element it need not be about an input.
+        let names_input = (failure.element != 0 || failure.input != 0) && !is_environment(&failure);
+        Fault { param: None, input: names_input.then_some(failure.input), failure }
+    }
+}
+
+impl Fault {
+    /// The same of input `input`, whatever it is about in it.
+    pub(super) fn of_input(self, input: u32) -> Self {
+        if is_environment(&self.failure) { self } else { Fault { input: Some(input), ..self } }
+    }
+}
+
+/// A cancel or a want of memory is no input's fault.
+fn is_environment(failure: &Failure) -> bool {
+    use gusset_status::{GUSSET_ERROR_CANCELLED, GUSSET_ERROR_OUT_OF_MEMORY};
+    matches!(failure.status, GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY)
+}

@@ -1,0 +1,129 @@
+//! How a host reads what a run left.
+
+use super::descriptor::{
+    GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE,
+    gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
+};
+use super::outcome::{Fault, Held, gusset_outputs};
+use crate::capi::context::lend;
+use crate::capi::handle;
+use crate::capi::input::lent;
+use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::status::Failure;
+use std::ffi::{CStr, CString, c_char};
+use std::ptr;
+
+impl gusset_outputs {
+    /// Output `index`, if there is one.
+    pub(super) fn get(&self, index: u32) -> Result<&Held, Failure> {
+        self.outputs.get(index as usize).ok_or_else(|| Failure::no_such("output", index as usize))
+    }
+}
+
+/// Output `index`, if there is one.
+pub(super) fn held<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a Held, Failure> {
+    handle::get(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.get(index))
+}
+
+pub(super) unsafe extern "C" fn count(outputs: *const gusset_outputs) -> u32 {
+    handle::get(outputs, "outputs").map_or(0, |outputs: &gusset_outputs| outputs.outputs.len() as u32)
+}
+
+pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32) -> u32 {
+    held(outputs, index).map_or(0, |held| match held {
+        Held::Mesh(..) => GUSSET_KIND_MESH,
+        Held::Curves(_) => GUSSET_KIND_CURVES,
+        Held::Text(..) => GUSSET_KIND_TEXT,
+    })
+}
+
+pub(super) unsafe extern "C" fn mesh(outputs: *const gusset_outputs, index: u32, mesh: *mut gusset_plugin_mesh) -> i32 {
+    // Laid out alike, as `inputs` sees to.
+    let mesh = mesh.cast::<gusset_mesh_view>();
+    let status = lend!(outputs, mesh, |outputs| match outputs.get(index)? {
+        Held::Mesh(mesh, _) => mesh::lend(mesh),
+        _ => return Err(Failure::no_such("mesh", index as usize)),
+    });
+    status as i32
+}
+
+pub(super) unsafe extern "C" fn curves(
+    outputs: *const gusset_outputs,
+    index: u32,
+    curves: *mut gusset_plugin_curves,
+) -> i32 {
+    let status = lend!(outputs, curves, |outputs| match outputs.get(index)? {
+        Held::Curves(curves) => gusset_plugin_curves {
+            struct_size: 0,
+            points: lent(&curves.points).cast(),
+            point_stride: size_of::<[f64; 3]>(),
+            point_count: curves.points.len(),
+            offsets: lent(&curves.offsets).cast(),
+            // A bool is a byte of 0 or 1.
+            closed: lent(&curves.closed).cast(),
+            curve_count: curves.closed.len(),
+            scalar: GUSSET_PLUGIN_F64,
+            reserved: 0,
+        },
+        _ => return Err(Failure::no_such("set of curves", index as usize)),
+    });
+    status as i32
+}
+
+pub(super) unsafe extern "C" fn text(outputs: *const gusset_outputs, index: u32) -> *const c_char {
+    match held(outputs, index) {
+        Ok(Held::Text(text, _)) => text.as_ptr(),
+        _ => ptr::null(),
+    }
+}
+
+/// The numbers of output `index`; none if it is no text.
+fn values<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
+    match held(outputs, index) {
+        Ok(Held::Text(_, values)) => values,
+        _ => &[],
+    }
+}
+
+pub(super) unsafe extern "C" fn value_count(outputs: *const gusset_outputs, index: u32) -> u32 {
+    values(outputs, index).len() as u32
+}
+
+pub(super) unsafe extern "C" fn value_name(outputs: *const gusset_outputs, index: u32, which: u32) -> *const c_char {
+    values(outputs, index).get(which as usize).map_or(ptr::null(), |(name, _)| name.as_ptr())
+}
+
+pub(super) unsafe extern "C" fn value(outputs: *const gusset_outputs, index: u32, which: u32) -> f64 {
+    values(outputs, index).get(which as usize).map_or(f64::NAN, |&(_, value)| value)
+}
+
+pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32 {
+    let status = lend!(outputs, failure, |outputs| report(outputs.fault.as_ref(), &outputs.message));
+    status as i32
+}
+
+/// What a host is told of a fault, or that there was none.
+pub(super) fn report(fault: Option<&Fault>, message: &CStr) -> gusset_failure {
+    let mut report = gusset_failure {
+        struct_size: 0,
+        message: message.as_ptr(),
+        status: GUSSET_PLUGIN_DONE,
+        param: GUSSET_PLUGIN_NONE,
+        input: GUSSET_PLUGIN_NONE,
+        element: 0,
+        index: 0,
+        value: 0.0,
+    };
+    if let Some(fault) = fault {
+        let failure = &fault.failure;
+        report.status = failure.status as i32;
+        report.param = fault.param.unwrap_or(GUSSET_PLUGIN_NONE);
+        report.input = fault.input.unwrap_or(GUSSET_PLUGIN_NONE);
+        (report.element, report.index, report.value) = (failure.element, failure.index, failure.value);
+    }
+    report
+}
+
+pub(super) unsafe extern "C" fn free(outputs: *mut gusset_outputs) {
+    handle::destroy(outputs);
+}

@@ -1,0 +1,399 @@
+//! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data,
+//! 2000-2999 environment.
+//!
+//! The comment of each code is its text too: the build script makes `status_text` of the first
+//! sentences. Each error of the core becomes a code with an element in one place, `From<Error>`.
+
+use crate::error::{Element, Error, PairFault, Side};
+use std::borrow::Cow;
+use std::ffi::c_char;
+
+/// What a function returns; `GUSSET_OK` is 0.
+#[repr(i32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs, reason = "cbindgen takes the comments below, one each")]
+pub enum gusset_status {
+    /// Success.
+    GUSSET_OK = 0,
+    /// A pointer that must not be NULL is NULL.
+    GUSSET_ERROR_NULL_ARGUMENT = 1,
+    /// A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have
+    /// any alignment.)
+    GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
+    /// struct_size is smaller than the first version of the struct.
+    GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
+    /// An enumerator, a reserved field or a field unknown to this version has an unknown value.
+    GUSSET_ERROR_UNKNOWN_VALUE = 4,
+    /// An option is outside its range.
+    GUSSET_ERROR_OUT_OF_RANGE = 5,
+    /// The caller's buffer is too small; nothing was written but the size needed.
+    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
+    /// The context is in use by another call: on another thread, or further up this one's stack.
+    GUSSET_ERROR_CONTEXT_BUSY = 7,
+    /// There is no element of this index.
+    GUSSET_ERROR_NO_SUCH_ELEMENT = 8,
+    /// A stride is smaller than what lies at each step of it.
+    GUSSET_ERROR_BAD_STRIDE = 9,
+    /// Exactly one of face_offsets and face_size must be given.
+    GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
+    /// Arrays that the library would write to overlap.
+    GUSSET_ERROR_OVERLAP = 11,
+    /// A handle is of another kind than the function takes, or was destroyed. (That is seen where the
+    /// memory has not been used again; a pointer to anything else cannot be told.)
+    GUSSET_ERROR_WRONG_HANDLE = 12,
+    /// Values are given for another number of inputs, or of elements of one, than there are.
+    GUSSET_ERROR_COUNT_DIFFERS = 13,
+    /// More vertices, faces or half-edges than this version takes.
+    GUSSET_ERROR_TOO_LARGE = 1000,
+    /// The bytes of an array exceed the address space.
+    GUSSET_ERROR_SIZE_OVERFLOW = 1001,
+    /// A mesh without vertices or without faces, or no mesh at all.
+    GUSSET_ERROR_EMPTY_MESH = 1002,
+    /// Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than
+    /// their elements.
+    GUSSET_ERROR_BAD_OFFSETS = 1003,
+    /// A face of fewer than three corners.
+    GUSSET_ERROR_FACE_TOO_SMALL = 1004,
+    /// A face names a vertex that does not exist.
+    GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
+    /// A number is NaN or infinite: a coordinate of a vertex that a face uses, of a point, a tangent,
+    /// a query or a node, or a value of a channel.
+    GUSSET_ERROR_NOT_FINITE = 1006,
+    /// The second mesh, or a later piece, has f64 positions and the first f32.
+    GUSSET_ERROR_MIXED_SCALARS = 1007,
+    /// A record of a winged-edge table fits no mesh.
+    GUSSET_ERROR_BAD_WINGS = 1008,
+    /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
+    GUSSET_ERROR_BAD_MERGE = 1009,
+    /// A face passes a vertex twice, where each face needs a shape.
+    GUSSET_ERROR_REPEATED_CORNER = 1010,
+    /// There is no boundary loop that can be stitched, or of one mesh there are no two.
+    GUSSET_ERROR_NO_LOOP = 1100,
+    /// A loop of fewer than three vertices.
+    GUSSET_ERROR_LOOP_TOO_SHORT = 1101,
+    /// A loop passes a vertex twice.
+    GUSSET_ERROR_LOOP_REPEATS_VERTEX = 1102,
+    /// Consecutive vertices of a loop are not joined by an edge with exactly one face.
+    GUSSET_ERROR_LOOP_EDGE_NOT_FREE = 1103,
+    /// Both loops pass the same vertex of the same mesh.
+    GUSSET_ERROR_LOOPS_SHARE_VERTEX = 1104,
+    /// The faces along a loop disagree in orientation.
+    GUSSET_ERROR_LOOP_NOT_ORIENTED = 1105,
+    /// The second piece is oriented against the first, and the options refuse to turn it over.
+    GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
+    /// Every strip through the first meridian would repeat an edge that the mesh already has.
+    GUSSET_ERROR_NO_STRIP = 1107,
+    /// The planes through the loops' centres cannot tell which vertices face each other: such loops
+    /// are joined whole.
+    GUSSET_ERROR_PLANES_UNDECIDED = 1108,
+    /// Vertices that follow one another in a cut are not connected by edges.
+    GUSSET_ERROR_CUT_NOT_CONNECTED = 1109,
+    /// A closed curve does not end where it begins.
+    GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
+    /// A control point of what must be a plane curve has z other than 0.
+    GUSSET_ERROR_CURVE_NOT_PLANE = 1201,
+    /// A curve without segments, or without points, where one is needed.
+    GUSSET_ERROR_EMPTY_CURVE = 1202,
+    /// A section of a frame has another number of points than the first one.
+    GUSSET_ERROR_SECTIONS_DIFFER = 1210,
+    /// A section of a frame, or a plane, does not meet a column.
+    GUSSET_ERROR_NO_NODE = 1211,
+    /// A net of fewer than two rows or columns.
+    GUSSET_ERROR_NET_TOO_SMALL = 1300,
+    /// A gluing makes both pairs of opposite corners of a cell one each, which no surface allows.
+    GUSSET_ERROR_CROSSING_CELL = 1301,
+    /// A seam is empty, leaves the net, or repeats one pair of nodes.
+    GUSSET_ERROR_BAD_SEAM = 1302,
+    /// Sides of nets to be joined have different numbers of nodes, or do not lie on each other.
+    GUSSET_ERROR_SIDES_DIFFER = 1303,
+    /// Faces of a mesh are no rectangular grid of quads, or triangles no such grid with diagonals.
+    GUSSET_ERROR_NO_GRID = 1304,
+    /// A stream is damaged, cut off, or none of ours.
+    GUSSET_ERROR_BAD_STREAM = 1305,
+    /// A group of a scene would contain itself.
+    GUSSET_ERROR_SCENE_CYCLE = 1306,
+    /// A scene without nets.
+    GUSSET_ERROR_EMPTY_SCENE = 1307,
+    /// A field of deformation is not defined at a node.
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /// A net is glued elsewhere than along whole sides, or has bridges.
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /// Two nets are glued differently.
+    GUSSET_ERROR_GLUINGS_DIFFER = 1322,
+    /// Knots of a spline: their number does not fit, or one is out of order or repeated too often.
+    GUSSET_ERROR_BAD_KNOTS = 1410,
+    /// Curves of a net do not meet, or not in the order given.
+    GUSSET_ERROR_CURVES_APART = 1411,
+    /// Memory could not be had.
+    GUSSET_ERROR_OUT_OF_MEMORY = 2000,
+    /// The host cancelled.
+    GUSSET_ERROR_CANCELLED = 2001,
+    /// A defect of the library; the context and all handles remain usable.
+    GUSSET_ERROR_PANIC = 9999,
+}
+
+use gusset_status::*;
+
+/// What the index in a report counts.
+pub type gusset_element = u32;
+/// The report's index means nothing.
+pub const GUSSET_ELEMENT_NONE: gusset_element = 0;
+/// A vertex of the input mesh.
+pub const GUSSET_ELEMENT_VERTEX: gusset_element = 1;
+/// A face of the input mesh.
+pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
+/// A half-edge: a position in face_corners.
+pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
+/// An entry of face_offsets.
+pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
+/// A place in the loop given; the report's input is the number of the loop.
+pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
+/// A count of elements or bytes.
+pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
+/// A point of an outline or a curve, counted over all outlines.
+pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
+/// A constraint on an outline: its place, or its tangent.
+pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
+/// One of the places on a curve or a surface that were given.
+pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
+/// A section of a frame, or a plane, counted from 0; the value is the column or the number of
+/// points.
+pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
+/// A node of a net, row after row.
+pub const GUSSET_ELEMENT_NODE: gusset_element = 13;
+/// A link of a net: twice its first node, and 1 if it is vertical.
+pub const GUSSET_ELEMENT_LINK: gusset_element = 14;
+/// A cell of a net, row after row.
+pub const GUSSET_ELEMENT_CELL: gusset_element = 15;
+/// One of the seams given.
+pub const GUSSET_ELEMENT_SEAM: gusset_element = 16;
+/// A bridge of a net.
+pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
+/// An entry of a scene.
+pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
+/// A byte of a stream.
+pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
+/// One of the operations, fields, gluings, lines, loops, pairs, pieces, sheets or curves that were
+/// given.
+pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
+/// A place along the side of a net; the value is a distance.
+pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
+/// A knot of a spline, in u or in v as the message says.
+pub const GUSSET_ELEMENT_KNOT: gusset_element = 30;
+/// A row of a net of curves; the message has the column, the value is how far they are apart.
+pub const GUSSET_ELEMENT_ROW: gusset_element = 31;
+
+/// An edge of a winged-edge table.
+pub const GUSSET_ELEMENT_EDGE: gusset_element = 32;
+
+/// A failure on its way to the host.
+#[derive(Debug)]
+pub struct Failure {
+    /// The status code.
+    pub status: gusset_status,
+    /// The text for the host.
+    pub message: Cow<'static, str>,
+    /// The kind of element at fault.
+    pub(crate) element: gusset_element,
+    /// The index of that element.
+    pub(crate) index: u64,
+    /// The value at fault.
+    pub(crate) value: f64,
+    /// Which mesh: 0 the first, 1 the second.
+    pub(crate) input: u32,
+}
+
+impl Failure {
+    pub(crate) fn new(status: gusset_status, message: impl Into<Cow<'static, str>>) -> Self {
+        Failure { status, message: message.into(), element: GUSSET_ELEMENT_NONE, index: 0, value: 0.0, input: 0 }
+    }
+
+    pub(crate) fn null(argument: &'static str) -> Self {
+        Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
+    }
+
+    pub(crate) fn unknown(what: impl std::fmt::Display, value: u64) -> Self {
+        Failure {
+            value: value as f64,
+            ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
+        }
+    }
+
+    pub(crate) fn no_such(what: &'static str, index: usize) -> Self {
+        let message = format!("there is no {what} {index}");
+        Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
+    }
+
+    /// The same failure, of item `index` of an array of the caller's, unless it is about an element
+    /// already.
+    pub(crate) fn of_item(self, index: usize) -> Self {
+        match self.element {
+            GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
+            _ => self,
+        }
+    }
+
+    /// The same failure, of a field of the struct `name` that the options point to.
+    pub(crate) fn of_field(self, name: &'static str) -> Self {
+        Failure { message: format!("{name}.{}", self.message).into(), ..self }
+    }
+
+    /// The same failure, of input mesh `input`.
+    pub(crate) fn of_input(self, input: u32) -> Self {
+        Failure { input, ..self }
+    }
+
+    /// A failure that is about element `index`.
+    fn at(status: gusset_status, element: gusset_element, index: impl Into<u64>, value: impl Into<f64>) -> Self {
+        Failure { element, index: index.into(), value: value.into(), ..Failure::new(status, "") }
+    }
+}
+
+/// The constant of C for an element.
+fn code_of(element: Element) -> gusset_element {
+    match element {
+        Element::Vertex => GUSSET_ELEMENT_VERTEX,
+        Element::LoopPoint(_) => GUSSET_ELEMENT_LOOP_PLACE,
+        Element::Point | Element::Query => GUSSET_ELEMENT_POINT,
+        Element::Place => GUSSET_ELEMENT_PLACE,
+        Element::Constraint => GUSSET_ELEMENT_CONSTRAINT,
+        Element::Node => GUSSET_ELEMENT_NODE,
+        Element::Link => GUSSET_ELEMENT_LINK,
+        Element::Corner => GUSSET_ELEMENT_HALF_EDGE,
+        Element::Face => GUSSET_ELEMENT_FACE,
+        Element::Cell => GUSSET_ELEMENT_CELL,
+        Element::Bridge => GUSSET_ELEMENT_BRIDGE,
+        Element::Entry => GUSSET_ELEMENT_ENTRY,
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        use Error::*;
+        let at = |status, element, index: u32, value: f64| Failure::at(status, element, index, value);
+        let plain = |status, value: f64| Failure::at(status, GUSSET_ELEMENT_NONE, 0_u64, value);
+        let count = |status, count: u64| Failure::at(status, GUSSET_ELEMENT_COUNT, count, 0.0);
+        let failure = match error {
+            TooLarge { count: n, limit, .. } => Failure { value: limit as f64, ..count(GUSSET_ERROR_TOO_LARGE, n) },
+            SizeOverflow { count: n, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, n),
+            ArrayTooShort { needed, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, needed),
+            StrideTooSmall { stride, .. } => count(GUSSET_ERROR_BAD_STRIDE, stride),
+            EmptyMesh { .. } => plain(GUSSET_ERROR_EMPTY_MESH, 0.0),
+            BadOffsets { entry, value } => at(GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, entry, value.into()),
+            FaceTooSmall { face, corners } => {
+                at(GUSSET_ERROR_FACE_TOO_SMALL, GUSSET_ELEMENT_FACE, face, corners.into())
+            }
+            IndexOutOfRange { corner, vertex, .. } => {
+                at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner, vertex.into())
+            }
+            BadMerge { vertex, value } => at(GUSSET_ERROR_BAD_MERGE, GUSSET_ELEMENT_VERTEX, vertex, value.into()),
+            RepeatedCorner { face, vertex } => {
+                at(GUSSET_ERROR_REPEATED_CORNER, GUSSET_ELEMENT_FACE, face, vertex.into())
+            }
+            CutNotConnected { cut, place, vertex } => Failure {
+                input: cut,
+                ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
+            },
+            NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, code_of(element), index, value),
+            BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
+            InputsDiffer { given, needed } => {
+                Failure { value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
+            }
+            ValuesDiffer { input, given, needed } => {
+                Failure { input, value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
+            }
+            BadValue { element, index, input, value } => {
+                let status = if value.is_finite() { GUSSET_ERROR_OUT_OF_RANGE } else { GUSSET_ERROR_NOT_FINITE };
+                Failure { input, ..Failure::at(status, code_of(element), index, value) }
+            }
+            CoordinateTooLarge { element, index, value } => {
+                Failure::at(GUSSET_ERROR_OUT_OF_RANGE, code_of(element), index, value)
+            }
+            NoSuch { element, index } => Failure::at(GUSSET_ERROR_NO_SUCH_ELEMENT, code_of(element), index, 0.0),
+            SectionsDiffer { section, count, .. } => {
+                at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())
+            }
+            NoNode { section, column } => at(GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, section, column.into()),
+            CurveNotClosed => plain(GUSSET_ERROR_CURVE_NOT_CLOSED, 0.0),
+            CurveNotPlane { point } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point, 0.0),
+            EmptyCurve => plain(GUSSET_ERROR_EMPTY_CURVE, 0.0),
+            NoSuchPlace { index, t, .. } => at(GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index, t),
+            BadConstraint { constraint, point } => {
+                at(GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CONSTRAINT, constraint, point.into())
+            }
+            MixedScalars => plain(GUSSET_ERROR_MIXED_SCALARS, 0.0),
+            NoLoop { .. } => plain(GUSSET_ERROR_NO_LOOP, 0.0),
+            NoPairOfLoops { count } => plain(GUSSET_ERROR_NO_LOOP, count.into()),
+            LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
+            LoopRepeatsVertex { vertex, .. } => {
+                at(GUSSET_ERROR_LOOP_REPEATS_VERTEX, GUSSET_ELEMENT_VERTEX, vertex, 0.0)
+            }
+            LoopEdgeNotFree { place, vertex, .. } => {
+                at(GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
+            }
+            LoopIndexOutOfRange { number, place, vertex } => Failure {
+                input: number,
+                ..at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
+            },
+            LoopsShareVertex { vertex } => at(GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, vertex, 0.0),
+            PlanesUndecided { .. } => plain(GUSSET_ERROR_PLANES_UNDECIDED, 0.0),
+            LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face, 0.0),
+            OrientationConflict { face } => at(GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, face, 0.0),
+            NoStrip { vertex } => at(GUSSET_ERROR_NO_STRIP, GUSSET_ELEMENT_VERTEX, vertex, 0.0),
+            NetTooSmall { rows, columns } => count(GUSSET_ERROR_NET_TOO_SMALL, rows.min(columns)),
+            CrossingCell { cell } => at(GUSSET_ERROR_CROSSING_CELL, GUSSET_ELEMENT_CELL, cell, 0.0),
+            BadSeam { seam } => at(GUSSET_ERROR_BAD_SEAM, GUSSET_ELEMENT_SEAM, seam, 0.0),
+            SidesDiffer { a, b } => at(GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_COUNT, a, b.into()),
+            SidesApart { place, distance } => at(GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_SIDE_PLACE, place, distance),
+            WrongKnotCount { given, .. } => count(GUSSET_ERROR_BAD_KNOTS, given),
+            BadKnot { knot, value, .. } => at(GUSSET_ERROR_BAD_KNOTS, GUSSET_ELEMENT_KNOT, knot, value),
+            CurvesApart { row, distance, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row, distance),
+            CurvesOutOfOrder { row, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row, 0.0),
+            NetsOpposed => plain(GUSSET_ERROR_ORIENTATION_CONFLICT, 0.0),
+            NoGrid { face } => at(GUSSET_ERROR_NO_GRID, GUSSET_ELEMENT_FACE, face, 0.0),
+            BadStream { byte, .. } => Failure::at(GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
+            SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry, 0.0),
+            EmptyScene => plain(GUSSET_ERROR_EMPTY_SCENE, 0.0),
+            FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
+            GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
+            BadWings { edge, .. } => Failure::at(GUSSET_ERROR_BAD_WINGS, GUSSET_ELEMENT_EDGE, edge, 0.0),
+            GluingsDiffer { node } => at(GUSSET_ERROR_GLUINGS_DIFFER, GUSSET_ELEMENT_NODE, node, 0.0),
+            BadLine { line: item, value, .. } | SheetOutOfRange { sheet: item, value } => {
+                Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
+            }
+            NotRigid { pose } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pose, 0.0),
+            InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),
+            InputUnfit { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
+            BadLoopPair { pair, piece, vertex, fault, .. } => {
+                let value = if fault == PairFault::NoPiece { piece } else { vertex };
+                at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pair, value.into())
+            }
+            BadProperty { bridge, value, .. } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_BRIDGE, bridge, value),
+            OptionOutOfRange { value, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, value),
+            OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
+            Cancelled => plain(GUSSET_ERROR_CANCELLED, 0.0),
+        };
+        let input = error.side().map_or(failure.input, |side| u32::from(side == Side::B));
+        Failure { message: error.to_string().into(), input, ..failure }
+    }
+}
+
+include!(concat!(env!("OUT_DIR"), "/status_text.rs"));
+
+/// What [`gusset_status_text`] gives.
+pub(super) fn text(status: i32) -> &'static std::ffi::CStr {
+    status_text(status)
+}
+
+/// What a status means, in a few English words.
+///
+/// Never NULL; static.
+///
+/// @param status any number; for one that is no status, "unknown status".
+/// @return a static string, never NULL.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
+    status_text(status).as_ptr()
+}

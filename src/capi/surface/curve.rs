@@ -1,0 +1,136 @@
+//! C interface: curves beside surfaces: through points, along a surface, and close to each other in
+//! space.
+
+use crate::capi::curve::intersect::gusset_places;
+use crate::capi::curve::{gusset_curve, points, view};
+use crate::capi::prelude::*;
+use crate::capi::surface::line_intersection::{gusset_line, lines};
+use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
+use crate::surface::curve_through;
+
+/// gusset_sheet_curve_create: u stays and v runs: along rows.
+pub const GUSSET_ALONG_ROWS: u32 = 0;
+/// gusset_sheet_curve_create: v stays and u runs: along columns.
+pub const GUSSET_ALONG_COLUMNS: u32 = 1;
+
+/// Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the
+/// next, of fourth order.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param nodes x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of
+///     which the last is the first one again: closed paths of a surface do not repeat it, and need
+///     it added.
+/// @param count see nodes.
+/// @param closed 0 or 1.
+/// @param scheme GUSSET_SCHEME_...
+/// @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve), NET_TOO_SMALL with
+///     too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
+///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(count).
+/// @source Leus, "Carcasses on smooth surfaces": points are the surface of a curve.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_through_create(
+    context: *const gusset_context,
+    nodes: *const f64,
+    count: usize,
+    closed: u32,
+    scheme: gusset_scheme,
+    curve: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, curve, "curve", |_| {
+        let (scheme, closed) = (choice(scheme)?, flag(closed, "closed")?);
+        Ok(gusset_curve(curve_through(&points(nodes, count, 3)?, closed, scheme)?))
+    })
+}
+
+/// A coordinate curve of a sheet, exactly: a segment for each cell.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param along GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs;
+///     GUSSET_ALONG_COLUMNS: the other way round.
+/// @param parameter 0 to the number of cells that way; whole numbers are lines of nodes.
+/// @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+///     (parameter), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells along the curve).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_curve_create(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    along: u32,
+    parameter: f64,
+    curve: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, curve, "curve", |_| {
+        let sheet = &handle::get(sheet, "sheet")?.0;
+        Ok(gusset_curve(match along {
+            GUSSET_ALONG_ROWS => sheet.row_curve(parameter)?,
+            GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter)?,
+            other => return Err(Failure::unknown("along", other.into())),
+        }))
+    })
+}
+
+/// Where two curves in space come as near to each other as `within`: each place where their
+/// distance is least, once.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param other the other curve.
+/// @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
+/// @param[out] places receives the places on the first curve, those on the other, and the points of
+///     the first; overlaps are parts where the curves stay as near, or cannot be told apart;
+///     undecided is 1 if something was given up that may be near enough. For gusset_places_destroy;
+///     NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+///     (within), OUT_OF_MEMORY, CANCELLED.
+/// @complexity Bounded work for each pair of segments whose boxes are near.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_near_misses_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    other: *const gusset_curve,
+    within: f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |job| {
+        let (curve, other) = (view(curve, "curve")?, view(other, "other")?);
+        gusset_places::of_near_misses(&curve.near_misses(&other, within, job)?, &curve)
+    })
+}
+
+/// Where a curve in space comes as near to a line, ray or segment as `within`.
+///
+/// The others among the places have segment 0, and the line's own parameter as t.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param line one, at any alignment.
+/// @param within a distance, at least 0.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
+///     a line that is not finite or has no direction.
+/// @complexity Bounded work for each segment whose box meets the line.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_line_near_misses_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    line: *const gusset_line,
+    within: f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |job| {
+        let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
+        gusset_places::of_near_misses(&line.near_misses(&curve, within, job)?, &curve)
+    })
+}

@@ -1,0 +1,166 @@
+//! C interface: points, normals and curvatures at places of a surface.
+
+use crate::capi::curve::times;
+use crate::capi::prelude::*;
+use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::surface::{LocalGeometry, NormalKind, Place};
+
+/// There is no normal: the tangents are 0, or parallel all along the lines to the point.
+pub const GUSSET_NORMAL_NONE: u32 = 0;
+/// The normal of the plane that the tangents span.
+pub const GUSSET_NORMAL_REGULAR: u32 = 1;
+/// The limit along the coordinate line, where the tangents do not span a plane: at poles.
+pub const GUSSET_NORMAL_LIMIT: u32 = 2;
+
+/// What there is to know of a point of a surface. Derivatives are by the parameters within the
+/// cell.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_surface_point {
+    /// The point.
+    pub point: [f64; 3],
+    /// S_u.
+    pub u: [f64; 3],
+    /// S_v.
+    pub v: [f64; 3],
+    /// S_uu.
+    pub uu: [f64; 3],
+    /// S_uv.
+    pub uv: [f64; 3],
+    /// S_vv.
+    pub vv: [f64; 3],
+    /// The unit normal, to the side of S_u x S_v; 0 if there is none.
+    pub normal: [f64; 3],
+    /// Of limits: the largest angle, in radians, to limits along other lines to the same point.
+    /// Small at the pole of a smooth surface, large at the tip of a cone, which has no normal.
+    pub spread: f64,
+    /// The principal curvatures, the greater first: positive where the surface bends towards the
+    /// normal.
+    pub principal: [f64; 2],
+    /// Their directions: two unit tangents, x, y, z each.
+    pub directions: [f64; 6],
+    /// The mean curvature.
+    pub mean: f64,
+    /// The Gaussian curvature.
+    pub gaussian: f64,
+    /// GUSSET_NORMAL_...
+    pub normal_kind: u32,
+    /// 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+    pub is_curved: u32,
+}
+
+fixed! { gusset_surface_point: 264 }
+
+c_enum! { normal_kind: NormalKind { GUSSET_NORMAL_NONE => None, GUSSET_NORMAL_REGULAR => Regular, GUSSET_NORMAL_LIMIT => Limit } }
+
+impl From<LocalGeometry> for gusset_surface_point {
+    fn from(local: LocalGeometry) -> Self {
+        let LocalGeometry { jet, normal, curvatures } = local;
+        let mut point = gusset_surface_point {
+            point: jet.point.into(),
+            u: jet.u.into(),
+            v: jet.v.into(),
+            uu: jet.uu.into(),
+            uv: jet.uv.into(),
+            vv: jet.vv.into(),
+            normal: normal.direction.into(),
+            spread: normal.spread,
+            normal_kind: normal.kind.number(),
+            ..bytemuck::Zeroable::zeroed()
+        };
+        if let Some(curvatures) = curvatures {
+            let [[a, b, c], [d, e, f]] = curvatures.directions.map(|direction| direction.to_array());
+            point.principal = curvatures.principal;
+            point.directions = [a, b, c, d, e, f];
+            (point.mean, point.gaussian, point.is_curved) = (curvatures.mean, curvatures.gaussian, 1);
+        }
+        point
+    }
+}
+
+/// Places located between two reports of progress.
+const LOCATED: usize = 1 << 20;
+
+/// The caller's places on a surface, at any alignment.
+pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
+    let place = |(k, given): (usize, gusset_surface_place)| match given.reserved {
+        0 => Ok(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v }),
+        other => Err(Failure::unknown("reserved", other.into()).of_item(k)),
+    };
+    alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
+}
+
+/// Points, derivatives, normals and curvatures at places.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param places count of them, at any alignment.
+/// @param count see places.
+/// @param[out] results room for count; all 0 on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+///     (reserved), NO_SUCH_ELEMENT with the first place that the surface does not have: no such
+///     sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(1) a place, at a pole O(cells round it); threads.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_evaluate(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    places: *const gusset_surface_place,
+    count: usize,
+    results: *mut gusset_surface_point,
+) -> gusset_status {
+    let results = input::cleared(results, count, "results");
+    guard_change(context, |job| {
+        let (results, surface, places) = (results?, read(surface)?, surface_places(places, count)?);
+        let found = surface.evaluate(&places, job)?;
+        job.memory()?;
+        results.iter_mut().zip(found).for_each(|(result, local)| *result = local.into());
+        Ok(())
+    })
+}
+
+/// The places of parameters of a whole sheet: node (i, j) has u = i and v = j.
+///
+/// Closed directions are counted round; what is beyond an open side is on it. The other way the
+/// parameters of a place are row + u and column + v.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param sheet its number, counted from 0.
+/// @param parameters u, v of each, packed, at any alignment.
+/// @param count see places.
+/// @param[out] places room for count; all 0 on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW,
+///     NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet;
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(1) each.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_locate(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    sheet: u32,
+    parameters: *const f64,
+    count: usize,
+    places: *mut gusset_surface_place,
+) -> gusset_status {
+    let places = input::cleared(places, count, "places");
+    guard_change(context, |job| {
+        let (places, surface) = (places?, read(surface)?);
+        let bytes = input::bytes(parameters.cast(), times(count, 2, "parameters")?, 8, "parameters")?;
+        let mut found = alloc::with_capacity(count)?;
+        for (k, pair) in bytes.chunks_exact(16).enumerate() {
+            job.step_every(LOCATED, k, count, "locating")?;
+            let place = surface.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
+            found.push(gusset_surface_place::from(
+                place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,
+            ));
+        }
+        job.memory()?;
+        places.copy_from_slice(&found);
+        Ok(())
+    })
+}
