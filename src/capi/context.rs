@@ -123,6 +123,12 @@ pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
+    let mut body = Some(body);
+    run_guarded(context, &mut |job| body.take().map_or(Ok(()), |body| body(job)))
+}
+
+/// Calls `body` once at most. It knows no type of bodies, so that each is compiled once.
+fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) -> Result<(), Failure>) -> gusset_status {
     let outcome = caught(|| {
         if context.is_null() {
             return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);

@@ -63,33 +63,66 @@ pub fn map_jobs<T: Send, R: Send>(
 ) -> Result<Vec<R>> {
     let count = items.len();
     let helpers = at_most(count, job.threads()).saturating_sub(1);
-    let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
-    // Room for all of them before the first item: after the last, what was done can no longer fail.
+    let queue = Mutex::new(items.enumerate());
+    // Room for all results before the first item: nothing fails after the last.
     let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
-    let busy = Busy::default();
-    let finish = |i: usize, item: T, job: &Job<'_>| {
-        let result = work(item, job);
-        let failed = result.is_err();
+    let do_next = |job_of: JobOf<'_>| -> Result<Step> {
+        let Some((i, item)) = lock(&queue).next() else { return Ok(Step::NothingLeft) };
+        let result = work(item, &job_of(i)?);
+        let step = if result.is_err() { Step::Failed } else { Step::Done };
         lock(&results)[i] = Some(result);
-        stopped.fetch_or(failed, Ordering::Relaxed);
+        Ok(step)
     };
-    let next = || lock(&queue).next().filter(|_| !stopped.load(Ordering::Relaxed));
+    share_jobs(helpers, job, stage, count, &do_next)?;
+    for result in results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten() {
+        all.push(result?);
+    }
+    Ok(all)
+}
+
+/// The job of an item, or the reason not to begin it.
+type JobOf<'a> = &'a dyn Fn(usize) -> Result<Job<'a>>;
+
+/// What became of the next item.
+enum Step {
+    /// The items are used up.
+    NothingLeft,
+    /// The item has its result.
+    Done,
+    /// The result of the item is an error.
+    Failed,
+}
+
+/// Calls `do_next` on this thread and on `helpers` others until an item fails or none is left. It
+/// knows no type of items, so that it is compiled once and the work of a caller once.
+fn share_jobs(
+    helpers: usize,
+    job: &Job<'_>,
+    stage: &'static str,
+    count: usize,
+    do_next: &(dyn Fn(JobOf<'_>) -> Result<Step> + Sync),
+) -> Result<()> {
+    let (busy, stopped) = (Busy::default(), AtomicBool::new(false));
+    let goes_on = |job_of: JobOf<'_>| -> Result<bool> {
+        if stopped.load(Ordering::Relaxed) {
+            return Ok(false);
+        }
+        let step = do_next(job_of)?;
+        stopped.fetch_or(matches!(step, Step::Failed), Ordering::Relaxed);
+        Ok(matches!(step, Step::Done))
+    };
     let help = || {
         let _one = busy.begin();
         let own = Unless(&stopped);
-        while let Some((i, item)) = next() {
-            finish(i, item, &Job::new(1, &own));
-        }
+        while matches!(goes_on(&|_| Ok(Job::new(1, &own))), Ok(true)) {}
     };
     let mut reported = Ok(());
     let mut lead = |_| {
         let stop = StopOnDrop(&stopped);
         let ask = |done: usize| job.step(done as f64 / count.max(1) as f64, stage);
+        let own_job = |i: usize| ask(i).map(|()| job.share(i, count).with_threads(1));
         reported = (|| {
-            while let Some((i, item)) = next() {
-                ask(i)?;
-                finish(i, item, &job.share(i, count).with_threads(1));
-            }
+            while goes_on(&own_job)? {}
             busy.wait(|| ask(count))
         })();
         if reported.is_ok() {
@@ -97,11 +130,7 @@ pub fn map_jobs<T: Send, R: Send>(
         }
     };
     run_beside(helpers, &help, &mut lead);
-    reported?;
-    for result in results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten() {
-        all.push(result?);
-    }
-    Ok(all)
+    reported
 }
 
 /// Places for as many results.
@@ -118,33 +147,39 @@ fn run_ordered<T: Send, R: Send>(
     before: impl Fn(usize) -> Result<()>,
 ) -> Result<Vec<R>> {
     let count = items.len();
-    let wanted = at_most(count, threads);
-    let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
+    let helpers = at_most(count, threads).saturating_sub(1);
+    let queue = Mutex::new(items.enumerate());
     let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
-    let next = || lock(&queue).next();
-    let finish = |(i, item)| {
+    let do_next = |before: Before<'_>| -> Result<bool> {
+        let Some((i, item)) = lock(&queue).next() else { return Ok(false) };
+        before(i)?;
         let result = work(item);
         lock(&results)[i] = Some(result);
+        Ok(true)
     };
-    let help = || {
-        while let Some(item) = next().filter(|_| !stopped.load(Ordering::Relaxed)) {
-            finish(item);
-        }
-    };
-    let mut reported = Ok(());
-    let mut lead = |_| {
-        while let Some((i, item)) = next() {
-            reported = before(i);
-            if reported.is_err() {
-                return stopped.store(true, Ordering::Relaxed);
-            }
-            finish((i, item));
-        }
-    };
-    run_beside(wanted.saturating_sub(1), &help, &mut lead);
-    reported?;
+    share(helpers, &before, &do_next)?;
     all.extend(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten());
     Ok(all)
+}
+
+/// Called with the number of an item before it begins.
+type Before<'a> = &'a dyn Fn(usize) -> Result<()>;
+
+/// Calls `do_next` on this thread and on `helpers` others until none is left or `before` fails,
+/// which is called on this thread only. It knows no type of items, as [`share_jobs`].
+fn share(helpers: usize, before: Before<'_>, do_next: &(dyn Fn(Before<'_>) -> Result<bool> + Sync)) -> Result<()> {
+    let stopped = AtomicBool::new(false);
+    let help = || while !stopped.load(Ordering::Relaxed) && matches!(do_next(&|_| Ok(())), Ok(true)) {};
+    let mut reported = Ok(());
+    let mut lead = |_| {
+        reported = (|| {
+            while do_next(before)? {}
+            Ok(())
+        })();
+        stopped.store(reported.is_err(), Ordering::Relaxed);
+    };
+    run_beside(helpers, &help, &mut lead);
+    reported
 }
 
 /// Does two pieces of work, the second on a thread of its own if the job may have one. The host is

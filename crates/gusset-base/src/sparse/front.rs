@@ -186,32 +186,44 @@ impl Kernel for Divide<'_> {
         for group in (0..columns).step_by(SUMS) {
             let (known, rest) = block.split_at_mut(group);
             let rest = &mut rest[..SUMS.min(columns - group)];
-            subtract(rest, known.iter().zip(own.chunks_exact(PANEL).map(|own| &own[group..group + SUMS])));
-            for k in group..group + rest.len() {
-                let (lanes, rest) = rest[k - group..].split_first_mut().expect("a column of the group");
+            // A copy of known size, padded with columns that count for nothing: loops over it become
+            // vectors.
+            let mut column = [ZEROS; SUMS];
+            column[..rest.len()].copy_from_slice(rest);
+            subtract(&mut column, known.iter().zip(own.chunks_exact(PANEL).map(|own| &own[group..group + SUMS])));
+            for j in 0..SUMS {
+                let k = group + j;
+                if k >= columns {
+                    break;
+                }
                 if k >= row {
-                    let pivot = lanes[k - row];
+                    let pivot = column[j][k - row];
                     let divided = 1.0 / pivot;
                     // Not `<=`: a pivot that is no number is left out as well.
                     let is_positive = pivot > MIN_RELATIVE_PIVOT * diagonal[k] && divided.is_finite();
                     inverse[k] = if is_positive { divided } else { 0.0 };
                 }
                 if inverse[k] == 0.0 {
-                    *lanes = ZEROS;
+                    column[j] = ZEROS;
                 }
                 let own = &mut own[PANEL * k..PANEL * (k + 1)];
                 if row < width {
                     let end = width.min(row + LANES);
-                    own[row..end].copy_from_slice(&lanes[..end - row]);
+                    own[row..end].copy_from_slice(&column[j][..end - row]);
                 }
-                undivided[k] = *lanes;
-                lanes.iter_mut().for_each(|entry| *entry *= inverse[k]);
-                for (column, &factor) in rest.iter_mut().zip(&own[k + 1..]) {
+                undivided[k] = column[j];
+                for i in 0..LANES {
+                    column[j][i] *= inverse[k];
+                }
+                let (divided, factors) = (column[j], &own[group..group + SUMS]);
+                for later in j + 1..SUMS {
                     for i in 0..LANES {
-                        column[i] -= lanes[i] * factor;
+                        column[later][i] -= divided[i] * factors[later];
                     }
                 }
             }
+            let count = rest.len();
+            rest.copy_from_slice(&column[..count]);
         }
     }
 }
@@ -239,27 +251,35 @@ impl Kernel for Subtract<'_> {
         for (columns, undivided) in columns.zip(undivided[PANEL * next..].chunks_exact(PANEL)) {
             let (low, high) = columns.split_at_mut(SUMS);
             let undivided = &undivided[..width];
+            let [low, high] = [low, high].map(|half| half.try_into().expect("half of the columns of a block"));
             subtract(low, divided.iter().zip(undivided.iter().map(|rows| &rows[..SUMS])));
             subtract(high, divided.iter().zip(undivided.iter().map(|rows| &rows[SUMS..])));
         }
     }
 }
 
-/// Subtracts from up to [`SUMS`] columns the products of columns with as many factors each.
+/// Subtracts from columns the products of other columns with a factor for each.
 #[inline(always)]
-fn subtract<'a>(columns: &mut [Lanes], products: impl Iterator<Item = (&'a Lanes, &'a [f64])>) {
+fn subtract<'a>(columns: &mut [Lanes; SUMS], products: impl Iterator<Item = (&'a Lanes, &'a [f64])>) {
     let mut sums = [ZEROS; SUMS];
     for (lanes, factors) in products {
         let factors: &[f64; SUMS] = factors.try_into().expect("as many factors as columns");
-        for j in 0..SUMS {
-            for i in 0..LANES {
-                sums[j][i] += lanes[i] * factors[j];
-            }
-        }
+        add_products(&mut sums, lanes, factors);
     }
     for (column, sum) in columns.iter_mut().zip(&sums) {
         for i in 0..LANES {
             column[i] -= sum[i];
+        }
+    }
+}
+
+/// Adds the products of a column with each factor. The arguments do not overlap, which lets the
+/// compiler use vectors wherever it inlines this.
+#[inline(always)]
+fn add_products(sums: &mut [Lanes; SUMS], lanes: &Lanes, factors: &[f64; SUMS]) {
+    for (sum, factor) in sums.iter_mut().zip(factors) {
+        for (sum, entry) in sum.iter_mut().zip(lanes) {
+            *sum += entry * factor;
         }
     }
 }
