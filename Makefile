@@ -49,7 +49,7 @@ help:
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, header drift, C and C++'
 	@echo 'make test-vtk                     those that need VTK and MPI, which `make test` skips where they are not'
-	@echo 'make lint                         formatting, lints and the Rust documentation'
+	@echo 'make lint                         formatting, lints and the Rust documentation; spelling and licences, if typos and cargo-deny are there'
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make differential [CASES=1000] [FAMILY=loops] [SEED=1]  random campaigns against CGAL, OpenMesh and brute force, with a table; minutes'
@@ -103,6 +103,9 @@ lint:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --workspace --exclude gusset-tests --exclude gusset-fuzz --no-deps
+	@if command -v typos > /dev/null; then typos; else echo 'Skipped, as it is not installed: typos (cargo install typos-cli)'; fi
+	@if command -v cargo-deny > /dev/null; then $(CARGO) deny --workspace --locked --offline check bans licenses sources; \
+	else echo 'Skipped, as it is not installed: cargo-deny (cargo install cargo-deny)'; fi
 
 # The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
 units := --workspace --exclude gusset-tests --exclude gusset-fuzz
@@ -236,7 +239,7 @@ install-data:
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
 	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(wildcard $(notices)) $(docdir)
 	find docs -name '*.md' -o -name '*.svg' -o -name '*.jpg' -o -name '*.html' | xargs -I% install -D -m 644 % $(docdir)/%
-	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
+	printf '%s\n' ARCHITECTURE.md CONTRIBUTING.md examples/guides/* examples/rust/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
 	    xargs -I@ install -D -m 644 @ $(docdir)/@
 
 install-debug:

@@ -5,5 +5,5 @@ cd "$(dirname "$0")/.."
 mkdir -p build
 rm -rf build/docs/html
 doxygen docs/Doxyfile
-python3 -B scripts/links.py build/docs/html README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/guides/*.md
+python3 -B scripts/links.py build/docs/html README.md CHANGELOG.md CONTRIBUTING.md ARCHITECTURE.md docs/*.md docs/decisions/*.md docs/guides/*.md
 echo "build/docs/html/index.html"

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Doxygen's filter for the pages: names of the interface in `code` become links to the reference, outside blocks of code; and
-links to pictures and programs lead to where the site has them, beside its pages."""
+links to pictures and programs lead to where the site has them, beside its pages. Pages about the Rust sources name types of Rust,
+which are not the C++ classes of the same name."""
 
 import re
 import sys
@@ -10,7 +11,8 @@ INCLUDE = Path(__file__).resolve().parent.parent / "include"
 C = (INCLUDE / "gusset.h").read_text()
 CPP = "".join(path.read_text() for path in sorted(INCLUDE.rglob("*.hpp")))
 FUNCTIONS = set(re.findall(r"\b(gusset_\w+)\(", C))
-CLASSES = set(re.findall(r"^(?:class|struct) (\w+)", CPP, re.M))
+ABOUT_RUST = re.search(r"docs/decisions/|(^|/)(ARCHITECTURE|CONTRIBUTING|rust)\.md$", sys.argv[1])
+CLASSES = set() if ABOUT_RUST else set(re.findall(r"^(?:class|struct) (\w+)", CPP, re.M))
 
 
 def link(match):

@@ -1,3 +1,4 @@
 //! The pages hold what the code does.
 
+mod rust;
 mod snippets;

@@ -65,7 +65,7 @@ fn wanted(page: &str, makefile: &str) -> (String, Vec<String>) {
 fn pages_show_what_is_compiled_and_run() {
     let makefile = read("Makefile");
     let parts = ["", "python/", "tiles/", "vtk/"].map(|part| read(format!("cpp_tests/{part}CMakeLists.txt")));
-    let built = parts.concat() + &read("cpp_tests/docs.cmake");
+    let built = parts.concat() + &read("cpp_tests/docs.cmake") + &read("tests/docs/rust.rs");
     let project = read("examples/guides/CMakeLists.txt");
     let mut shown = 0;
     for path in pages() {
@@ -80,6 +80,8 @@ fn pages_show_what_is_compiled_and_run() {
                 Some(name) => format!("${{guides}}/{name}"),
                 // The examples of the reference are built one by one, by their names.
                 None if file.starts_with("examples/reference/") => "/examples/reference/${name}.c".to_owned(),
+                // Programs in Rust are modules of these tests.
+                None if file.starts_with("examples/rust/") => file.clone(),
                 None => format!("${{root}}/{file}"),
             };
             assert!(built.contains(&name), "{}: no test builds {file}", path.display());
