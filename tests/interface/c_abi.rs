@@ -161,7 +161,7 @@ fn all_that_name_the_static_link_line_agree() {
 
 /// What names the shared library for its users names the one that this version installs.
 #[test]
-fn the_librarys_name_is_that_of_this_version() {
+fn the_name_of_the_library_has_this_version() {
     let name = concat!("libgusset.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
     let pages = ["docs/guides/linking.md", "docs/guides/plugin.md"];
     for file in ["include/gusset_plugin.h", "examples/guides/plugin.c"].iter().chain(&pages) {
