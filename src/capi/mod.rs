@@ -18,7 +18,6 @@
 //! | [`net`] | the handle of a net; gluing, motion, measures, scenes, streams |
 //! | [`surface`] | sheets, the handle of a surface, its queries; the paper's search |
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
-//! | `openmfx` | with the feature of this name: the entry points of OpenMfx hosts |
 //!
 //! Unsafe code is here, in the kernels of `simd`, in `threads` and in `reserve`, nowhere else.
 

@@ -1,7 +1,7 @@
 //! Causes of failure: a variant for each kind of cause, with its text and the element that it is
 //! about.
 //!
-//! `ffi::status` has the other list, of the numbers that C sees, and maps this one to it.
+//! `src/capi/status.rs` of the root package gives each of them a number for C.
 
 use std::fmt;
 
