@@ -28,12 +28,18 @@ fn the_manifest_of_the_guide_fits_the_workspace() {
     let (shown, workspace) = (read("examples/rust/dependencies.toml"), read("Cargo.toml"));
     let mut folders = 0;
     for folder in shown.lines().filter_map(|line| line.split_once("\"../gusset")?.1.strip_suffix("\" }")) {
-        assert!(root.join(folder.trim_start_matches('/')).join("Cargo.toml").exists(), "there is no package in {folder}");
+        assert!(
+            root.join(folder.trim_start_matches('/')).join("Cargo.toml").exists(),
+            "there is no package in {folder}"
+        );
         folders += 1;
     }
     assert_eq!(folders, 3);
     let glam = shown.lines().find_map(|line| line.strip_prefix("glam = ")).unwrap();
-    assert!(workspace.contains(&format!("glam = {{ version = {glam}, ")), "the workspace has another version than {glam}");
+    assert!(
+        workspace.contains(&format!("glam = {{ version = {glam}, ")),
+        "the workspace has another version than {glam}"
+    );
 }
 
 #[test]
