@@ -1,9 +1,10 @@
-//! What the crates of `gusset` share.
+//! The ground floor of `gusset`: errors, memory, jobs, threads, and the geometry that all crates
+//! share.
 //!
 //! [`Error`] and [`Job`] are part of the public interface of every crate. All other modules serve
 //! the crates of the workspace alone and may change at any time.
 //!
-//! | module | what it holds |
+//! | module | content |
 //! |---|---|
 //! | [`error`] | causes of failure, each with the element at fault |
 //! | [`job`] | progress, cancellation and threads of one computation |
@@ -12,8 +13,15 @@
 //! | `par`, `threads` | loops shared by threads that end with the call |
 //! | `simd` | kernels compiled for wider vectors |
 //! | `sort` | sorting and selection that report progress |
-//! | `geom` | vectors, boxes, spatial indices, polynomials, linear systems |
+//! | `geom` | vectors, boxes, spatial indices, Bernstein polynomials, small linear systems |
 //! | `sparse` | factorisation of sparse symmetric matrices |
+//!
+//! The polynomials follow Farouki and Rajan (1987), the sparse solver Duff and Reid (1983) and
+//! George (1973).
+//!
+//! Three rules hold here and above. Memory that grows with the input is requested by `alloc`, which
+//! returns an error. Long loops report to the job, so that the host can cancel. Results have the same
+//! bits for any number of threads and on any machine.
 
 #[doc(hidden)]
 pub mod alloc;

@@ -1,15 +1,18 @@
-//! Outlines: Bézier curves through given points.
+//! Outlines: Bézier curves through given points, and operations on curves.
 //!
-//! The inverse problem of Bézier curves: the points of an outline are given, and the control points
-//! are sought (Nadopta, 2008).
+//! The crate follows T. Nadopta, *Theoretical foundations of the identification of outline curves*
+//! (2008). The paper solves the inverse problem of Bézier curves: the points of an outline are
+//! given, and the control points are sought. The errata of the paper are in `docs/errata.md`.
 //!
-//! * curve: [`CurveView`], [`Curve`], piecewise Bézier curves of any degrees.
-//! * identify: [`fit`](fit()) for whole outlines, by the [`Mode`]s; [`sections`](sections()) for
-//!   points by themselves, by the [`Method`]s.
-//! * [`ops`]: measures, queries and constructions of curves.
-//! * [`frame`]: curves across and along a body, through a grid of nodes.
+//! | module | task | main items |
+//! |---|---|---|
+//! | `curve` | holds piecewise Bézier curves of any degrees, borrowed or owned | [`CurveView`], [`Curve`], [`Place`] |
+//! | `identify` | passes curves through points, and accounts for each point | [`fit`](fit()), [`Outlines`], [`Mode`], [`Method`]; [`sections`](sections()) for single points |
+//! | [`ops`] | answers queries and builds new curves, as methods of [`CurveView`] | lengths, areas, nearest points, intersections, offsets, SVG paths |
+//! | [`frame`] | lays curves across and along a body, through a grid of nodes | [`frame()`](frame::frame()) |
 //!
-//! Each of these imports from those before it only.
+//! Each module uses only modules above it in the table. Curves are in double precision. Every
+//! operation first moves its curve near the origin and to a size near 1, so that any unit serves.
 
 mod curve;
 pub mod frame;

@@ -1,24 +1,28 @@
-//! Nets: tetragonal regular networks (TRN).
+//! Nets: regular grids of quads whose sides may be glued, called tetragonal regular networks.
 //!
-//! The model is A. A. Deryagin's ("Modelling of 3D objects and scenes by tetragonal regular
-//! networks"): H x W nodes in three coordinate matrices, joined to cells by their indices alone,
-//! and closed to surfaces of any kind by a characteristic matrix of contracted links.
-//! `docs/errata.md` lists where the paper is corrected.
+//! The crate follows A. A. Deryagin, *Modelling of 3D objects and scenes by tetragonal regular
+//! networks*. A net has H x W nodes in three coordinate matrices. Indices alone say which nodes are
+//! neighbours. A characteristic matrix of contracted links closes the grid to surfaces of any kind.
+//! The errata of the paper are in `docs/errata.md`.
 //!
-//! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all
-//!   together.
-//! * [`topology`]: the gluing, the classes of glued nodes, the 18 local gluings.
-//! * [`complex`]: the surface that the gluing makes. [`Net::validate`]: whether glued nodes
-//!   coincide.
-//!   [`detect_gluing()`]: the gluing that coordinates imply.
-//! * [`closure`]: boxes, and surfaces with a reversed side. [`primitive`]: nets of standard shapes.
-//! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
-//! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
-//! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]:
-//!   normals, areas, volumes. [`planarise()`]: plane cells. [`settle()`]: bridges under forces.
-//!   [`morph()`]: nets between two.
-//! * [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]: meshes and height fields.
-//!   [`stream`]: nets as bytes.
+//! | subject | where |
+//! |---|---|
+//! | size, numbering, coordinates, the net itself | [`Shape`], [`Planes`], [`Coordinates`], [`Net`] |
+//! | gluing, classes of glued nodes, the 18 local gluings | [`topology`] |
+//! | the surface that a gluing makes | [`complex`] |
+//! | whether glued nodes coincide; the gluing that coordinates imply | [`Net::validate`]; [`detect_gluing()`] |
+//! | boxes, surfaces with a reversed side; standard shapes | [`closure`]; [`primitive`] |
+//! | parts, flips, quarter turns, other row lengths | methods of [`Net`] |
+//! | joining and splitting, with bridges between | [`concatenate`], [`Net::split`], [`Bridge`] |
+//! | affine maps, deformations, the folds that they cause | [`transform`], [`field`], [`analyse`] |
+//! | normals, areas, volumes | [`normals`], [`measure`] |
+//! | plane cells; bridges under forces; nets between two | [`planarise()`]; [`settle()`]; [`morph()`] |
+//! | other sizes, levels of detail | [`resample`] |
+//! | groups of nets | [`scene`] |
+//! | meshes and height fields; bytes | [`convert`]; [`stream`] |
+//!
+//! Coordinates are in single or double precision, in memory of the caller or of the net. Operations
+//! are loops over rows. Glued nodes that have equal bits keep equal bits.
 
 pub mod analyse;
 mod arrange;

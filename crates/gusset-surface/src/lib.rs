@@ -1,17 +1,28 @@
-//! Smooth surfaces and questions about them.
+//! Smooth surfaces through nets of curves, and queries about them.
 //!
-//! After V. A. Leus, *Carcasses on smooth surfaces* (1976). The paper's carcass is a surface that
-//! is known by a net of coordinate curves, whose searches bounds of the diameters of cells cut
-//! short; here it is a [`Surface`]: sheets with their nets and a hierarchical index.
+//! The crate follows V. A. Leus, *Carcasses on smooth surfaces* (1976). The paper describes a
+//! surface by a net of coordinate curves, a *carcass*, and searches it by bounds of the diameters of
+//! cells. Here a [`Surface`] is a list of sheets, each with its net and a hierarchical index. The
+//! errata of the paper are in `docs/errata.md` and in [`mod@reference`].
 //!
-//! * [`Sheet`]: a piece of surface, a [`Grid`] of nodes or [`Patches`]. [`Patch`]: the surface over
-//!   one cell. [`Jet`], [`Normal`], [`Curvatures`]: its derivatives, normals and curvatures.
-//! * [`Surface`]: sheets and their index, which answers: nearest points (task a), normals at an
-//!   angle (task b), [`line_intersection`] (task c), plane sections and other contours
-//!   ([`contour`], task d), [`surface_intersection`] (task e), [`Approach`], where things do not
-//!   meet. [`Paths`]: curves on a surface.
-//! * [`construct`]: sheets from curves, splines and tangents. [`SurfaceMesh`]: sheets as meshes.
-//! * [`mod@reference`]: the paper's own search, to compare with.
+//! | subject | where | task of the paper |
+//! |---|---|---|
+//! | sheets: through a grid of nodes, or of Bézier patches | [`Sheet`], [`Grid`], [`Patches`] | |
+//! | sheets from curves, splines, tangents, frames | [`construct`] | |
+//! | sheets and their index | [`Surface`] | |
+//! | points, derivatives, normals, curvatures | [`Patch`], [`Jet`], [`Normal`], [`Curvatures`] | |
+//! | nearest points, local minima, cells within a distance | [`Closest`], [`Minima`], [`Region`] | a |
+//! | curves of equal angle, silhouettes | [`contour`] | b |
+//! | hits of lines, rays and curves | [`line_intersection`] | c |
+//! | plane sections, contours of functions | [`contour`] | d |
+//! | intersections of two surfaces, and of one with itself | [`surface_intersection`] | e |
+//! | nearest points of a surface and a line, curve or surface that it does not meet | [`Approach`] | c, e |
+//! | curves on a surface | [`Paths`] | |
+//! | meshes of sheets | [`SurfaceMesh`] | |
+//! | the paper's own search, to compare with | [`mod@reference`] | |
+//!
+//! Answers are proven for the surface as declared: bounds exclude a cell only if it cannot contain the
+//! answer. An answer whose proof would take too long says so.
 
 mod axis;
 mod cells;
