@@ -30,7 +30,7 @@ fn main() -> Result<()> {
 
     // ! [many]
     // Many queries share the threads of the job. Farther than 0.5 from the surface: `None`.
-    let queries: Vec<DVec3> = (0..1000).map(|k| DVec3::new(0.0, 0.0, k as f64 / 1000.0)).collect();
+    let queries: Vec<DVec3> = (0..1000).map(|k| DVec3::new(0.0, 0.0, f64::from(k) / 1000.0)).collect();
     let answers = surface.closest_all(&queries, 0.5, &job)?;
     println!("{} of {} are near", answers.iter().flatten().count(), queries.len());
     // ! [many]
