@@ -27,7 +27,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let length = if curve.is_empty() { 0.0 } else { curve.lengths(&part)?.total() };
         total += length;
         if c < MAX_LISTED {
-            push_line!(text, "curve {c}: {}", line(&curve, length)?);
+            push_line!(text, "curve {c}: {}", line(&curve, length, &part)?);
         }
     }
     push_more(&mut text, curves.len(), MAX_LISTED);
@@ -36,12 +36,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Text(Report::new(text, &values))])
 }
 
-fn line(curve: &CurveView<'_>, length: f64) -> Result<String> {
+fn line(curve: &CurveView<'_>, length: f64, job: &Job<'_>) -> Result<String> {
     let kind = if curve.is_closed() { "closed" } else { "open" };
     if curve.points().is_empty() {
         return Ok(format!("{kind}, without points"));
     }
-    let (area, bounds) = (curve.area_vector(), curve.bounding_box()?);
+    let (area, bounds) = (curve.area_vector(job)?, curve.bounding_box(job)?);
     Ok(format!(
         "{kind}, length {}, area {}, seen along {}, box {} to {}",
         short(length),

@@ -32,7 +32,11 @@ struct Found {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.3))?;
     let mut found = Found { places: Curves::none(), text: String::new(), overlaps: 0, undecided: 0 };
-    let boxes = alloc::collect(curves.iter().map(|curve| curve.view().bounding_box().ok()))?;
+    let box_of = |curve: &Curve| match curve.view() {
+        view if view.points().is_empty() => Ok(None),
+        view => view.bounding_box(&job.part(0.3, 0.3)).map(Some),
+    };
+    let boxes = alloc::try_collect(curves.iter().map(box_of))?;
     let (within, count) = (values.number("within"), curves.len());
     for i in 0..count {
         let job = job.part(0.3, 1.0).share(i, count);

@@ -70,7 +70,7 @@ fn texts_and_contours_and_splines() {
         closed: true,
     };
     assert_eq!(given.view().svg_path(&Job::default()).unwrap(), "M 0 0 L 0.1 0 Q 1e-7 1.5e300 1 2 C 3 4 5 6 0 0 Z");
-    assert!(given.view().contour(0.0).is_err() && given.view().spline().is_err());
+    assert!(given.view().contour(0.0, &Job::default()).is_err() && given.view().spline(&Job::default()).is_err());
     let quartic = Given::one(&[v(0.0, 0.0, 0.0); 5]);
     assert!(matches!(quartic.view().svg_path(&Job::default()), Err(Error::OptionOutOfRange { .. })));
     // Round control points with joints in the middle: all points off the curve; with a line, two on
@@ -81,9 +81,9 @@ fn texts_and_contours_and_splines() {
         points.extend([controls[k], controls[k].midpoint(controls[(k + 1) % 4])]);
     }
     let round = Given { points: points.clone(), ends: vec![0, 2, 4, 6, 8], closed: true };
-    let contour = round.view().contour(0.0).unwrap();
+    let contour = round.view().contour(0.0, &Job::default()).unwrap();
     assert_eq!((contour.points, contour.on_curve), (controls.to_vec(), vec![0; 4]));
-    let spline = round.view().spline().unwrap();
+    let spline = round.view().spline(&Job::default()).unwrap();
     assert_eq!((spline.degree, spline.controls.len(), spline.knots.len()), (2, 6, 9));
     for (k, t) in [(0, 0.3), (1, 0.5), (2, 0.9), (3, 1.0)] {
         // The knots of equal intervals would be 0 to 4 but for the ends.
@@ -93,8 +93,8 @@ fn texts_and_contours_and_splines() {
     }
     points.splice(1..2, []);
     let mixed = Given { points, ends: vec![0, 1, 3, 5, 7], closed: true };
-    assert_eq!(mixed.view().contour(0.0).unwrap().on_curve, [1, 1, 0, 0, 0]);
-    assert!(Given { closed: false, ..mixed }.view().contour(0.0).is_err());
+    assert_eq!(mixed.view().contour(0.0, &Job::default()).unwrap().on_curve, [1, 1, 0, 0, 0]);
+    assert!(Given { closed: false, ..mixed }.view().contour(0.0, &Job::default()).is_err());
 }
 
 /// The point of a B-spline by de Boor's scheme.
@@ -120,18 +120,18 @@ proptest! {
     fn higher_degrees_keep_the_curve_and_come_down_again(given in curves(false), by in 0usize..5) {
         let curve = given.view();
         let unit = size(&given);
-        let raised = curve.elevated_by(by).unwrap();
+        let raised = curve.elevated_by(by, &Job::default()).unwrap();
         prop_assert!(apart(&curve, &raised.view()) <= 1e-14 * unit);
-        prop_assert!(curve.elevated_by(64).is_err());
-        let seventh = curve.elevated_to(7).unwrap();
+        prop_assert!(curve.elevated_by(64, &Job::default()).is_err());
+        let seventh = curve.elevated_to(7, &Job::default()).unwrap();
         prop_assert!(seventh.view().segments().all(|c| c.len() == 8));
         prop_assert!(apart(&curve, &seventh.view()) <= 1e-14 * unit);
         // What was raised comes down to where it was.
-        let back = seventh.view().reduced(6, 1e-10 * unit).unwrap();
+        let back = seventh.view().reduced(6, 1e-10 * unit, &Job::default()).unwrap();
         prop_assert!(back.kept.is_empty());
         prop_assert!(apart(&curve, &back.curve.view()) <= 1e-11 * unit);
         // The bound holds, and what is beyond the tolerance is kept.
-        let low = curve.reduced(2, f64::INFINITY).unwrap();
+        let low = curve.reduced(2, f64::INFINITY, &Job::default()).unwrap();
         for k in 0..curve.len() as u32 {
             for i in 0..=10 {
                 let place = at(k, f64::from(i) / 10.0);
@@ -139,14 +139,14 @@ proptest! {
                 prop_assert!(off.length() <= low.deviations[k as usize] / unit + 1e-14);
             }
         }
-        let kept = curve.reduced(2, 0.0).unwrap();
+        let kept = curve.reduced(2, 0.0, &Job::default()).unwrap();
         prop_assert!(kept.curve.view().segments().zip(curve.segments()).zip(&kept.deviations).all(|((a, b), &d)| d == 0.0 || a == b));
     }
 
     #[test]
     fn splines_are_the_curve(given in curves(false), degree in 6usize..8) {
-        let uniform = given.view().elevated_to(degree).unwrap();
-        let spline = uniform.view().spline().unwrap();
+        let uniform = given.view().elevated_to(degree, &Job::default()).unwrap();
+        let spline = uniform.view().spline(&Job::default()).unwrap();
         prop_assert_eq!(spline.knots.len(), spline.controls.len() + degree + 1);
         let mut distinct = spline.knots.clone();
         distinct.dedup();
@@ -183,7 +183,7 @@ fn offset_options(degree: usize, tolerance: f64) -> OffsetOptions {
 fn off_by(given: &CurveView<'_>, offset: &CurveView<'_>, distance: f64) -> f64 {
     let places: Vec<Place> =
         (0..offset.len() as u32).flat_map(|k| (0..=20).map(move |i| at(k, f64::from(i) / 20.0))).collect();
-    let found = given.nearest(&offset.points_at(&places).unwrap(), &Job::default()).unwrap();
+    let found = given.nearest(&offset.points_at(&places, &Job::default()).unwrap(), &Job::default()).unwrap();
     found.iter().fold(0.0, |m, n| f64::max(m, (n.distance - distance.abs()).abs()))
 }
 
@@ -202,13 +202,17 @@ fn offsets_of_circles_and_parabolas() {
                 assert!(done.deviation <= tolerance * scale);
                 assert!(curve.segments().all(|c| c.len() == degree + 1));
                 // Both curves are circles but for 1e-5 of the given one.
-                let points: Vec<f64> =
-                    curve.points_at(&[at(0, 0.3), at(1, 0.7)]).unwrap().iter().map(|p| (*p / scale).length()).collect();
+                let points: Vec<f64> = curve
+                    .points_at(&[at(0, 0.3), at(1, 0.7)], &Job::default())
+                    .unwrap()
+                    .iter()
+                    .map(|p| (*p / scale).length())
+                    .collect();
                 assert!(points.iter().all(|r| (r - (1.0 - d)).abs() < 2e-5 + tolerance), "{points:?}");
                 assert!(off_by(&given.view(), &curve, d * scale) / scale <= 1.01 * tolerance + 1e-14);
                 // One tangent at the joints.
                 for k in 1..curve.len() as u32 {
-                    let t = curve.tangents_at(&[at(k - 1, 1.0), at(k, 0.0)]).unwrap();
+                    let t = curve.tangents_at(&[at(k - 1, 1.0), at(k, 0.0)], &Job::default()).unwrap();
                     assert!((t[0] - t[1]).length() < 1e-7, "{k} {} {}", t[0], t[1]);
                 }
             }
@@ -234,7 +238,7 @@ fn offsets_of_circles_and_parabolas() {
     };
     let done = square.view().offset(-1.0, &offset_options(2, 1e-9), &Job::default()).unwrap();
     assert_eq!((done.corners, done.curve.view().len()), (4, 8));
-    assert!((done.curve.view().area_vector().z - 7.0).abs() < 1e-12);
+    assert!((done.curve.view().area_vector(&Job::default()).unwrap().z - 7.0).abs() < 1e-12);
     assert!(square.view().offset(f64::NAN, &offset_options(2, 1.0), &Job::default()).is_err());
     assert!(square.view().offset(1.0, &offset_options(4, 1.0), &Job::default()).is_err());
 }
@@ -261,9 +265,9 @@ fn reducing_high_degrees_gives_numbers_or_keeps_them() {
     for degree in 24..64u32 {
         let points: Vec<DVec3> = (0..=degree).map(|i| v(f64::from(i), f64::from(i).sin(), 0.0)).collect();
         let ends = [0, degree];
-        let raised = CurveView::new(&points, &ends, false).unwrap().elevated_by(1).unwrap();
+        let raised = CurveView::new(&points, &ends, false).unwrap().elevated_by(1, &Job::default()).unwrap();
         for tolerance in [1e-3, f64::INFINITY] {
-            let back = raised.view().reduced(degree as usize, tolerance).unwrap();
+            let back = raised.view().reduced(degree as usize, tolerance, &Job::default()).unwrap();
             assert!(back.curve.view().points().iter().all(|p| p.is_finite()), "{degree}");
             assert!(!back.kept.is_empty() || back.deviations[0] <= tolerance, "{degree}");
         }

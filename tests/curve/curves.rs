@@ -3,6 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
 
 use glam::DVec3;
+use gusset::Job;
 use gusset::curve::{CurveView, Place};
 use proptest::prelude::*;
 
@@ -99,6 +100,6 @@ pub fn apart(a: &CurveView<'_>, b: &CurveView<'_>) -> f64 {
     assert_eq!(a.len(), b.len());
     let places: Vec<Place> =
         (0..a.len() as u32).flat_map(|k| (0..=10).map(move |i| at(k, f64::from(i) / 10.0))).collect();
-    let (a, b) = (a.points_at(&places).unwrap(), b.points_at(&places).unwrap());
+    let (a, b) = (a.points_at(&places, &Job::default()).unwrap(), b.points_at(&places, &Job::default()).unwrap());
     a.iter().zip(b).fold(0.0, |m, (p, q)| (*p - q).abs().max_element().max(m))
 }

@@ -1,6 +1,7 @@
 //! Curves and lines where rounding decides, against the roots that the curves are made from.
 
 use glam::DVec3;
+use gusset::Job;
 use gusset::curve::CurveView;
 
 /// The control points of y = f(x) over 0 <= x <= 1, by the Bernstein coefficients of f.
@@ -21,7 +22,7 @@ fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
 fn zeros(points: &[DVec3]) -> Vec<f64> {
     let ends = [0, points.len() as u32 - 1];
     let curve = CurveView::new(points, &ends, false).unwrap();
-    let found = curve.intersect_line(DVec3::ZERO, DVec3::X).unwrap();
+    let found = curve.intersect_line(DVec3::ZERO, DVec3::X, &Job::default()).unwrap();
     assert!(found.inside.is_empty());
     found.places.iter().map(|place| place.t).collect()
 }
@@ -67,14 +68,16 @@ fn a_far_point_of_the_line_changes_nothing() {
     let arch = graph(&[-0.25, 1.0, -0.25]);
     let (arch_ends, ends) = ([0, 2], [0, 1]);
     let arch = CurveView::new(&arch, &arch_ends, false).unwrap();
-    let near = arch.intersect_line(DVec3::ZERO, DVec3::new(4.0, 3.0, 0.0)).unwrap();
+    let near = arch.intersect_line(DVec3::ZERO, DVec3::new(4.0, 3.0, 0.0), &Job::default()).unwrap();
     assert_eq!(near.places.len(), 2);
     for far in [1.0, 1e6, 1e9, 1e12, 1e15, 2f64.powi(80), 2f64.powi(200)] {
         let curve = CurveView::new(&segment, &ends, false).unwrap();
-        let found = curve.intersect_line(DVec3::new(far, 0.0, 0.0), DVec3::X).unwrap();
+        let found = curve.intersect_line(DVec3::new(far, 0.0, 0.0), DVec3::X, &Job::default()).unwrap();
         assert!(found.places.is_empty() && found.inside.is_empty(), "{far}: {found:?}");
         // Aslant, with a point that is exactly on the line.
-        let found = arch.intersect_line(far.floor() * DVec3::new(4.0, 3.0, 0.0), DVec3::new(4.0, 3.0, 0.0)).unwrap();
+        let found = arch
+            .intersect_line(far.floor() * DVec3::new(4.0, 3.0, 0.0), DVec3::new(4.0, 3.0, 0.0), &Job::default())
+            .unwrap();
         assert_eq!(found, near, "{far}");
     }
 }

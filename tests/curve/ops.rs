@@ -11,7 +11,7 @@ fn derivatives_tangents_and_curvatures_of_a_parabola() {
     let given = parabola(-1.0, 2.0);
     let curve = given.view();
     let places: Vec<Place> = (0..=30).map(|k| at(0, f64::from(k) / 30.0)).collect();
-    let derived = curve.derivatives_at(&places, 3).unwrap();
+    let derived = curve.derivatives_at(&places, 3, &Job::default()).unwrap();
     for (k, place) in places.iter().enumerate() {
         let x = -1.0 + 3.0 * place.t;
         let expected = [v(x, x * x, 0.0), v(3.0, 6.0 * x, 0.0), v(0.0, 18.0, 0.0), DVec3::ZERO];
@@ -19,27 +19,27 @@ fn derivatives_tangents_and_curvatures_of_a_parabola() {
             assert!((*a - b).length() < 1e-13, "{a} {b}");
         }
         let slope = 2.0 * x;
-        let tangent = curve.tangents_at(&[*place]).unwrap()[0];
+        let tangent = curve.tangents_at(&[*place], &Job::default()).unwrap()[0];
         assert!((tangent - v(1.0, slope, 0.0).normalize()).length() < 1e-14);
-        let curvature = curve.curvatures_at(&[*place]).unwrap()[0];
+        let curvature = curve.curvatures_at(&[*place], &Job::default()).unwrap()[0];
         assert!((curvature - 2.0 / (1.0 + slope * slope).powf(1.5)).abs() < 1e-14);
     }
     let back = curve.reversed().unwrap();
-    assert!(back.view().curvatures_at(&[at(0, 0.5)]).unwrap()[0] < 0.0);
+    assert!(back.view().curvatures_at(&[at(0, 0.5)], &Job::default()).unwrap()[0] < 0.0);
     let tiny = Given::one(&given.points.iter().map(|&p| p * 1e-200).collect::<Vec<_>>());
-    let bend = tiny.view().curvatures_at(&[at(0, 1.0 / 3.0)]).unwrap()[0];
+    let bend = tiny.view().curvatures_at(&[at(0, 1.0 / 3.0)], &Job::default()).unwrap()[0];
     assert!((bend / 2e200 - 1.0).abs() < 1e-13);
     // A cusp: forward and backward.
     let cusp = Given::one(&[v(0.0, 0.0, 0.0), v(1.0, 1.0, 0.0), v(0.0, 1.0, 0.0), v(1.0, 0.0, 0.0)]);
-    assert!(cusp.view().tangents_at(&[at(0, 0.5)]).unwrap()[0].length() > 0.99);
+    assert!(cusp.view().tangents_at(&[at(0, 0.5)], &Job::default()).unwrap()[0].length() > 0.99);
     let stuck = Given::one(&[DVec3::ZERO, DVec3::ZERO, v(1.0, 0.0, 0.0), v(1.0, 1.0, 0.0)]);
-    assert_eq!(stuck.view().curvatures_at(&[at(0, 0.0)]).unwrap(), [f64::INFINITY]);
-    assert_eq!(stuck.view().tangents_at(&[at(0, 0.0)]).unwrap(), [DVec3::X]);
+    assert_eq!(stuck.view().curvatures_at(&[at(0, 0.0)], &Job::default()).unwrap(), [f64::INFINITY]);
+    assert_eq!(stuck.view().tangents_at(&[at(0, 0.0)], &Job::default()).unwrap(), [DVec3::X]);
     let line = Given::one(&[DVec3::ZERO, DVec3::ZERO, v(1.0, 2.0, 0.0)]);
-    assert_eq!(line.view().curvatures_at(&[at(0, 0.0)]).unwrap(), [0.0]);
+    assert_eq!(line.view().curvatures_at(&[at(0, 0.0)], &Job::default()).unwrap(), [0.0]);
     assert_eq!(curve.point(at(1, 0.5)).unwrap_err(), Error::NoSuchPlace { index: 0, segment: 1, t: 0.5 });
-    assert!(curve.points_at(&[at(0, 0.5), at(0, f64::NAN)]).is_err());
-    assert!(curve.derivatives_at(&[], 65).is_err());
+    assert!(curve.points_at(&[at(0, 0.5), at(0, f64::NAN)], &Job::default()).is_err());
+    assert!(curve.derivatives_at(&[], 65, &Job::default()).is_err());
 }
 
 #[test]
@@ -95,31 +95,33 @@ fn circles() {
             let error = 3e-4 * (4.0 / f64::from(n)).powi(6) + 1e-13;
             let length = curve.length().unwrap() / radius;
             assert!((length / std::f64::consts::TAU - 1.0).abs() < error, "{n}: {length}");
-            let bounds = curve.bounding_box().unwrap();
+            let bounds = curve.bounding_box(&Job::default()).unwrap();
             assert!((bounds.high / radius - v(1.0, 1.0, 0.0)).length() < 1e-14);
             let found =
                 curve.nearest(&[v(2.0, 1.0, 0.0) * radius, v(0.0, 0.3, 0.4) * radius], &Job::default()).unwrap();
             assert!((found[0].distance / radius - (5.0f64.sqrt() - 1.0)).abs() < error);
             assert!((found[1].distance / radius - (0.49f64 + 0.16).sqrt()).abs() < error);
-            let crossings = curve.intersect_line(v(0.0, 0.6, 0.0) * radius, v(3.0, 0.0, 0.0)).unwrap();
+            let crossings = curve.intersect_line(v(0.0, 0.6, 0.0) * radius, v(3.0, 0.0, 0.0), &Job::default()).unwrap();
             assert_eq!((crossings.places.len(), crossings.inside.len()), (2, 0));
-            for p in curve.points_at(&crossings.places).unwrap() {
+            for p in curve.points_at(&crossings.places, &Job::default()).unwrap() {
                 assert!((p.x.abs() / radius - 0.8).abs() < error && (p.y / radius - 0.6).abs() < 1e-14);
             }
             // Tangent at the joint, through the joints, and past it.
-            let line = |y: f64| curve.intersect_line(v(0.0, y, 0.0) * radius, v(1.0, 0.0, 0.0)).unwrap().places.len();
+            let line = |y: f64| {
+                curve.intersect_line(v(0.0, y, 0.0) * radius, v(1.0, 0.0, 0.0), &Job::default()).unwrap().places.len()
+            };
             assert_eq!((line(1.0), line(0.0), line(1.001)), (1, 2, 0));
         }
     }
     let given = circle(2.0, 64);
-    let moments = given.view().moments().unwrap();
+    let moments = given.view().moments(&Job::default()).unwrap();
     let pi = std::f64::consts::PI;
     assert!((moments.area / (4.0 * pi) - 1.0).abs() < 1e-10 && moments.centroid.length() < 1e-12);
     // The integral of x x over a disk of radius r is pi r^4 / 4.
     for (x, expected) in moments.second.iter().zip([4.0 * pi, 0.0, 4.0 * pi]) {
         assert!((x - expected).abs() < 1e-8);
     }
-    for bend in given.view().curvatures_at(&[at(0, 0.3), at(5, 0.5), at(63, 1.0)]).unwrap() {
+    for bend in given.view().curvatures_at(&[at(0, 0.3), at(5, 0.5), at(63, 1.0)], &Job::default()).unwrap() {
         assert!((bend - 0.5).abs() < 1e-5);
     }
 }
@@ -144,20 +146,23 @@ fn areas_and_moments_of_polygons() {
     }
     let c = [first[0] / area, first[1] / area];
     let central = [second[0] - area * c[0] * c[0], second[1] - area * c[0] * c[1], second[2] - area * c[1] * c[1]];
-    let moments = given.view().moments().unwrap();
-    assert!((moments.area - area).abs() < 1e-13 && (given.view().area_vector().z - area).abs() < 1e-13);
+    let moments = given.view().moments(&Job::default()).unwrap();
+    assert!(
+        (moments.area - area).abs() < 1e-13
+            && (given.view().area_vector(&Job::default()).unwrap().z - area).abs() < 1e-13
+    );
     assert!((moments.centroid - v(100.0 + c[0], c[1], 0.0)).length() < 1e-12);
     for (a, b) in moments.second.iter().zip(central) {
         assert!((a - b).abs() < 1e-12);
     }
     let back = given.view().reversed().unwrap();
-    assert!((back.view().area_vector().z + area).abs() < 1e-13);
+    assert!((back.view().area_vector(&Job::default()).unwrap().z + area).abs() < 1e-13);
     // A parabola over its chord: (b - a)^3 / 6.
-    assert!((parabola(-1.0, 2.0).view().area_vector().z - 27.0 / 6.0).abs() < 1e-13);
+    assert!((parabola(-1.0, 2.0).view().area_vector(&Job::default()).unwrap().z - 27.0 / 6.0).abs() < 1e-13);
     // In space: the area vector turns with the curve.
     let turned = Given { points: given.points.iter().map(|p| v(p.y, 7.0, p.x)).collect(), ..given };
-    assert!((turned.view().area_vector() - v(0.0, area, 0.0)).length() < 1e-12);
-    assert_eq!(turned.view().moments().unwrap_err(), Error::CurveNotPlane { point: 0 });
+    assert!((turned.view().area_vector(&Job::default()).unwrap() - v(0.0, area, 0.0)).length() < 1e-12);
+    assert_eq!(turned.view().moments(&Job::default()).unwrap_err(), Error::CurveNotPlane { point: 0 });
 }
 
 #[test]
@@ -180,28 +185,28 @@ fn arc_length_there_and_back() {
     assert_eq!(point.view().length().unwrap(), 0.0);
     assert_eq!(point.view().lengths(&Job::default()).unwrap().place(0.0).unwrap_err(), Error::EmptyCurve);
     assert_eq!(point.view().nearest(&[], &Job::default()).unwrap_err(), Error::EmptyCurve);
-    assert_eq!(point.view().bounding_box().unwrap().low, DVec3::X);
+    assert_eq!(point.view().bounding_box(&Job::default()).unwrap().low, DVec3::X);
 }
 
 #[test]
 fn planes_in_space_and_segments_within() {
     // A screw of height 1, cut at half its height.
     let given = Given::one(&[v(1.0, 0.0, 0.0), v(1.0, 1.0, 0.2), v(-1.0, 1.0, 0.8), v(-1.0, 0.0, 1.0)]);
-    let found = given.view().intersect_plane(v(9.0, 9.0, 0.5), v(0.0, 0.0, -1e-300)).unwrap();
+    let found = given.view().intersect_plane(v(9.0, 9.0, 0.5), v(0.0, 0.0, -1e-300), &Job::default()).unwrap();
     assert_eq!(found.places.len(), 1);
     assert!((found.places[0].t - 0.5).abs() < 1e-15);
-    assert!(given.view().intersect_line(DVec3::ZERO, DVec3::X).is_err());
-    assert!(given.view().intersect_plane(DVec3::ZERO, DVec3::ZERO).is_err());
+    assert!(given.view().intersect_line(DVec3::ZERO, DVec3::X, &Job::default()).is_err());
+    assert!(given.view().intersect_plane(DVec3::ZERO, DVec3::ZERO, &Job::default()).is_err());
     // A square: the line along one side has that side in it, and nothing else.
     let square = [v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(1.0, 1.0, 0.0), v(0.0, 1.0, 0.0), v(0.0, 0.0, 0.0)];
     for turn in 0..4usize {
         let mut points: Vec<DVec3> = (0..4).map(|k| square[(k + turn) % 4]).collect();
         points.push(points[0]);
         let square = Given { points, ends: (0..5).collect(), closed: true };
-        let found = square.view().intersect_line(v(0.5, 1.0, 0.0), DVec3::X).unwrap();
+        let found = square.view().intersect_line(v(0.5, 1.0, 0.0), DVec3::X, &Job::default()).unwrap();
         assert_eq!((found.inside.len(), found.places.len()), (1, 0), "{turn}: {found:?}");
         // A diagonal passes two corners.
-        let found = square.view().intersect_line(v(0.0, 0.0, 0.0), v(1.0, 1.0, 0.0)).unwrap();
+        let found = square.view().intersect_line(v(0.0, 0.0, 0.0), v(1.0, 1.0, 0.0), &Job::default()).unwrap();
         assert_eq!((found.inside.len(), found.places.len()), (0, 2), "{turn}: {found:?}");
     }
 }
@@ -210,14 +215,14 @@ fn planes_in_space_and_segments_within() {
 fn parts_of_a_closed_curve() {
     let given = circle(1.0, 4);
     let curve = given.view();
-    let over = curve.sub_curve(at(3, 0.5), at(0, 0.5)).unwrap();
+    let over = curve.sub_curve(at(3, 0.5), at(0, 0.5), &Job::default()).unwrap();
     assert_eq!((over.view().len(), over.view().is_closed()), (2, false));
     assert!((over.view().length().unwrap() / curve.length().unwrap() - 0.25).abs() < 1e-13);
-    let round = curve.sub_curve(at(1, 0.25), at(1, 0.25)).unwrap();
+    let round = curve.sub_curve(at(1, 0.25), at(1, 0.25), &Job::default()).unwrap();
     assert!((round.view().length().unwrap() / curve.length().unwrap() - 1.0).abs() < 1e-13);
     let open = parabola(0.0, 1.0);
-    assert!(open.view().sub_curve(at(0, 0.5), at(0, 0.5)).unwrap().view().is_empty());
-    assert!(open.view().sub_curve(at(0, 0.6), at(0, 0.5)).is_err());
+    assert!(open.view().sub_curve(at(0, 0.5), at(0, 0.5), &Job::default()).unwrap().view().is_empty());
+    assert!(open.view().sub_curve(at(0, 0.6), at(0, 0.5), &Job::default()).is_err());
 }
 
 fn reversed_twice(curve: &CurveView<'_>) -> Curve {
@@ -230,7 +235,7 @@ proptest! {
         let curve = given.view();
         let whole = cut * curve.len() as f64;
         let place = at(whole.floor() as u32, whole - whole.floor());
-        let [before, after] = curve.split(place).unwrap();
+        let [before, after] = curve.split(place, &Job::default()).unwrap();
         let near = |p: DVec3, q: DVec3| (p - q).abs().max_element() <= 1e-13 * size(&given);
         for k in 0..=20 {
             let u = f64::from(k) / 20.0;
@@ -265,7 +270,7 @@ proptest! {
 
     #[test]
     fn boxes_hold_the_curve_and_touch_it(given in curves(false)) {
-        let bounds = given.view().bounding_box().unwrap();
+        let bounds = given.view().bounding_box(&Job::default()).unwrap();
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let n = 400 * (given.ends.len() - 1);
         for k in 0..=n {
@@ -291,7 +296,7 @@ proptest! {
         prop_assert_eq!(point, found.point);
         // At an inner place the connection is square to the curve.
         if found.place.t > 0.0 && found.place.t < 1.0 {
-            let slope = given.view().derivatives_at(&[found.place], 1).unwrap()[1] / unit;
+            let slope = given.view().derivatives_at(&[found.place], 1, &Job::default()).unwrap()[1] / unit;
             prop_assert!(((q - point) / unit).dot(slope).abs() < 1e-7);
         }
     }
@@ -320,15 +325,15 @@ proptest! {
         let start = given.points[0];
         let seen = |k: usize| (given.point(k as f64 / 1000.0) - start) / unit;
         let area: f64 = (0..total).map(|k| 0.5 * seen(k).cross(seen(k + 1)).z).sum();
-        prop_assert!((given.view().area_vector().z / unit / unit - area).abs() < 1e-4);
-        prop_assert!((given.view().moments().unwrap().area / unit / unit - area).abs() < 1e-4);
+        prop_assert!((given.view().area_vector(&Job::default()).unwrap().z / unit / unit - area).abs() < 1e-4);
+        prop_assert!((given.view().moments(&Job::default()).unwrap().area / unit / unit - area).abs() < 1e-4);
     }
 
     #[test]
     fn lines_cross_where_the_side_changes(given in curves(true), line in (-0.5..0.5f64, -0.5..0.5f64, 0.0..3.1f64)) {
         let unit = size(&given);
         let (point, direction) = (v(line.0, line.1, 0.0) * unit, v(line.2.cos(), line.2.sin(), 0.0));
-        let found = given.view().intersect_line(point, direction).unwrap();
+        let found = given.view().intersect_line(point, direction, &Job::default()).unwrap();
         prop_assert!(found.inside.len() < given.ends.len());
         let normal = v(-direction.y, direction.x, 0.0);
         let side = |at: f64| normal.dot((given.point(at) - point) / unit);

@@ -54,7 +54,7 @@ fn contours_of_fonts_pass_all_points() {
         let given = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
         let done = fit(&given, &Options::default(), &Job::default()).unwrap();
         let far = points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
-        let contour = done.curve(0).contour(1e-15 * far).unwrap();
+        let contour = done.curve(0).contour(1e-15 * far, &Job::default()).unwrap();
         // No point is stored but the control points: as many as there are points in the outline.
         assert_eq!(contour.points.len(), done.curve(0).len(), "{name}");
         assert!(contour.on_curve.iter().all(|&on| on == 0), "{name}");

@@ -57,12 +57,12 @@ proptest! {
         let q = DVec3::new(x, y, z);
         let place = Place { segment: (curve.len() / 2) as u32, t };
         let places = [place];
-        let _ = (curve.point(place), curve.derivatives_at(&places, 5), curve.curvatures_at(&places));
-        if let Ok(tangents) = curve.tangents_at(&places) {
+        let _ = (curve.point(place), curve.derivatives_at(&places, 5, &Job::default()), curve.curvatures_at(&places, &Job::default()));
+        if let Ok(tangents) = curve.tangents_at(&places, &Job::default()) {
             prop_assert!(tangents[0].is_finite() && tangents[0].length() < 1.0 + 1e-9);
         }
-        let _ = (curve.split(place), curve.sub_curve(place, Place { segment: 0, t: 0.5 }), curve.reversed().unwrap());
-        let _ = (curve.elevated_by(3), curve.elevated_to(64), curve.reduced(3, x), curve.reduced(2, f64::INFINITY));
+        let _ = (curve.split(place, &Job::default()), curve.sub_curve(place, Place { segment: 0, t: 0.5 }, &Job::default()), curve.reversed().unwrap());
+        let _ = (curve.elevated_by(3, &Job::default()), curve.elevated_to(64, &Job::default()), curve.reduced(3, x, &Job::default()), curve.reduced(2, f64::INFINITY, &Job::default()));
         if let Ok(found) = curve.nearest(&[q], &job) {
             prop_assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
         }
@@ -70,18 +70,18 @@ proptest! {
         if let Ok(half) = curve.lengths(&Job::default()).unwrap().place(0.5 * curve.length().unwrap()) {
             prop_assert!((0.0..=1.0).contains(&half.t));
         }
-        let _ = (curve.area_vector(), curve.moments(), curve.bounding_box().unwrap());
-        if let Ok(found) = curve.intersect_plane(q, DVec3::new(y, z, x)) {
+        let _ = (curve.area_vector(&Job::default()), curve.moments(&Job::default()), curve.bounding_box(&Job::default()).unwrap());
+        if let Ok(found) = curve.intersect_plane(q, DVec3::new(y, z, x), &Job::default()) {
             prop_assert!(found.places.iter().all(|p| (0.0..=1.0).contains(&p.t)));
         }
-        let _ = curve.intersect_line(DVec3::new(x, y, 0.0), DVec3::new(z, x, 0.0));
+        let _ = curve.intersect_line(DVec3::new(x, y, 0.0), DVec3::new(z, x, 0.0), &Job::default());
         if let Ok(found) = curve.self_intersections(&job) {
             prop_assert!(found.points.iter().all(|m| curve.point(m.a).is_ok() && curve.point(m.b).is_ok()));
         }
         let back = curve.reversed().unwrap();
         let _ = curve.intersections(&back.view(), &job);
         let _ = [Spacing::Count(7), Spacing::Step(curve.length().unwrap() / 9.0)].map(|spacing| curve.sampled(spacing, &Job::default()));
-        let _ = (curve.svg_path(&Job::default()), curve.contour(0.0), curve.spline());
+        let _ = (curve.svg_path(&Job::default()), curve.contour(0.0, &Job::default()), curve.spline(&Job::default()));
         let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
         if let Ok(done) = curve.offset(x, &options, &Job::default()) {
             prop_assert!(done.curve.view().points().iter().all(|p| !p.is_nan()));

@@ -2,9 +2,9 @@
 //! tangent, and curves of which they are known.
 
 use glam::{DMat3, DVec3};
-use gusset::Error;
 use gusset::curve::ops::TangentAngles;
 use gusset::curve::{Curve, CurveView, Place};
+use gusset::{Error, Job};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 fn curve(points: &[DVec3], ends: &[u32], closed: bool) -> Curve {
@@ -12,7 +12,7 @@ fn curve(points: &[DVec3], ends: &[u32], closed: bool) -> Curve {
 }
 
 fn at(curve: &Curve, direction: DVec3, angle: f64) -> TangentAngles {
-    curve.view().tangents_at_angle(direction, angle).unwrap()
+    curve.view().tangents_at_angle(direction, angle, &Job::default()).unwrap()
 }
 
 fn numbers(places: &[Place]) -> Vec<f64> {
@@ -132,7 +132,7 @@ fn every_change_of_sign_is_found() {
         let found = at(&made, direction, angle);
         let unit = direction.normalize();
         let off = |place: Place| {
-            let tangent = made.view().tangents_at(&[place]).unwrap()[0];
+            let tangent = made.view().tangents_at(&[place], &Job::default()).unwrap()[0];
             tangent.dot(unit).clamp(-1.0, 1.0).acos() - angle
         };
         for &place in &found.places {
@@ -164,7 +164,7 @@ fn every_change_of_sign_is_found() {
 #[test]
 fn angles_and_directions_are_checked() {
     let line = curve(&[DVec3::ZERO, DVec3::X], &[0, 1], false);
-    let ask = |direction, angle| line.view().tangents_at_angle(direction, angle).unwrap_err();
+    let ask = |direction, angle| line.view().tangents_at_angle(direction, angle, &Job::default()).unwrap_err();
     assert!(matches!(ask(DVec3::ZERO, 1.0), Error::OptionOutOfRange { option: "direction", .. }));
     assert!(matches!(ask(DVec3::NAN, 1.0), Error::NotFinite { .. }));
     for angle in [-0.1, 3.2, f64::NAN] {

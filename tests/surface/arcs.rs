@@ -27,7 +27,10 @@ fn samples(curve: &Curve, parts: usize, k: usize) -> Vec<(DVec3, DVec3)> {
         Place { segment: (k / parts) as u32, t: t.min(1.0) }
     };
     let places: Vec<Place> = (0..=8).map(at).collect();
-    let (points, tangents) = (curve.view().points_at(&places).unwrap(), curve.view().tangents_at(&places).unwrap());
+    let (points, tangents) = (
+        curve.view().points_at(&places, &Job::default()).unwrap(),
+        curve.view().tangents_at(&places, &Job::default()).unwrap(),
+    );
     points.into_iter().zip(tangents).collect()
 }
 

@@ -99,7 +99,7 @@ fn random_curve(random: &mut Random, from: DVec3) -> Curve {
 
 fn curve_points(curve: &CurveView<'_>, n: usize) -> Vec<DVec3> {
     let at = |k: usize| gusset::curve::Place { segment: (k / n) as u32, t: (k % n) as f64 / (n - 1) as f64 };
-    curve.points_at(&(0..n * curve.len()).map(at).collect::<Vec<_>>()).unwrap()
+    curve.points_at(&(0..n * curve.len()).map(at).collect::<Vec<_>>(), &Job::default()).unwrap()
 }
 
 /// The four kinds: how many cases, of which apart, proved, and seconds of the queries alone.

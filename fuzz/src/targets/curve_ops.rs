@@ -23,11 +23,17 @@ pub(crate) fn run(bytes: &[u8]) {
     let Ok(curve) = CurveView::new(&points, &ends, closed) else { return };
     let (job, query, t) = (Job::default(), query.at(), f64::from(t) / 255.0);
     let place = Place { segment: 0, t };
-    let _ = (curve.split(place), curve.elevated_by(2), curve.reduced(2, 0.1), curve.bounding_box(), curve.moments());
+    let _ = (
+        curve.split(place, &Job::default()),
+        curve.elevated_by(2, &Job::default()),
+        curve.reduced(2, 0.1, &Job::default()),
+        curve.bounding_box(&Job::default()),
+        curve.moments(&Job::default()),
+    );
     if let Ok(found) = curve.nearest(&[query], &job) {
         assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
     }
-    if let Ok(found) = curve.intersect_plane(query, glam::DVec3::new(query.y, query.z, query.x)) {
+    if let Ok(found) = curve.intersect_plane(query, glam::DVec3::new(query.y, query.z, query.x), &Job::default()) {
         assert!(found.places.iter().all(|place| (0.0..=1.0).contains(&place.t)));
     }
     if let Ok(found) = curve.self_intersections(&job) {
@@ -36,8 +42,8 @@ pub(crate) fn run(bytes: &[u8]) {
     let _ = (
         curve.sampled(Spacing::Count(7), &Job::default()),
         curve.svg_path(&Job::default()),
-        curve.contour(0.0),
-        curve.spline(),
+        curve.contour(0.0, &Job::default()),
+        curve.spline(&Job::default()),
     );
     let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
     if let Ok(done) = curve.offset(t, &options, &Job::default()) {

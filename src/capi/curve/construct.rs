@@ -59,7 +59,7 @@ impl gusset_offset_options {
 ///     group; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is
 ///     from, 1 is to), OUT_OF_RANGE (an open curve, and to before from), UNKNOWN_VALUE, TOO_LARGE,
-///     OUT_OF_MEMORY.
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -71,8 +71,8 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     to: gusset_place,
     part: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, part, "part", |_| {
-        Ok(gusset_curve(view(curve, "curve")?.sub_curve(from.checked()?, to.checked()?)?))
+    create(context, part, "part", |job| {
+        Ok(gusset_curve(view(curve, "curve")?.sub_curve(from.checked()?, to.checked()?, job)?))
     })
 }
 
@@ -95,8 +95,8 @@ pub unsafe extern "C" fn gusset_curve_split_create(
     after: u32,
     part: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, part, "part", |_| {
-        let [first, second] = view(curve, "curve")?.split(at.checked()?)?;
+    create(context, part, "part", |job| {
+        let [first, second] = view(curve, "curve")?.split(at.checked()?, job)?;
         Ok(gusset_curve(if flag(after, "after")? { second } else { first }))
     })
 }
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
 /// @param to if `by` is 0: the degree, 1 to 64.
 /// @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
-///     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY.
+///     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(degree) for each new control point.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -140,9 +140,9 @@ pub unsafe extern "C" fn gusset_curve_elevate_create(
     to: u32,
     elevated: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, elevated, "elevated", |_| {
+    create(context, elevated, "elevated", |job| {
         let view = view(curve, "curve")?;
-        Ok(gusset_curve(if by > 0 { view.elevated_by(by as usize)? } else { view.elevated_to(to as usize)? }))
+        Ok(gusset_curve(if by > 0 { view.elevated_by(by as usize, job)? } else { view.elevated_to(to as usize, job)? }))
     })
 }
 
@@ -157,7 +157,7 @@ pub unsafe extern "C" fn gusset_curve_elevate_create(
 ///     kept one what it would have been; NULL if it is not wanted.
 /// @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
-///     tolerance), OUT_OF_MEMORY.
+///     tolerance), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(degree^3) a segment.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -170,8 +170,8 @@ pub unsafe extern "C" fn gusset_curve_reduce_create(
     deviations: *mut f64,
     reduced: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, reduced, "reduced", |_| {
-        let done = view(curve, "curve")?.reduced(degree as usize, tolerance)?;
+    create(context, reduced, "reduced", |job| {
+        let done = view(curve, "curve")?.reduced(degree as usize, tolerance, job)?;
         if !deviations.is_null() {
             input::results(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
         }
@@ -192,7 +192,7 @@ pub unsafe extern "C" fn gusset_curve_reduce_create(
 /// @param[out] offset receives the result, for gusset_curve_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
 ///     UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree),
-///     TOO_LARGE, OUT_OF_MEMORY.
+///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(degree) for each of the places measured.
 /// @since 0.1
 #[unsafe(no_mangle)]

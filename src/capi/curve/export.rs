@@ -52,7 +52,7 @@ versioned! { gusset_curve_form_view: 72 }
 /// @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
 ///     this group; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
-///     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY.
+///     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -62,8 +62,8 @@ pub unsafe extern "C" fn gusset_curve_svg_create(
     curve: *const gusset_curve,
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
-    create(context, form, "form", |_| {
-        let mut text = view(curve, "curve")?.svg_path(&Job::default())?.into_bytes();
+    create(context, form, "form", |job| {
+        let mut text = view(curve, "curve")?.svg_path(job)?.into_bytes();
         alloc::push(&mut text, 0)?;
         Ok(gusset_curve_form { text, ..Default::default() })
     })
@@ -78,7 +78,8 @@ pub unsafe extern "C" fn gusset_curve_svg_create(
 ///     points; rounding always does.
 /// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
-///     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY.
+///     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY,
+///     CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -89,8 +90,8 @@ pub unsafe extern "C" fn gusset_curve_contour_create(
     tolerance: f64,
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
-    create(context, form, "form", |_| {
-        let contour = view(curve, "curve")?.contour(tolerance)?;
+    create(context, form, "form", |job| {
+        let contour = view(curve, "curve")?.contour(tolerance, job)?;
         Ok(gusset_curve_form { points: contour.points, on_curve: contour.on_curve, ..Default::default() })
     })
 }
@@ -103,7 +104,7 @@ pub unsafe extern "C" fn gusset_curve_contour_create(
 /// @param curve the curve.
 /// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
-///     (other degrees), OUT_OF_MEMORY.
+///     (other degrees), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -113,8 +114,8 @@ pub unsafe extern "C" fn gusset_curve_spline_create(
     curve: *const gusset_curve,
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
-    create(context, form, "form", |_| {
-        let spline = view(curve, "curve")?.spline()?;
+    create(context, form, "form", |job| {
+        let spline = view(curve, "curve")?.spline(job)?;
         let (points, knots, degree) = (spline.controls, spline.knots, spline.degree);
         Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
     })

@@ -63,25 +63,31 @@ fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place
 }
 
 impl gusset_places {
-    fn of_plane_intersections(found: PlaneIntersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
-        let points = curve.points_at(&found.places)?;
+    fn of_plane_intersections(
+        found: PlaneIntersections,
+        curve: &CurveView<'_>,
+        job: &Job<'_>,
+    ) -> Result<Self, Failure> {
+        let points = curve.points_at(&found.places, job)?;
         let places = list(found.places.into_iter())?;
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
     }
 
-    fn of_tangent_angles(found: TangentAngles, curve: &CurveView<'_>) -> Result<Self, Failure> {
-        let points = curve.points_at(&found.places)?;
+    fn of_tangent_angles(found: TangentAngles, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+        let points = curve.points_at(&found.places, job)?;
         let part = |[from, to]: [Place; 2]| [from, to, from, to].map(gusset_place::from);
         let overlaps = alloc::collect(found.intervals.into_iter().map(part))?;
         Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
     }
 
-    pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>) -> Result<Self, Failure> {
-        Self::of_pairs(found.places.iter().map(|near| [near.a, near.b]), &found.overlaps, found.undecided, curve)
+    pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+        let pairs = found.places.iter().map(|near| [near.a, near.b]);
+        Self::of_pairs(pairs, &found.overlaps, found.undecided, curve, job)
     }
 
-    fn of_intersections(found: &Intersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
-        Self::of_pairs(found.points.iter().map(|common| [common.a, common.b]), &found.overlaps, found.undecided, curve)
+    fn of_intersections(found: &Intersections, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+        let pairs = found.points.iter().map(|common| [common.a, common.b]);
+        Self::of_pairs(pairs, &found.overlaps, found.undecided, curve, job)
     }
 
     /// Places on `curve` and on another.
@@ -90,13 +96,14 @@ impl gusset_places {
         overlaps: &[Overlap],
         undecided: bool,
         curve: &CurveView<'_>,
+        job: &Job<'_>,
     ) -> Result<Self, Failure> {
         let at = alloc::collect(pairs.clone().map(|[place, _]| place))?;
         let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
         Ok(gusset_places {
             places: list(at.iter().copied())?,
             others: list(pairs.map(|[_, other]| other))?,
-            points: curve.points_at(&at)?,
+            points: curve.points_at(&at, job)?,
             overlaps: alloc::collect(overlaps.iter().map(ends))?,
             inside: Vec::new(),
             undecided,
@@ -113,7 +120,7 @@ impl gusset_places {
 /// @param[out] places receives the result, for gusset_places_destroy, as for all functions of this
 ///     group; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal),
-///     NOT_FINITE, OUT_OF_MEMORY.
+///     NOT_FINITE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points), and O(degree^2) a crossing.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -125,9 +132,13 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     normal: *const f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |_| {
+    create(context, places, "places", |job| {
         let (view, point, normal) = (view(curve, "curve")?, points(point, 1, 3)?[0], points(normal, 1, 3)?[0]);
-        gusset_places::of_plane_intersections(view.intersect_plane(point, normal)?, &view)
+        gusset_places::of_plane_intersections(
+            view.intersect_plane(point, normal, &job.part(0.0, 0.9))?,
+            &view,
+            &job.part(0.9, 1.0),
+        )
     })
 }
 
@@ -151,9 +162,13 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     direction: *const f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |_| {
+    create(context, places, "places", |job| {
         let (view, point, along) = (view(curve, "curve")?, points(point, 1, 2)?[0], points(direction, 1, 2)?[0]);
-        gusset_places::of_plane_intersections(view.intersect_line(point, along)?, &view)
+        gusset_places::of_plane_intersections(
+            view.intersect_line(point, along, &job.part(0.0, 0.9))?,
+            &view,
+            &job.part(0.9, 1.0),
+        )
     })
 }
 
@@ -179,9 +194,17 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     create(context, places, "places", |job| {
         let one = view(curve, "curve")?;
         if other.is_null() {
-            return gusset_places::of_intersections(&one.self_intersections(job)?, &one);
+            return gusset_places::of_intersections(
+                &one.self_intersections(&job.part(0.0, 0.9))?,
+                &one,
+                &job.part(0.9, 1.0),
+            );
         }
-        gusset_places::of_intersections(&one.intersections(&view(other, "other")?, job)?, &one)
+        gusset_places::of_intersections(
+            &one.intersections(&view(other, "other")?, &job.part(0.0, 0.9))?,
+            &one,
+            &job.part(0.9, 1.0),
+        )
     })
 }
 
@@ -199,7 +222,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
 /// @param[out] places receives the places; overlaps are parts all of whose tangents make the angle,
 ///     as those of straight segments: where each begins and ends, twice. NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (direction,
-///     angle), NOT_FINITE (direction), OUT_OF_MEMORY.
+///     angle), NOT_FINITE (direction), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points), and O(degree^2) for each place.
 /// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
 /// @since 0.1
@@ -212,9 +235,13 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     angle: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |_| {
+    create(context, places, "places", |job| {
         let (view, direction) = (view(curve, "curve")?, points(direction, 1, 3)?[0]);
-        gusset_places::of_tangent_angles(view.tangents_at_angle(direction, angle)?, &view)
+        gusset_places::of_tangent_angles(
+            view.tangents_at_angle(direction, angle, &job.part(0.0, 0.9))?,
+            &view,
+            &job.part(0.9, 1.0),
+        )
     })
 }
 
@@ -226,7 +253,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
 /// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
 /// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
-///     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY.
+///     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points, and samples).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -238,7 +265,7 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
     amount: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |_| {
+    create(context, places, "places", |job| {
         let view = view(curve, "curve")?;
         let spacing = match rule {
             GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => Spacing::Count(amount as usize),
@@ -247,7 +274,7 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
             GUSSET_SAMPLE_CHORD => Spacing::Chord(amount),
             other => return Err(Failure::unknown("rule", other.into())),
         };
-        let found = view.sampled(spacing, &Job::default())?;
+        let found = view.sampled(spacing, job)?;
         let places = list(found.places.into_iter())?;
         Ok(gusset_places { places, points: found.points, ..Default::default() })
     })

@@ -4,6 +4,9 @@ use crate::capi::curve::{gusset_curve, gusset_place, places, points, times, view
 use crate::capi::prelude::*;
 use crate::curve::{CurveView, Place};
 
+/// Places that are measured between two progress reports.
+const PLACES_PER_REPORT: usize = 1 << 8;
+
 /// The nearest point of a curve.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -39,9 +42,9 @@ fn at_places(
     context: *const gusset_context,
     curve: *const gusset_curve,
     (places, count): (*const gusset_place, usize),
-    answer: impl FnOnce(&CurveView<'_>, &[Place]) -> Result<(), Failure>,
+    answer: impl FnOnce(&CurveView<'_>, &[Place], &Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard(context, |_| answer(&view(curve, "curve")?, &self::places(places, count, "places")?))
+    guard(context, |job| answer(&view(curve, "curve")?, &self::places(places, count, "places")?, job))
 }
 
 /// Writes points as x, y, z to the caller's buffer.
@@ -60,7 +63,7 @@ fn write_points(points: &[DVec3], out: *mut f64, name: &'static str) -> Result<(
 /// @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
 ///     of the first derivative by t, and so on; 0 beyond the degree.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
-///     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY.
+///     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(degree^2) a place.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -73,8 +76,8 @@ pub unsafe extern "C" fn gusset_curve_derivatives(
     order: u32,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places| {
-        write_points(&curve.derivatives_at(places, order as usize)?, out, "out")
+    at_places(context, curve, (places, count), |curve, places, job| {
+        write_points(&curve.derivatives_at(places, order as usize, job)?, out, "out")
     })
 }
 
@@ -96,7 +99,9 @@ pub unsafe extern "C" fn gusset_curve_tangents(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places| write_points(&curve.tangents_at(places)?, out, "out"))
+    at_places(context, curve, (places, count), |curve, places, job| {
+        write_points(&curve.tangents_at(places, job)?, out, "out")
+    })
 }
 
 /// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
@@ -118,8 +123,8 @@ pub unsafe extern "C" fn gusset_curve_curvatures(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places| {
-        input::results(out, count, "out")?.copy_from_slice(&curve.curvatures_at(places)?);
+    at_places(context, curve, (places, count), |curve, places, job| {
+        input::results(out, count, "out")?.copy_from_slice(&curve.curvatures_at(places, job)?);
         Ok(())
     })
 }
@@ -160,7 +165,7 @@ pub unsafe extern "C" fn gusset_curve_nearest(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
 /// @param[out] length receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points); to 1e-13, in closed form up to degree 2.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -192,10 +197,12 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places| {
+    at_places(context, curve, (places, count), |curve, places, job| {
         let out = input::results(out, count, "out")?;
-        let lengths = curve.lengths(&Job::default())?;
-        for (to, &place) in out.iter_mut().zip(places) {
+        let lengths = curve.lengths(&job.part(0.0, 0.5))?;
+        let job = job.part(0.5, 1.0);
+        for (k, (to, &place)) in out.iter_mut().zip(places).enumerate() {
+            job.step_every(PLACES_PER_REPORT, k, count, "lengths at places")?;
             *to = lengths.up_to(place)?;
         }
         Ok(())
@@ -210,7 +217,7 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
 /// @param count see lengths.
 /// @param[out] out receives count places.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
-///     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+///     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points + count log segments).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -222,10 +229,11 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     count: usize,
     out: *mut gusset_place,
 ) -> gusset_status {
-    guard(context, |_| {
-        let measured = view(curve, "curve")?.lengths(&Job::default())?;
-        let lengths = input::list(lengths, count, "lengths")?;
-        for (to, length) in input::results(out, count, "out")?.iter_mut().zip(lengths) {
+    guard(context, |job| {
+        let measured = view(curve, "curve")?.lengths(&job.part(0.0, 0.5))?;
+        let (lengths, job) = (input::list(lengths, count, "lengths")?, job.part(0.5, 1.0));
+        for (k, (to, length)) in input::results(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
+            job.step_every(PLACES_PER_REPORT, k, count, "places at lengths")?;
             *to = measured.place(length)?.into();
         }
         Ok(())
@@ -237,7 +245,7 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
 /// @param[out] bounds receives the least x, y, z and the greatest x, y, z.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, CANCELLED.
 /// @complexity O(points); exact but for rounding.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -247,8 +255,8 @@ pub unsafe extern "C" fn gusset_curve_bounds(
     curve: *const gusset_curve,
     bounds: *mut f64,
 ) -> gusset_status {
-    answer(context, (bounds.cast::<[[f64; 3]; 2]>(), "bounds"), [[0.0; 3]; 2], |_| {
-        let found = view(curve, "curve")?.bounding_box()?;
+    answer(context, (bounds.cast::<[[f64; 3]; 2]>(), "bounds"), [[0.0; 3]; 2], |job| {
+        let found = view(curve, "curve")?.bounding_box(job)?;
         Ok([found.low, found.high].map(|corner| corner.to_array()))
     })
 }
@@ -260,7 +268,7 @@ pub unsafe extern "C" fn gusset_curve_bounds(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
 /// @param[out] area receives x, y, z.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CANCELLED.
 /// @complexity O(sum of degree^2); exact but for rounding.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -270,7 +278,9 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
     curve: *const gusset_curve,
     area: *mut f64,
 ) -> gusset_status {
-    answer(context, (area.cast::<[f64; 3]>(), "area"), [0.0; 3], |_| Ok(view(curve, "curve")?.area_vector().to_array()))
+    answer(context, (area.cast::<[f64; 3]>(), "area"), [0.0; 3], |job| {
+        Ok(view(curve, "curve")?.area_vector(job)?.to_array())
+    })
 }
 
 /// Area, centroid and second moments of what a plane curve encloses.
@@ -279,7 +289,7 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
 /// @param curve the curve.
 /// @param[out] moments receives the moments; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     CURVE_NOT_PLANE, EMPTY_CURVE.
+///     CURVE_NOT_PLANE, EMPTY_CURVE, CANCELLED.
 /// @complexity O(sum of degree^2); exact but for rounding.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -289,8 +299,8 @@ pub unsafe extern "C" fn gusset_curve_get_moments(
     curve: *const gusset_curve,
     moments: *mut gusset_curve_moment_report,
 ) -> gusset_status {
-    answer_struct(context, (moments, "moments"), |_| {
-        let found = view(curve, "curve")?.moments()?;
+    answer_struct(context, (moments, "moments"), |job| {
+        let found = view(curve, "curve")?.moments(job)?;
         let centroid = [found.centroid.x, found.centroid.y];
         Ok(gusset_curve_moment_report { struct_size: 0, area: found.area, centroid, second: found.second })
     })

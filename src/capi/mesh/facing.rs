@@ -105,11 +105,11 @@ pub unsafe extern "C" fn gusset_facing_create(
     options: *const gusset_facing_options,
     facing: *mut *mut gusset_facing,
 ) -> gusset_status {
-    create(context, facing, "facing", |_| {
+    create(context, facing, "facing", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
         let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
-        let found = self::facing(&a, &b, &options, &crate::Job::default())?;
+        let found = self::facing(&a, &b, &options, job)?;
         let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(pair));
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
         Ok(gusset_facing { found, runs })

@@ -103,7 +103,11 @@ pub unsafe extern "C" fn gusset_curve_near_misses_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, other) = (view(curve, "curve")?, view(other, "other")?);
-        gusset_places::of_near_misses(&curve.near_misses(&other, within, job)?, &curve)
+        gusset_places::of_near_misses(
+            &curve.near_misses(&other, within, &job.part(0.0, 0.9))?,
+            &curve,
+            &job.part(0.9, 1.0),
+        )
     })
 }
 
@@ -131,6 +135,10 @@ pub unsafe extern "C" fn gusset_curve_line_near_misses_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
-        gusset_places::of_near_misses(&line.near_misses(&curve, within, job)?, &curve)
+        gusset_places::of_near_misses(
+            &line.near_misses(&curve, within, &job.part(0.0, 0.9))?,
+            &curve,
+            &job.part(0.9, 1.0),
+        )
     })
 }

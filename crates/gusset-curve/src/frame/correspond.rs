@@ -20,8 +20,8 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use std::f64::consts::{PI, TAU};
 
-/// Segments that are cut between two progress reports.
-const SEGMENTS_PER_REPORT: usize = 1 << 14;
+/// Landmarks of a section between two progress reports.
+const LANDMARKS_PER_REPORT: usize = 1 << 8;
 
 /// The nodes of all sections, row by row.
 pub(super) struct SectionNodes {
@@ -65,12 +65,10 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
             found.reserve(columns)?;
             for (k, &(point, [along, first, second])) in places.iter().enumerate() {
                 let (curve, of_section) = (curve_of(&curves, k)?, job.share(k, rows));
-                let interval = (SEGMENTS_PER_REPORT / curve.len()).max(1);
                 for i in 0..columns {
-                    of_section.step_every(interval, i, columns, "finding nodes")?;
                     let angle = TAU * i as f64 / columns as f64;
                     let ray = first * libm::cos(angle) + second * libm::sin(angle);
-                    found.add_farthest(&curve, k, point, ray, along.cross(ray))?;
+                    found.add_farthest(&curve, k, point, ray, along.cross(ray), &of_section.share(i, columns))?;
                 }
                 if !options.smooth_corners {
                     let own = sharp_nodes(&found.nodes[k * columns..], sections.closed, &options.across)?;
@@ -79,7 +77,7 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
             }
         }
         Correspondence::Landmarks { points, parts } => {
-            add_landmarks(sections, &curves, points, parts, &mut found)?;
+            add_landmarks(sections, &curves, points, parts, &mut found, &job)?;
             let each = points.len() / rows;
             for (place, landmark) in points.iter().enumerate() {
                 let (k, i) = (place / each, place % each);
@@ -115,11 +113,12 @@ impl SectionNodes {
         point: DVec3,
         ray: DVec3,
         normal: DVec3,
+        job: &Job<'_>,
     ) -> Result<()> {
-        let crossings = curve.intersect_plane(point, normal)?;
+        let crossings = curve.intersect_plane(point, normal, job)?;
         let (mut hits, mut farthest) = (0, None);
         let mut greatest = 0.0;
-        for p in curve.points_at(&crossings.places)? {
+        for p in curve.points_at(&crossings.places, job)? {
             let distance = (p - point).dot(ray);
             hits += usize::from(distance > 0.0);
             if distance > greatest {
@@ -363,6 +362,7 @@ fn add_landmarks(
     points: &[u32],
     parts: usize,
     found: &mut SectionNodes,
+    job: &Job<'_>,
 ) -> Result<()> {
     let check = |value: usize, allowed: bool| Error::require(allowed, "landmarks", value as f64);
     check(points.len(), found.rows > 0 && !points.is_empty() && points.len().is_multiple_of(found.rows))?;
@@ -371,7 +371,7 @@ fn add_landmarks(
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
     found.reserve(columns.unwrap_or(usize::MAX))?;
     for k in 0..found.rows {
-        let curve = curve_of(curves, k)?;
+        let (curve, of_section) = (curve_of(curves, k)?, job.share(k, found.rows));
         let span = sections.span(k);
         let own = &points[k * each..(k + 1) * each];
         // In order along the section; a closed one may pass its first point once on the way.
@@ -381,8 +381,10 @@ fn add_landmarks(
             (0..each).find(|&i| own[i] as usize >= span.len() || (i > 0 && own[i] <= own[i - 1] && !may_descend));
         check(k * each + wrong.unwrap_or(0), wrong.is_none())?;
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
-        let lengths = curve.lengths(&Job::default())?;
+        let lengths = curve.lengths(&of_section.part(0.0, 0.5))?;
+        let of_section = of_section.part(0.5, 1.0);
         for (i, &landmark) in own.iter().enumerate() {
+            of_section.step_every(LANDMARKS_PER_REPORT, i, each, "finding nodes")?;
             let last = i + 1 == each;
             if last && !sections.closed {
                 found.nodes.push(curve.point(place(landmark))?);

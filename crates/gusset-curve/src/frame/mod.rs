@@ -170,7 +170,8 @@ fn at_nodes(
     let mut points = alloc::filled(DVec3::ZERO, width * count)?;
     let mut directions = alloc::filled(DVec3::ZERO, width * count)?;
     for k in 0..count {
-        job.step(k as f64 / count as f64, "directions at nodes")?;
+        let job = job.share(k, count);
+        job.step(0.0, "directions at nodes")?;
         let (curve, own) = (fit.curve(k), k * width..(k + 1) * width);
         if curve.is_empty() {
             // No extent: all its points are one.
@@ -178,7 +179,8 @@ fn at_nodes(
             continue;
         }
         let places = alloc::collect(own.clone().map(|i| fit.place(i)))?;
-        let (on_curve, along) = (curve.points_at(&places)?, curve.tangents_at(&places)?);
+        let (on_curve, along) =
+            (curve.points_at(&places, &job.part(0.0, 0.5))?, curve.tangents_at(&places, &job.part(0.5, 1.0))?);
         for ((i, p), direction) in own.zip(on_curve).zip(along) {
             (points[place(i)], directions[place(i)]) = (p, direction);
         }

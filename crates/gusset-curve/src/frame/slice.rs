@@ -39,7 +39,7 @@ pub fn slice(
     let mut ambiguous = Vec::new();
     for i in 0..along.len() {
         let curve = along.curve(i);
-        let crossings = curve.intersect_plane(point, normal)?;
+        let crossings = curve.intersect_plane(point, normal, &job.part(0.0, 0.5).share(i, along.len()))?;
         let inside = crossings.inside.first().map(|&segment| Place { segment, t: 0.0 });
         let Some(place) = crossings.places.first().copied().or(inside) else {
             return Err(Error::NoNode { section: 0, column: i as u32 });
@@ -51,7 +51,7 @@ pub fn slice(
         places.push(place);
     }
     let outline = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
-    Ok(Slice { curve: fit(&outline, options, job)?, places, ambiguous })
+    Ok(Slice { curve: fit(&outline, options, &job.part(0.5, 1.0))?, places, ambiguous })
 }
 
 /// The measures of a section.
@@ -73,7 +73,8 @@ impl Measure {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn of(curve: CurveView<'_>) -> Result<Self> {
-        let girth = curve.length()?;
+        let job = Job::default();
+        let girth = curve.lengths(&job)?.total();
         let mut weighted = DVec3::ZERO;
         let mut weight = 0.0;
         let start = curve.points().first().copied().unwrap_or(DVec3::ZERO);
@@ -93,7 +94,7 @@ impl Measure {
             }
         }
         let centre = if weight > 0.0 { start + weighted / weight * unit } else { start };
-        Ok(Measure { girth, area: curve.area_vector().length(), centre })
+        Ok(Measure { girth, area: curve.area_vector(&job)?.length(), centre })
     }
 }
 

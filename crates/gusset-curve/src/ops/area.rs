@@ -15,6 +15,10 @@ use crate::curve::{CurveView, MAX_DEGREE};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::bernstein::{add_product, integral, integral_of_product};
+use gusset_base::job::Job;
+
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// The moments of the region that a plane curve encloses. Regions that the curve runs round
 /// clockwise count negative, those it runs round twice count twice.
@@ -48,13 +52,17 @@ impl CurveView<'_> {
     /// space its component along any direction is the area of the shadow thrown that way. An open
     /// curve is closed by the chord from its end to its start. Exact but for rounding. O(sum of
     /// degree^2).
-    pub fn area_vector(&self) -> DVec3 {
+    ///
+    /// # Errors
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
+    pub fn area_vector(&self, job: &Job<'_>) -> Result<DVec3> {
         let frame = UnitFrame::of(self.points());
         let Some(&start) = self.points().first() else {
-            return DVec3::ZERO;
+            return Ok(DVec3::ZERO);
         };
         let mut doubled = DVec3::ZERO;
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "area of a curve")?;
             let n = controls.len() - 1;
             let [r, d] = components(&frame, frame.point(start), controls);
             let swept = |a: usize, b: usize| {
@@ -62,21 +70,23 @@ impl CurveView<'_> {
             };
             doubled += DVec3::new(swept(1, 2), swept(2, 0), swept(0, 1));
         }
-        (doubled * 0.5).map(|x| frame.length_back(frame.length_back(x)))
+        Ok((doubled * 0.5).map(|x| frame.length_back(frame.length_back(x))))
     }
 
     /// Area, centroid and second moments of what a plane curve encloses. Exact but for rounding.
     /// O(sum of degree^2).
     ///
     /// # Errors
-    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane), [`EmptyCurve`](gusset_base::Error::EmptyCurve).
-    pub fn moments(&self) -> Result<Moments> {
+    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane), [`EmptyCurve`](gusset_base::Error::EmptyCurve),
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
+    pub fn moments(&self, job: &Job<'_>) -> Result<Moments> {
         self.check_not_empty()?;
         self.check_plane()?;
         let frame = UnitFrame::of(self.points());
         let start = frame.point(self.points()[0]);
         let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "moments of a curve")?;
             let n = controls.len() - 1;
             let [r, d] = components(&frame, start, controls);
             let (x, y) = (&r[0][..=n], &r[1][..=n]);

@@ -6,7 +6,11 @@ use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::roots;
+use gusset_base::job::Job;
 use std::iter;
+
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// A box with sides along the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,13 +27,15 @@ impl CurveView<'_> {
     /// O(points), plus O(degree^2) for segments that reach beyond their ends.
     ///
     /// # Errors
-    /// [`EmptyCurve`](gusset_base::Error::EmptyCurve): not a single point.
-    pub fn bounding_box(&self) -> Result<Bounds> {
+    /// [`EmptyCurve`](gusset_base::Error::EmptyCurve): not a single point;
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
+    pub fn bounding_box(&self, job: &Job<'_>) -> Result<Bounds> {
         self.check_not_empty()?;
         let ends = self.segments().map(|controls| controls[controls.len() - 1]);
         let Aabb { low, high } = Aabb::of(iter::once(self.points()[0]).chain(ends));
         let mut bounds = Bounds { low, high };
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "box of a curve")?;
             // Only control points outside, in a coordinate, let the curve reach outside there.
             for axis in 0..3 {
                 let outside = |p: &DVec3| p[axis] < bounds.low[axis] || p[axis] > bounds.high[axis];

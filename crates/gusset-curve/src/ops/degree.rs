@@ -10,6 +10,10 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::binomial_row;
 use gusset_base::geom::linear::cholesky;
+use gusset_base::job::Job;
+
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// A curve of lower degree.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,9 +39,9 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`],
-    /// [`Error::OutOfMemory`]. O(degree) for each new control point.
-    pub fn elevated_by(&self, by: usize) -> Result<Curve> {
-        self.elevated(|degree| degree.saturating_add(by))
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(degree) for each new control point.
+    pub fn elevated_by(&self, by: usize, job: &Job<'_>) -> Result<Curve> {
+        self.elevated(|degree| degree.saturating_add(by), job)
     }
 
     /// The same curve with all segments of degree `degree` at least, 1 to [`MAX_DEGREE`]; higher
@@ -45,14 +49,15 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// As for [`elevated_by`](Self::elevated_by).
-    pub fn elevated_to(&self, degree: usize) -> Result<Curve> {
+    pub fn elevated_to(&self, degree: usize, job: &Job<'_>) -> Result<Curve> {
         check_degree(degree)?;
-        self.elevated(|old| old.max(degree))
+        self.elevated(|old| old.max(degree), job)
     }
 
-    fn elevated(&self, degree: impl Fn(usize) -> usize) -> Result<Curve> {
+    fn elevated(&self, degree: impl Fn(usize) -> usize, job: &Job<'_>) -> Result<Curve> {
         let mut curve = self.begin()?;
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "raising degrees")?;
             let to = degree(controls.len() - 1);
             check_degree(to)?;
             let mut elevated = SegmentBuffer::new(controls);
@@ -68,13 +73,14 @@ impl CurveView<'_> {
     /// allowed) are kept. Joints may become corners by as much as the deviation lets them.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for
-    /// each segment.
-    pub fn reduced(&self, degree: usize, tolerance: f64) -> Result<Reduced> {
+    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`]. O(degree^3) for each segment.
+    pub fn reduced(&self, degree: usize, tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
         check_degree(degree)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
         for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "lowering degrees")?;
             if controls.len() - 1 <= degree {
                 reduced.deviations.push(0.0);
                 reduced.curve.push(&controls[1..])?;

@@ -6,6 +6,12 @@ use crate::curve::{CurveView, MAX_DEGREE, Place};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+/// Places between two progress reports.
+const PLACES_PER_REPORT: usize = 1 << 10;
+
+const STAGE: &str = "values at places";
 
 impl CurveView<'_> {
     /// The point at a place.
@@ -21,9 +27,18 @@ impl CurveView<'_> {
     /// The points at many places.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
-    pub fn points_at(&self, places: &[Place]) -> Result<Vec<DVec3>> {
-        self.at_each(places, segment::point)
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn points_at(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<DVec3>> {
+        self.at_each(places, segment::point, job)
+    }
+
+    /// The direction at a place, of length 1 or 0; see [`tangents_at`](Self::tangents_at).
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`].
+    pub fn tangent(&self, place: Place) -> Result<DVec3> {
+        self.check_place(0, place)?;
+        Ok(tangent(self.segment(place.segment as usize), place.t))
     }
 
     /// The derivatives by the segment's parameter t at many places: for each place the point, the
@@ -31,11 +46,13 @@ impl CurveView<'_> {
     /// segment they are 0. O(degree^2) a place.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`].
-    pub fn derivatives_at(&self, places: &[Place], order: usize) -> Result<Vec<DVec3>> {
+    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn derivatives_at(&self, places: &[Place], order: usize, job: &Job<'_>) -> Result<Vec<DVec3>> {
         Error::require(order <= MAX_DEGREE, "order", order as f64)?;
         let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
         for (index, &place) in places.iter().enumerate() {
+            job.step_every(PLACES_PER_REPORT, index, places.len(), STAGE)?;
             self.check_place(index, place)?;
             let mut derived = SegmentBuffer::new(self.segment(place.segment as usize));
             for _ in 0..=order {
@@ -51,9 +68,9 @@ impl CurveView<'_> {
     /// segment without extent.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
-    pub fn tangents_at(&self, places: &[Place]) -> Result<Vec<DVec3>> {
-        self.at_each(places, tangent)
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn tangents_at(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<DVec3>> {
+        self.at_each(places, tangent, job)
     }
 
     /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) positive where
@@ -61,13 +78,14 @@ impl CurveView<'_> {
     /// 0 on a segment that is not straight; 0 on a straight one.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
-    pub fn curvatures_at(&self, places: &[Place]) -> Result<Vec<f64>> {
-        self.at_each(places, curvature)
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn curvatures_at(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<f64>> {
+        self.at_each(places, curvature, job)
     }
 
-    fn at_each<T>(&self, places: &[Place], value: impl Fn(&[DVec3], f64) -> T) -> Result<Vec<T>> {
+    fn at_each<T>(&self, places: &[Place], value: impl Fn(&[DVec3], f64) -> T, job: &Job<'_>) -> Result<Vec<T>> {
         alloc::try_collect(places.iter().enumerate().map(|(index, &place)| {
+            job.step_every(PLACES_PER_REPORT, index, places.len(), STAGE)?;
             self.check_place(index, place)?;
             Ok(value(self.segment(place.segment as usize), place.t))
         }))

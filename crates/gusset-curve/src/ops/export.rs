@@ -48,6 +48,7 @@ impl fmt::Display for Number {
     }
 }
 
+/// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// A number is at most 24 characters, and a blank.
@@ -100,8 +101,8 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed),
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance),
-    /// [`Error::OutOfMemory`]. O(points).
-    pub fn contour(&self, tolerance: f64) -> Result<Contour> {
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
+    pub fn contour(&self, tolerance: f64, job: &Job<'_>) -> Result<Contour> {
         self.check_plane()?;
         self.check_degrees(1..=2)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
@@ -115,7 +116,8 @@ impl CurveView<'_> {
         let tolerance = tolerance.max(4.0 * f64::EPSILON * largest);
         let mut contour = Contour::default();
         let mut before = self.segment(self.len() - 1);
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a contour")?;
             // The start of this segment, then its control point.
             let implied = before.len() == 3
                 && controls.len() == 3
@@ -139,8 +141,8 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the
-    /// first), [`Error::OutOfMemory`]. O(points).
-    pub fn spline(&self) -> Result<Spline> {
+    /// first), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
+    pub fn spline(&self, job: &Job<'_>) -> Result<Spline> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -151,7 +153,9 @@ impl CurveView<'_> {
         let (mut knot, mut interval) = (0.0, 1.0);
         spline.knot(knot, n + 1)?;
         alloc::append(&mut spline.controls, self.segment(0))?;
+        job.step(0.0, "writing a spline")?;
         for k in 1..self.len() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a spline")?;
             let (before, after) = (self.segment(k - 1), self.segment(k));
             knot += interval;
             let joint = frame.point(after[0]);

@@ -7,6 +7,10 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::roots;
+use gusset_base::job::Job;
+
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 10;
 
 /// The intersections of a curve with a line or a plane.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -30,8 +34,8 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is
-    /// `point`, 1 is `normal`), [`Error::OutOfMemory`].
-    pub fn intersect_plane(&self, point: DVec3, normal: DVec3) -> Result<PlaneIntersections> {
+    /// `point`, 1 is `normal`), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn intersect_plane(&self, point: DVec3, normal: DVec3, job: &Job<'_>) -> Result<PlaneIntersections> {
         check_finite(0, point)?;
         check_finite(1, normal)?;
         let largest = normal.abs().max_element();
@@ -46,6 +50,7 @@ impl CurveView<'_> {
             return Ok(found);
         }
         for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "crossings with a plane")?;
             let mut heights = [0.0; MAX_DEGREE + 1];
             for (height, &p) in heights.iter_mut().zip(controls) {
                 *height = normal.dot(frame.point(p)) - level;
@@ -68,14 +73,14 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line,
     /// have z other than 0), and those of the plane.
-    pub fn intersect_line(&self, point: DVec3, direction: DVec3) -> Result<PlaneIntersections> {
+    pub fn intersect_line(&self, point: DVec3, direction: DVec3, job: &Job<'_>) -> Result<PlaneIntersections> {
         self.check_plane()?;
         check_finite(0, point)?;
         check_finite(1, direction)?;
         if point.z != 0.0 || direction.z != 0.0 {
             return Err(Error::CurveNotPlane { point: u32::from(point.z == 0.0) });
         }
-        self.intersect_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
+        self.intersect_plane(point, DVec3::new(-direction.y, direction.x, 0.0), job)
     }
 }
 

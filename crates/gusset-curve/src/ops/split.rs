@@ -4,16 +4,23 @@ use crate::curve::segment::{self, SegmentBuffer};
 use crate::curve::{Curve, CurveView, Place};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
+
+const STAGE: &str = "part of a curve";
 
 impl CurveView<'_> {
     /// The parts before and after a place. Both are open; a part without extent has one control
     /// point and no segments.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`]. O(points).
-    pub fn split(&self, at: Place) -> Result<[Curve; 2]> {
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
+    pub fn split(&self, at: Place, job: &Job<'_>) -> Result<[Curve; 2]> {
         self.check_place(0, at)?;
-        Ok([self.between(Place::START, at)?, self.between(at, self.last_place())?])
+        let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
+        Ok([self.between(Place::START, at, &first)?, self.between(at, self.last_place(), &second)?])
     }
 
     /// The part from one place to another, open. On a closed curve it may run over the start, and
@@ -21,25 +28,27 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`),
-    /// [`Error::TooLarge`], [`Error::OutOfMemory`]. O(points).
-    pub fn sub_curve(&self, from: Place, to: Place) -> Result<Curve> {
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
+    pub fn sub_curve(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
         self.check_place(0, from)?;
         self.check_place(1, to)?;
         let order = from.segment.cmp(&to.segment).then(from.t.total_cmp(&to.t));
         if order.is_lt() || (order.is_eq() && !self.is_closed()) {
-            return self.between(from, to);
+            return self.between(from, to, job);
         }
         Error::require(self.is_closed(), "to", to.t)?;
-        let mut curve = self.between(from, self.last_place())?;
-        let rest = self.between(Place::START, to)?;
+        let mut curve = self.between(from, self.last_place(), &job.part(0.0, 0.5))?;
+        let rest = self.between(Place::START, to, &job.part(0.5, 1.0))?;
         rest.view().segments().try_for_each(|segment| curve.push(&segment[1..]))?;
         Ok(curve)
     }
 
     /// The part from one place to a later one.
-    fn between(&self, from: Place, to: Place) -> Result<Curve> {
+    fn between(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
         let mut curve: Option<Curve> = None;
+        let count = (to.segment - from.segment) as usize + 1;
         for k in from.segment..=to.segment {
+            job.step_every(SEGMENTS_PER_REPORT, (k - from.segment) as usize, count, STAGE)?;
             let a = if k == from.segment { from.t } else { 0.0 };
             let b = if k == to.segment { to.t } else { 1.0 };
             if a >= b {

@@ -12,6 +12,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::{Roots, add_product, derive, roots, value_and_slope};
+use gusset_base::job::Job;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The points of a curve whose tangents make an angle with a direction.
@@ -43,6 +44,9 @@ const SAME_ROOT: f64 = 1e-8;
 /// Steps of Newton's method for the equation that is not squared.
 const MAX_STEPS: usize = 8;
 
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 8;
+
 /// The components of the derivative of a segment: along the direction, and across it.
 struct Tangents {
     components: [[f64; MAX_DEGREE]; 3],
@@ -67,8 +71,8 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a direction of length 0, an angle outside 0 to pi),
-    /// [`Error::NotFinite`] (point 0 is the direction), [`Error::OutOfMemory`].
-    pub fn tangents_at_angle(&self, direction: DVec3, angle: f64) -> Result<TangentAngles> {
+    /// [`Error::NotFinite`] (point 0 is the direction), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn tangents_at_angle(&self, direction: DVec3, angle: f64, job: &Job<'_>) -> Result<TangentAngles> {
         check_finite(0, direction)?;
         Error::require((0.0..=PI).contains(&angle), "angle", angle)?;
         let largest = direction.abs().max_element();
@@ -84,6 +88,7 @@ impl CurveView<'_> {
         let frame = UnitFrame::of(self.points());
         let mut found = TangentAngles::default();
         for (k, controls) in self.segments().enumerate() {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "tangents at an angle")?;
             let Some(tangents) = Tangents::of(controls, &frame, [along, u, v]) else { continue };
             let roots = tangents.candidates(sought);
             if roots.everywhere {

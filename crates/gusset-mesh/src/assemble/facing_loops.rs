@@ -60,18 +60,18 @@ impl FacingSearch<'_> {
             self.find_arcs(&nearest_vertices, &whole, &mut found)?;
         }
         if found.is_empty() {
-            alloc::extend(&mut found, self.lone_pair()?)?;
+            alloc::extend(&mut found, self.lone_pair(&job.part(1.0, 1.0))?)?;
         }
         Ok(found)
     }
 
     /// The only two loops, if they are of two pieces and may be joined, and no gap is given.
-    fn lone_pair(&self) -> Result<Option<Facing>> {
+    fn lone_pair(&self, job: &Job<'_>) -> Result<Option<Facing>> {
         let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
         if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
             return Ok(None);
         }
-        Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1])? }))
+        Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
     }
 
     /// What each vertex of each loop has nearest to it, within twice the limit of arcs.

@@ -274,7 +274,11 @@ fn chosen_pairs(
         rims.iter().for_each(|&r| taken[r] = true);
         let facing = match &loops.slits[rims[0]] {
             Some(slit) if rims[0] == rims[1] => slit.facing(rims[0]),
-            _ => Facing { rims, arcs: None, gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]])? },
+            _ => Facing {
+                rims,
+                arcs: None,
+                gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]], &job.part(0.0, 0.0))?,
+            },
         };
         alloc::push(&mut found, facing)?;
     }

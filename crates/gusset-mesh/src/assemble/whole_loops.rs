@@ -114,7 +114,11 @@ impl FacingSearch<'_> {
     /// O(V log V) for V vertices on loops, and for each two loops before one another the time of
     /// their nearest points.
     pub(super) fn whole_loops(&self, near: &[Seen], job: &Job<'_>) -> Result<Vec<Facing>> {
-        let trees = alloc::try_collect(self.rims.iter().map(|rim| KdTree::new(&rim.points, &Job::default(), "")))?;
+        let (building, job) = (job.part(0.0, 0.1), job.part(0.1, 1.0));
+        let mut trees = alloc::with_capacity(self.rims.len())?;
+        for (r, rim) in self.rims.iter().enumerate() {
+            trees.push(KdTree::new(&rim.points, &building.share(r, self.rims.len()), STAGE)?);
+        }
         let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
         let before = self.loops_before(&conormals, &job.part(0.0, 0.5))?;

@@ -17,6 +17,8 @@ use gusset_base::job::Job;
 /// So many vertices of a rim tell how far it is from another, evenly chosen from all.
 const SAMPLE_VERTICES: usize = 1 << 10;
 
+const STAGE: &str = "pairing the loops";
+
 /// Every loop of the boundary that can carry a strip.
 pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Vec<Rim>> {
     alloc::try_collect(boundary.iter().filter(is_usable).map(|found| Rim::found(mesh, &found)))
@@ -30,8 +32,10 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
     let boxes = alloc::collect(b.iter().map(|rim| Aabb::of(&rim.points)))?;
     let mut best = (f64::INFINITY, None);
     for (i, p) in a.iter().enumerate() {
-        job.step(i as f64 / a.len() as f64, "pairing the loops")?;
-        let (around, tree_p) = (Aabb::of(&p.points), tree(&p.points)?);
+        let job = job.share(i, a.len());
+        job.step(0.0, STAGE)?;
+        let (around, tree_p) = (Aabb::of(&p.points), tree(&p.points, &job.part(0.0, 0.1))?);
+        let job = job.part(0.1, 1.0);
         for (j, q) in b.iter().enumerate() {
             // No points of the two rims are nearer than their boxes.
             if around.distance(&boxes[j]) >= best.0 {
@@ -42,7 +46,7 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
             if there >= best.0 {
                 continue;
             }
-            let distance = there.max(mean_distance(&p.points, &tree(&q.points)?));
+            let distance = there.max(mean_distance(&p.points, &tree(&q.points, &job.share(j, b.len()))?));
             if distance < best.0 && !(one_mesh && shared_vertex(p, q)?.is_some()) {
                 best = (distance, Some((i, j)));
             }
@@ -55,15 +59,15 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
     Ok((a.swap_remove(i), b.swap_remove(j)))
 }
 
-fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
-    KdTree::new(points, &Job::default(), "")
+fn tree<'a>(points: &'a [DVec3], job: &Job<'_>) -> Result<KdTree<'a>> {
+    KdTree::new(points, job, STAGE)
 }
 
 /// The mean distance from the vertices of each rim to the nearest of the other, the larger of the
 /// two.
-pub fn mean_gap(a: &Rim, b: &Rim) -> Result<f64> {
-    let there = mean_distance(&b.points, &tree(&a.points)?);
-    Ok(there.max(mean_distance(&a.points, &tree(&b.points)?)))
+pub fn mean_gap(a: &Rim, b: &Rim, job: &Job<'_>) -> Result<f64> {
+    let there = mean_distance(&b.points, &tree(&a.points, &job.part(0.0, 0.5))?);
+    Ok(there.max(mean_distance(&a.points, &tree(&b.points, &job.part(0.5, 1.0))?)))
 }
 
 /// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only

@@ -182,7 +182,7 @@ fn place(curve: &CurveView<'_>, at: f64) -> CurvePlace {
 
 /// The unit vector along the curve.
 fn direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
-    curve.tangents_at(&[place(curve, at)]).map_or(DVec3::ZERO, |found| found[0])
+    curve.tangent(place(curve, at)).unwrap_or(DVec3::ZERO)
 }
 
 /// By the place on the curve, then by cells.

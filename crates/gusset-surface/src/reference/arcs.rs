@@ -56,7 +56,7 @@ impl Arcs {
             _ => Place { segment: (k / parts) as u32, t: (k % parts) as f64 / parts as f64 },
         };
         let places = alloc::collect((0..count + 1).map(place))?;
-        let (points, tangents) = (curve.points_at(&places)?, curve.tangents_at(&places)?);
+        let (points, tangents) = (curve.points_at(&places, job)?, curve.tangents_at(&places, job)?);
         let (mut lengths, mut variation) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         let mut controls = Vec::new();
         for k in 0..count {
