@@ -24,7 +24,7 @@ fn derivatives_tangents_and_curvatures_of_a_parabola() {
         let curvature = curve.curvatures_at(&[*place], &Job::default()).unwrap()[0];
         assert!((curvature - 2.0 / (1.0 + slope * slope).powf(1.5)).abs() < 1e-14);
     }
-    let back = curve.reversed().unwrap();
+    let back = curve.reversed(&Job::default()).unwrap();
     assert!(back.view().curvatures_at(&[at(0, 0.5)], &Job::default()).unwrap()[0] < 0.0);
     let tiny = Given::one(&given.points.iter().map(|&p| p * 1e-200).collect::<Vec<_>>());
     let bend = tiny.view().curvatures_at(&[at(0, 1.0 / 3.0)], &Job::default()).unwrap()[0];
@@ -155,7 +155,7 @@ fn areas_and_moments_of_polygons() {
     for (a, b) in moments.second.iter().zip(central) {
         assert!((a - b).abs() < 1e-12);
     }
-    let back = given.view().reversed().unwrap();
+    let back = given.view().reversed(&Job::default()).unwrap();
     assert!((back.view().area_vector(&Job::default()).unwrap().z + area).abs() < 1e-13);
     // A parabola over its chord: (b - a)^3 / 6.
     assert!((parabola(-1.0, 2.0).view().area_vector(&Job::default()).unwrap().z - 27.0 / 6.0).abs() < 1e-13);
@@ -226,7 +226,7 @@ fn parts_of_a_closed_curve() {
 }
 
 fn reversed_twice(curve: &CurveView<'_>) -> Curve {
-    curve.reversed().unwrap().view().reversed().unwrap()
+    curve.reversed(&Job::default()).unwrap().view().reversed(&Job::default()).unwrap()
 }
 
 proptest! {
@@ -261,7 +261,7 @@ proptest! {
         let twice = reversed_twice(&curve);
         prop_assert_eq!(twice.view().points(), curve.points());
         prop_assert_eq!(twice.view().ends(), curve.ends());
-        let again = curve.reversed().unwrap();
+        let again = curve.reversed(&Job::default()).unwrap();
         let last = curve.len() as u32 - 1;
         let (p, q) = (curve.point(at(0, 0.25)).unwrap(), again.view().point(at(last, 0.75)).unwrap());
         prop_assert!((p - q).abs().max_element() <= 1e-14 * size(&given));

@@ -61,7 +61,7 @@ proptest! {
         if let Ok(tangents) = curve.tangents_at(&places, &Job::default()) {
             prop_assert!(tangents[0].is_finite() && tangents[0].length() < 1.0 + 1e-9);
         }
-        let _ = (curve.split(place, &Job::default()), curve.sub_curve(place, Place { segment: 0, t: 0.5 }, &Job::default()), curve.reversed().unwrap());
+        let _ = (curve.split(place, &Job::default()), curve.sub_curve(place, Place { segment: 0, t: 0.5 }, &Job::default()), curve.reversed(&Job::default()).unwrap());
         let _ = (curve.elevated_by(3, &Job::default()), curve.elevated_to(64, &Job::default()), curve.reduced(3, x, &Job::default()), curve.reduced(2, f64::INFINITY, &Job::default()));
         if let Ok(found) = curve.nearest(&[q], &job) {
             prop_assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
@@ -78,7 +78,7 @@ proptest! {
         if let Ok(found) = curve.self_intersections(&job) {
             prop_assert!(found.points.iter().all(|m| curve.point(m.a).is_ok() && curve.point(m.b).is_ok()));
         }
-        let back = curve.reversed().unwrap();
+        let back = curve.reversed(&Job::default()).unwrap();
         let _ = curve.intersections(&back.view(), &job);
         let _ = [Spacing::Count(7), Spacing::Step(curve.length().unwrap() / 9.0)].map(|spacing| curve.sampled(spacing, &Job::default()));
         let _ = (curve.svg_path(&Job::default()), curve.contour(0.0, &Job::default()), curve.spline(&Job::default()));

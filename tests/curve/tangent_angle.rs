@@ -106,7 +106,7 @@ fn joints_and_the_start_count_once() {
                 DVec3::new(a.cos(), a.sin(), 0.0)
             })
             .collect();
-        gusset::surface::curve_through(&nodes, true, gusset::surface::Scheme::SixTap).unwrap()
+        gusset::surface::curve_through(&nodes, true, gusset::surface::Scheme::SixTap, &Job::default()).unwrap()
     };
     for turn in (0..48).map(|k| f64::from(k) * TAU / 48.0) {
         for (direction, angle, count) in [(DVec3::X, FRAC_PI_2, 2), (DVec3::Y, 0.0, 1), (DVec3::X, 1.0, 2)] {

@@ -211,7 +211,7 @@ fn rows_come_as_their_blocks_do() {
         for piece in stream.chunks(97) {
             let done = decoder.push(piece).unwrap();
             if done > rows {
-                let preview = decoder.preview().unwrap();
+                let preview = decoder.preview(&Job::default()).unwrap();
                 let Coordinates::F64(planes) = preview.coordinates() else { panic!("another type") };
                 let Coordinates::F64(expected) = whole.coordinates() else { panic!("another type") };
                 assert!((rows..done).all(|i| planes.row(i) == expected.row(i)));

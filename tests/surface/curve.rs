@@ -145,7 +145,9 @@ fn joints_on_nodes_are_found_once() {
 fn coordinate_curves_run_inside() {
     let (grid, surface) = surface(&SHAPES[2]);
     let sheet = Sheet::Grid(grid.clone());
-    for (curve, cells) in [(sheet.row_curve(3.3).unwrap(), 52), (sheet.column_curve(7.0).unwrap(), 40)] {
+    for (curve, cells) in
+        [(sheet.row_curve(3.3, &Job::default()).unwrap(), 52), (sheet.column_curve(7.0, &Job::default()).unwrap(), 40)]
+    {
         assert_eq!(curve.view().len(), cells);
         let hits = surface.curve(&curve.view(), HitSelection::All, &Job::default()).unwrap();
         assert_eq!(hits.len(), 1, "{hits:?}");
@@ -170,7 +172,7 @@ fn coordinate_curves_are_on_the_sheet() {
             for k in 0..12 {
                 let u = h as f64 * f64::from(k) / 11.0;
                 let (i, within) = ((u as usize).min(h - 1), u - (u as usize).min(h - 1) as f64);
-                let curve = sheet.row_curve(u).unwrap();
+                let curve = sheet.row_curve(u, &Job::default()).unwrap();
                 assert_eq!(curve.view().is_closed(), shape.closed[1] && closed);
                 for j in 0..w {
                     for t in [0.0, 0.3, 1.0] {
@@ -180,14 +182,17 @@ fn coordinate_curves_are_on_the_sheet() {
                 }
                 let v = w as f64 * f64::from(k) / 11.0;
                 let (j, within) = ((v as usize).min(w - 1), v - (v as usize).min(w - 1) as f64);
-                let curve = sheet.column_curve(v).unwrap();
+                let curve = sheet.column_curve(v, &Job::default()).unwrap();
                 for i in 0..h {
                     let point = at(&curve.view(), Place { segment: i as u32, t: 0.7 });
                     assert!(point.distance(sheet.jet(i, j, 0.7, within).point) < 1e-14, "{} {v} {i}", shape.name);
                 }
             }
-            assert!(sheet.row_curve(-0.1).is_err() && sheet.row_curve(h as f64 + 0.1).is_err());
-            assert!(sheet.column_curve(f64::NAN).is_err());
+            assert!(
+                sheet.row_curve(-0.1, &Job::default()).is_err()
+                    && sheet.row_curve(h as f64 + 0.1, &Job::default()).is_err()
+            );
+            assert!(sheet.column_curve(f64::NAN, &Job::default()).is_err());
         }
     }
 }
@@ -199,7 +204,7 @@ fn circle(count: usize, scheme: Scheme) -> Curve {
             DVec3::new(turn.cos(), turn.sin(), 0.5 * (2.0 * turn).sin())
         })
         .collect();
-    curve_through(&nodes, true, scheme).unwrap()
+    curve_through(&nodes, true, scheme, &Job::default()).unwrap()
 }
 
 #[test]
@@ -224,14 +229,14 @@ fn curves_through_points_are_of_fourth_order() {
     let shape = &SHAPES[2];
     let grid = grid(shape);
     let nodes: Vec<DVec3> = (0..grid.nodes().columns()).map(|j| grid.nodes().get(6, j)).collect();
-    let curve = curve_through(&nodes, false, Scheme::SixTap).unwrap();
-    let row = Sheet::Grid(grid).row_curve(6.0).unwrap();
+    let curve = curve_through(&nodes, false, Scheme::SixTap, &Job::default()).unwrap();
+    let row = Sheet::Grid(grid).row_curve(6.0, &Job::default()).unwrap();
     let far = curve.view().points().iter().zip(row.view().points()).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
     assert!(far < 1e-15);
-    assert!(curve_through(&nodes[..1], false, Scheme::SixTap).is_err());
-    assert!(curve_through(&nodes, true, Scheme::SixTap).is_err());
+    assert!(curve_through(&nodes[..1], false, Scheme::SixTap, &Job::default()).is_err());
+    assert!(curve_through(&nodes, true, Scheme::SixTap, &Job::default()).is_err());
     let nan = [DVec3::ZERO, DVec3::NAN];
-    assert!(curve_through(&nan, false, Scheme::SixTap).is_err());
+    assert!(curve_through(&nan, false, Scheme::SixTap, &Job::default()).is_err());
 }
 
 /// Local least distances of two curves, by dense samples.
@@ -282,8 +287,8 @@ fn approaches_against_samples() {
     for k in 0..40 {
         let nodes = |random: &mut Random| -> Vec<DVec3> { (0..7).map(|_| random.point(1.0)).collect() };
         let (a, b) = (nodes(&mut random), nodes(&mut random));
-        let a = curve_through(&a, false, Scheme::SixTap).unwrap();
-        let b = curve_through(&b, false, Scheme::FourPoint).unwrap();
+        let a = curve_through(&a, false, Scheme::SixTap, &Job::default()).unwrap();
+        let b = curve_through(&b, false, Scheme::FourPoint, &Job::default()).unwrap();
         let within = 0.2;
         let found = a.view().near_misses(&b.view(), within, &Job::default()).unwrap();
         assert!(!found.undecided, "{k}: {found:?}");
@@ -315,7 +320,7 @@ fn curves_that_cross_touch_and_run_together() {
                 if turned { DVec3::new(x, 0.0, y) } else { DVec3::new(x, y, 0.0) }
             })
             .collect();
-        curve_through(&nodes, true, Scheme::SixTap).unwrap()
+        curve_through(&nodes, true, Scheme::SixTap, &Job::default()).unwrap()
     };
     let (a, b) = (ring(false), ring(true));
     let found = a.view().near_misses(&b.view(), 1e-9, &job).unwrap();

@@ -11,6 +11,9 @@ use crate::prelude::*;
 use gusset_base::geom::bernstein::evaluate;
 use gusset_curve::{Curve, CurveView};
 
+/// Segments between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
+
 /// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of
 /// fourth order.
 ///
@@ -18,8 +21,9 @@ use gusset_curve::{Curve, CurveView};
 ///
 /// # Errors
 /// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four;
-/// [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
-pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Curve> {
+/// [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`]. O(nodes).
+pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme, job: &Job<'_>) -> Result<Curve> {
     if nodes.len() < Axis::least_lines(closed) {
         return Err(Error::NetTooSmall { rows: 1, columns: nodes.len() as u64 });
     }
@@ -36,15 +40,21 @@ pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Cu
         let (lines, weights) = axis.taps(cell);
         [nodes[cell], inner(&weights[1], &lines), inner(&weights[2], &lines), nodes[cell + 1]]
     });
-    joined(segments, axis.cells(), closed)
+    joined(segments, axis.cells(), closed, job)
 }
 
 /// The curve of segments of equal degree, each of which begins where the one before ends.
-fn joined<const N: usize>(segments: impl Iterator<Item = [DVec3; N]>, count: usize, closed: bool) -> Result<Curve> {
+fn joined<const N: usize>(
+    segments: impl Iterator<Item = [DVec3; N]>,
+    count: usize,
+    closed: bool,
+    job: &Job<'_>,
+) -> Result<Curve> {
     let mut points = alloc::with_capacity(count * (N - 1) + 1)?;
     let mut ends = alloc::with_capacity(count + 1)?;
     ends.push(0);
-    for segment in segments {
+    for (k, segment) in segments.enumerate() {
+        job.step_every(SEGMENTS_PER_REPORT, k, count, "curve on a surface")?;
         if points.is_empty() {
             points.push(segment[0]);
         }
@@ -59,20 +69,21 @@ impl Sheet<'_> {
     /// for each cell along it. Closed if the sheet is closed in v.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`]. O(cells along the curve).
-    pub fn row_curve(&self, u: f64) -> Result<Curve> {
-        self.coordinate_curve(0, u)
+    /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`], [`Error::Cancelled`]. O(cells along the
+    /// curve).
+    pub fn row_curve(&self, u: f64, job: &Job<'_>) -> Result<Curve> {
+        self.coordinate_curve(0, u, job)
     }
 
     /// The same at v, which counts columns; u runs.
     ///
     /// # Errors
     /// As for [`Sheet::row_curve`].
-    pub fn column_curve(&self, v: f64) -> Result<Curve> {
-        self.coordinate_curve(1, v)
+    pub fn column_curve(&self, v: f64, job: &Job<'_>) -> Result<Curve> {
+        self.coordinate_curve(1, v, job)
     }
 
-    fn coordinate_curve(&self, direction: usize, at: f64) -> Result<Curve> {
+    fn coordinate_curve(&self, direction: usize, at: f64, job: &Job<'_>) -> Result<Curve> {
         let (line, within) = place(at, self.cells()[direction])?;
         let (count, closed) = (self.cells()[1 - direction], self.seams()[1 - direction]);
         each_sheet!(self, cells => {
@@ -80,7 +91,7 @@ impl Sheet<'_> {
                 0 => Cells::patch(cells, line, k).transposed(),
                 _ => Cells::patch(cells, k, line),
             };
-            joined((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed)
+            joined((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed, job)
         })
     }
 }

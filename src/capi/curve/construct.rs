@@ -116,7 +116,7 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     curve: *const gusset_curve,
     reversed: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, reversed, "reversed", |_| Ok(gusset_curve(view(curve, "curve")?.reversed()?)))
+    create(context, reversed, "reversed", |job| Ok(gusset_curve(view(curve, "curve")?.reversed(job)?)))
 }
 
 /// The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below

@@ -123,14 +123,14 @@ pub unsafe extern "C" fn gusset_curve_create(
     closed: u32,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |_| {
+    create(context, curve, "curve", |job| {
         let points = self::points(points, point_count, dimension as usize)?;
         if end_count == 0 || end_count > point_count.max(1) {
             let message = format!("{point_count} points have 1 to as many ends, and not {end_count}");
             return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
         }
         let ends = input::list(ends, end_count, "ends")?;
-        Ok(gusset_curve(CurveView::new(&points, &ends, flag(closed, "closed")?)?.to_owned()?))
+        Ok(gusset_curve(CurveView::new(&points, &ends, flag(closed, "closed")?)?.to_owned_cancellable(job)?))
     })
 }
 

@@ -396,7 +396,9 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     index: usize,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |_| Ok(gusset_curve(handle::get(outline, "outline")?.curve(index)?.to_owned()?)))
+    create(context, curve, "curve", |job| {
+        Ok(gusset_curve(handle::get(outline, "outline")?.curve(index)?.to_owned_cancellable(job)?))
+    })
 }
 
 /// Finds the section of each point with its two neighbours: the quadratic through the three whose

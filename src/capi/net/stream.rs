@@ -302,7 +302,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview()?)))
+    create(context, net, "net", |job| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview(job)?)))
 }
 
 /// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing

@@ -40,9 +40,9 @@ pub unsafe extern "C" fn gusset_curve_through_create(
     scheme: gusset_scheme,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |_| {
+    create(context, curve, "curve", |job| {
         let (scheme, closed) = (choice(scheme)?, flag(closed, "closed")?);
-        Ok(gusset_curve(curve_through(&points(nodes, count, 3)?, closed, scheme)?))
+        Ok(gusset_curve(curve_through(&points(nodes, count, 3)?, closed, scheme, job)?))
     })
 }
 
@@ -67,11 +67,11 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     parameter: f64,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |_| {
+    create(context, curve, "curve", |job| {
         let sheet = &handle::get(sheet, "sheet")?.0;
         Ok(gusset_curve(match along {
-            GUSSET_ALONG_ROWS => sheet.row_curve(parameter)?,
-            GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter)?,
+            GUSSET_ALONG_ROWS => sheet.row_curve(parameter, job)?,
+            GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter, job)?,
             other => return Err(Failure::unknown("along", other.into())),
         }))
     })

@@ -79,8 +79,11 @@ pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>,
     Ok(&handle::get(sheet, "sheet")?.0)
 }
 
+/// Nodes that are copied between two progress reports.
+const NODES_PER_REPORT: usize = 1 << 17;
+
 /// A copy of the caller's numbers, packed.
-pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
+pub(crate) fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
     let kind: Scalar = choice(nodes.scalar)?;
     let layout = Layout::of(nodes, kind.position_size() / 3)?;
     // Refused before anything is read.
@@ -88,7 +91,9 @@ pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failu
     Error::check_count("nodes", count as u64, MAX_NODES)?;
     let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
     let mut numbers = alloc::with_capacity(3 * count)?;
+    let interval = (NODES_PER_REPORT / nodes.columns.max(1)).max(1);
     for i in 0..nodes.rows {
+        job.step_every(interval, i, nodes.rows, "copying nodes")?;
         for j in 0..nodes.columns {
             let node = &bytes[i * layout.row + j * layout.column..];
             numbers.extend((0..3).map(|k| match kind {
@@ -101,7 +106,7 @@ pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failu
 }
 
 /// The caller's numbers themselves.
-fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
+fn borrowed_nodes(nodes: &gusset_nodes, _: &Job<'_>) -> Result<Nodes<'static>, Failure> {
     let layout = Layout::of(nodes, 8)?;
     if choice::<Scalar>(nodes.scalar)? != Scalar::F64
         || !layout.row.is_multiple_of(8)
@@ -119,10 +124,11 @@ c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_P
 /// A sheet through nodes, taken in either way.
 fn through(
     nodes: *const gusset_nodes,
-    take: fn(&gusset_nodes) -> Result<Nodes<'static>, Failure>,
+    take: fn(&gusset_nodes, &Job<'_>) -> Result<Nodes<'static>, Failure>,
+    job: &Job<'_>,
 ) -> Result<gusset_sheet, Failure> {
     let given = input::read(nodes, false, "nodes")?;
-    let nodes = take(&given)?;
+    let nodes = take(&given, job)?;
     let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
     Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, choice(given.scheme)?)?)))
 }
@@ -148,7 +154,7 @@ pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
     nodes: *const gusset_nodes,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |_| through(nodes, copied_nodes))
+    create(context, sheet, "sheet", |job| through(nodes, copied_nodes, job))
 }
 
 /// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged
@@ -169,7 +175,7 @@ pub unsafe extern "C" fn gusset_sheet_borrow_create(
     nodes: *const gusset_nodes,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |_| through(nodes, borrowed_nodes))
+    create(context, sheet, "sheet", |job| through(nodes, borrowed_nodes, job))
 }
 
 /// Frees a sheet; NULL is allowed.

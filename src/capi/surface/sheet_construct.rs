@@ -156,7 +156,7 @@ pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let (layout, given) = (input::read(nodes, false, "nodes")?, input::read(tangents, false, "tangents")?);
-        let (nodes, count) = (copied_nodes(&layout)?, layout.rows * layout.columns);
+        let (nodes, count) = (copied_nodes(&layout, &job.part(0.0, 0.1))?, layout.rows * layout.columns);
         let [u, v] = [points(given.u, count, 3)?, points(given.v, count, 3)?];
         let twists = if given.twist == GUSSET_TWISTS_GIVEN { points(given.twists, count, 3)? } else { Vec::new() };
         let closed = [flag(layout.closed_u, "closed_u")?, flag(layout.closed_v, "closed_v")?];
@@ -168,7 +168,7 @@ pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
             other => return Err(Failure::unknown("twist", other.into())),
         };
         let tangents = Tangents { nodes: &nodes, u: &u, v: &v, twists, closed };
-        Ok(gusset_sheet(Sheet::from_tangents(&tangents, job)?))
+        Ok(gusset_sheet(Sheet::from_tangents(&tangents, &job.part(0.1, 1.0))?))
     })
 }
 

@@ -11,6 +11,7 @@ pub(crate) mod unit_frame;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
+use gusset_base::job::Job;
 
 pub use segment::MAX_DEGREE;
 
@@ -148,6 +149,17 @@ impl<'a> CurveView<'a> {
     /// The number of segments after which a closed curve comes round; infinite for an open one.
     pub(super) fn period(&self) -> f64 {
         if self.closed { self.len() as f64 } else { f64::INFINITY }
+    }
+
+    /// [`to_owned`](Self::to_owned) for long curves.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn to_owned_cancellable(&self, job: &Job<'_>) -> Result<Curve> {
+        let stage = "copying a curve";
+        let points = alloc::collect_cancellable(self.points.iter().copied(), &job.part(0.0, 0.8), stage)?;
+        let ends = alloc::collect_cancellable(self.ends.iter().copied(), &job.part(0.8, 1.0), stage)?;
+        Ok(Curve { points, ends, closed: self.closed })
     }
 
     /// A copy that owns its points.

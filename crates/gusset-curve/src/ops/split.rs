@@ -69,12 +69,13 @@ impl CurveView<'_> {
     /// The same curve run through from its end to its start. O(points).
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn reversed(&self) -> Result<Curve> {
-        let mut points = alloc::copied(self.points())?;
-        points.reverse();
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn reversed(&self, job: &Job<'_>) -> Result<Curve> {
+        let backwards = self.points().iter().rev().copied();
+        let points = alloc::collect_cancellable(backwards, &job.part(0.0, 0.8), "reversing a curve")?;
         let last = self.ends().last().copied().unwrap_or(0);
-        let ends = alloc::collect(self.ends().iter().rev().map(|&end| last - end))?;
+        let backwards = self.ends().iter().rev().map(|&end| last - end);
+        let ends = alloc::collect_cancellable(backwards, &job.part(0.8, 1.0), "reversing a curve")?;
         Ok(Curve { points, ends, closed: self.is_closed() })
     }
 }

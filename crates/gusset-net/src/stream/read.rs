@@ -256,14 +256,14 @@ impl StreamDecoder {
     /// The complete rows as a net: a sheet without bridges.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`].
-    pub fn preview(&self) -> Result<Net<'static>> {
+    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn preview(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let Some((prelude, coordinates)) = &self.state else {
             return Err(Error::NetTooSmall { rows: 0, columns: 0 });
         };
         let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
         let whole = Rearrangement::Part { row: 0, column: 0 };
-        let part = rearrange(coordinates, shape, &whole, &Job::default())?;
+        let part = rearrange(coordinates, shape, &whole, job)?;
         Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
     }
 
