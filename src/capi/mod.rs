@@ -26,23 +26,6 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "the comments are written for C, where brackets index arrays")]
 #![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
 
-/// Names that nearly every file of the border uses.
-mod prelude {
-    pub(crate) use super::context::{
-        answer, answer_optional, answer_struct, create, create_and_tell, guard, guard_change, gusset_context, lend,
-    };
-    pub(crate) use super::glue::{c_enum, fixed, laid_out_like, versioned};
-    pub(crate) use super::handle::{self, handle};
-    pub(crate) use super::input::{self, Choice, choice, fill, flag, lent};
-    pub(crate) use super::status::{Failure, gusset_status};
-    pub(crate) use crate::error::{Element, Error};
-    pub(crate) use crate::job::Job;
-    pub(crate) use glam::DVec3;
-    pub(crate) use gusset_base::alloc;
-    pub(crate) use std::ffi::c_void;
-    pub(crate) use std::ptr;
-}
-
 pub mod context;
 pub mod curve;
 mod glue;

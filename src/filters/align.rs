@@ -1,8 +1,15 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::PIECE;
+use super::report::{Report, counted, push_line, short};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use super::weld::TOLERANCES;
 use crate::align::{Alignment, Options, Overlap, Pose, Reason, Start, align};
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
+use crate::job::Job;
+use gusset_base::{alloc, choices};
 
 pub(super) const FILTER: Filter = Filter {
     id: "align",

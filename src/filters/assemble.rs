@@ -1,15 +1,23 @@
 use super::align::why_not;
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE};
+use super::report::{Report, counted, push_line, short};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};
 use crate::align::{self, Alignment, align};
 use crate::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
 use crate::fill;
+use crate::job::Job;
 use crate::repair::weld;
 use crate::stitch::{self, Fairing, Finish, Meridians, Rows};
 use crate::trim;
+use gusset_base::choice::Choice;
+use gusset_base::{alloc, choices};
 
 pub(super) const FILTER: Filter = Filter {
     id: "assemble",

@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{BOUNDARY_LOOP, EDGE};
+use super::report::{Report, counted, push_line, push_more, short};
+use super::signatures::{MESH, TO_CURVES_TEXT};
 use crate::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
+use crate::error::Result;
+use crate::job::Job;
 
 /// The largest number of loops that the report lists.
 const MAX_LISTED: usize = 20;

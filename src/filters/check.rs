@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, VERTEX};
+use super::report::{Report, counted};
+use super::signatures::{MESH, TO_TEXT};
 use crate::check::{Check, check};
+use crate::error::Result;
+use crate::job::Job;
 
 pub(super) const FILTER: Filter = Filter {
     id: "check",

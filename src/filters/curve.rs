@@ -1,10 +1,17 @@
 //! Common parts of filters of curves: the Bézier curves that interpolate polylines, and the plane
 //! that they lie in.
 
+use super::data::{Curves, Input};
+use super::extent::extent_of;
 use super::extent::plane_of;
-use super::prelude::*;
+use super::filter::Defaults;
+use super::param::{Param, Values};
 use crate::curve::ops::Spacing;
 use crate::curve::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
+use crate::error::{Error, Result};
+use crate::job::Job;
+use glam::DVec3;
+use gusset_base::{alloc, choices};
 
 pub(super) const CATEGORY: &str = "Curves";
 pub(super) const REFERENCE: &str = "T. Nadopta, Theoretical foundations of the identification of outline curves, 2008";

@@ -1,7 +1,13 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::Values;
 use super::report::CURVE;
+use super::report::{Report, counted, push_line, push_more, short, short_point};
+use super::signatures::{CURVES, TO_TEXT};
 use crate::curve::CurveView;
+use crate::error::Result;
+use crate::job::Job;
 
 /// The largest number of curves that the report lists.
 const MAX_LISTED: usize = 1000;

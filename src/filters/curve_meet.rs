@@ -1,6 +1,13 @@
 use super::curve::{self, CATEGORY, INTERPOLATION};
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{NON_NEGATIVE, Param, Values};
+use super::report::{counted, push_line};
+use super::signatures::{CURVES, TO_CURVES_TEXT};
 use crate::curve::Curve;
+use crate::error::Result;
+use crate::job::Job;
+use gusset_base::alloc;
 
 /// The largest number of intersections that the report lists.
 const MAX_LISTED: usize = 1000;

@@ -1,8 +1,15 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
-use super::prelude::*;
+use super::data::{Curves, Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::Values;
 use super::report::{POINT, distances};
+use super::signatures::TO_CURVES_TEXT;
 use crate::curve::Curve;
 use crate::curve::ops::nearest_of_any;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec3;
+use gusset_base::alloc;
 
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 16;

@@ -1,6 +1,12 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, CurvePlane, INTERPOLATION, PLANE};
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{COORDINATES, Param, Values};
+use super::report::{counted, push_line};
+use super::signatures::{CURVES, TO_CURVES_TEXT};
 use crate::curve::ops::{OffsetOptions, Spacing};
+use crate::error::Result;
+use crate::job::Job;
 
 /// The largest number of segments of an offset.
 const MAX_SEGMENTS: usize = 1 << 20;

@@ -1,6 +1,12 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, INTERPOLATION, REFERENCE};
-use super::prelude::*;
+use super::data::{Curves, Input, Output, OutputKind};
+use super::filter::Filter;
+use super::param::{LENGTHS, Param, Values};
+use super::signatures::CURVES;
 use crate::curve::ops::Spacing;
+use crate::error::Result;
+use crate::job::Job;
+use gusset_base::choice::Choice;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_resample",

@@ -1,6 +1,13 @@
 use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE, suggest_plane};
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
+use super::signatures::{CURVES, TO_TEXT};
 use crate::curve::CurveView;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use glam::DVec3;
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_svg",

@@ -1,10 +1,19 @@
 use super::data::with_positions;
+use super::data::{Input, Output};
+use super::extent::extent_of;
 use super::extent::rounded;
-use super::prelude::*;
+use super::filter::{Defaults, Filter};
+use super::param::{COORDINATES, Param, Values};
+use super::signatures::{MESH, TO_MESH};
 use crate::attributes::Origins;
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use crate::net::field::{Field, bend, shear, spherify, taper, twist};
 use crate::net::transform::Axis;
+use glam::DVec3;
+use gusset_base::choice::Choice;
+use gusset_base::{alloc, choices};
 use std::f64::consts::PI;
 
 /// Vertices that are moved at a time.

@@ -1,7 +1,13 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::FACE;
+use super::report::{Report, counted, push_line};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use crate::attributes::Origins;
 use crate::develop::{Cuts, Developed, Distortion, Finish, Options, develop};
+use crate::error::Result;
+use crate::job::Job;
 
 pub(super) const FILTER: Filter = Filter {
     id: "develop",

@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{COORDINATES, Param, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::signatures::{MESH, TO_MESH};
+use crate::error::Result;
+use crate::job::Job;
 use crate::net::field::displace;
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "displace",

@@ -1,6 +1,14 @@
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::POINT;
+use super::report::{counted, push_line};
+use super::signatures::{CURVES, TO_CURVES_TEXT};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::stitch::facing::{Centres, Options, Run, facing};
+use glam::DVec3;
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "facing_arcs",

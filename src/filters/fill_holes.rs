@@ -1,12 +1,20 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{NON_NEGATIVE, Param, Values};
 use super::report::{BOUNDARY_LOOP, FACE};
+use super::report::{Report, counted, short};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
 use crate::fill::{
     Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
+use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
 use crate::stitch::Intersections;
+use gusset_base::choice::Choice;
+use gusset_base::choices;
 
 pub(super) const FILTER: Filter = Filter {
     id: "fill_holes",

@@ -1,10 +1,20 @@
 use super::curve::REFERENCE;
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::extent::extent_of;
+use super::filter::{Defaults, Filter};
+use super::param::{COORDINATES, Param, ParamKind, Values};
+use super::report::{Report, counted};
+use super::signatures::{CURVES, TO_MESH_TEXT};
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::curve::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
 use crate::curve::{Outlines, Points};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::surface::construct::FrameSurface;
 use crate::surface::{Sheet, Surface};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::choice::Choice;
 
 pub(super) const FILTER: Filter = Filter {
     id: "loft",

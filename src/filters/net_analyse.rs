@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{NON_NEGATIVE, Param, Values};
 use super::quads::CATEGORY;
 use super::report::{EDGE, FACE};
+use super::report::{counted, short};
+use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::net::analyse::analyse;
 use crate::net::convert::{GridNet, net_of_grid};

@@ -1,5 +1,10 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{NON_NEGATIVE, Param, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::signatures::{MESH, TO_MESH_TEXT};
+use crate::error::Result;
+use crate::job::Job;
 use crate::net::resample::decimate;
 
 pub(super) const FILTER: Filter = Filter {

@@ -1,7 +1,14 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{NON_NEGATIVE, Param, Values};
 use super::quads::{self, CATEGORY, TRIANGLES};
+use super::report::counted;
 use super::report::{COLUMN, ROW};
+use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
+use crate::error::Result;
+use crate::job::Job;
 use crate::net::{BridgeMode, Direction, JoinOptions, Replication, concatenate_all};
+use gusset_base::{alloc, choices};
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_join",

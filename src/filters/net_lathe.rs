@@ -1,11 +1,20 @@
 use super::curve::{self, INTERPOLATION};
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::extent::extent_of;
+use super::filter::{Defaults, Filter};
+use super::param::{COORDINATES, Param, ParamKind, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::report::counted;
 use super::report::{QUAD, ROW};
+use super::signatures::{CURVES, TO_MESH_TEXT};
 use crate::curve::CurveView;
 use crate::curve::ops::Spacing;
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::net::primitive::{Primitive, Request};
 use crate::net::transform::{Affine, transform};
+use glam::DVec3;
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_lathe",

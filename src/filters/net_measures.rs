@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::quads::{self, CATEGORY};
 use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW};
+use super::report::{Report, counted, short, short_point};
+use super::signatures::{MESH, TO_TEXT};
+use crate::error::Result;
+use crate::job::Job;
 use crate::net::complex::Complex;
 use crate::net::measure::{measure, moments, planarity};
 

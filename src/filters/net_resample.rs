@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::{Defaults, Filter};
+use super::param::{Param, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::report::counted;
 use super::report::{COLUMN, ROW};
+use super::signatures::{MESH, TO_MESH_TEXT};
+use crate::error::Result;
+use crate::job::Job;
 use crate::net::resample::{Interpolation, resample};
 
 /// The range of the numbers of rows and columns.

@@ -1,9 +1,16 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{LENGTHS, Param, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use super::report::{BOUNDARY_LOOP, EDGE, QUAD, TRIANGLE, VERTEX};
+use super::report::{Report, counted};
+use super::signatures::TO_MESH_TEXT;
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::complex::Complex;
 use crate::net::primitive::{Primitive, Request};
+use gusset_base::choice::Choice;
 
 /// The range of the numbers of rows and columns.
 const COUNTS: [f64; 2] = [5.0, 10_001.0];

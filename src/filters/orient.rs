@@ -1,6 +1,12 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{FACE, PIECE};
+use super::report::{Report, counted, push_line, push_more};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
+use crate::job::Job;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.

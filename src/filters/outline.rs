@@ -1,10 +1,16 @@
 use super::curve::{CATEGORY, REFERENCE, sampled};
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{Param, ParamKind, Values};
 use super::report::POINT;
+use super::report::{counted, push_line};
+use super::signatures::{CURVES, TO_CURVES_TEXT};
 use crate::curve::ops::Spacing;
 use crate::curve::{
     Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
 };
+use crate::error::Result;
+use crate::job::Job;
 use std::f64::consts::PI;
 
 pub(super) const FILTER: Filter = Filter {

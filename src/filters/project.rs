@@ -1,6 +1,13 @@
+use super::data::{Input, Output};
 use super::deform::{moved, moved_output};
-use super::prelude::*;
+use super::extent::extent_of;
+use super::filter::{Defaults, Filter};
+use super::param::{COORDINATES, Param, ParamKind, Values};
+use super::signatures::{MESH, TO_MESH};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::net::field::{Field, parallel_projection, perspective_projection};
+use gusset_base::choice::Choice;
 
 pub(super) const FILTER: Filter = Filter {
     id: "project",

@@ -1,7 +1,10 @@
 //! Common parts of filters of quad grids: the net of a mesh of quads in rows and columns, and back.
 
-use super::prelude::*;
+use super::data::Output;
+use super::param::{Param, Values};
 use crate::attributes::Origins;
+use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::Net;
 use crate::net::convert::{Diagonal, GridNet, MeshOptions, NetMesh, net_of_grid};

@@ -1,7 +1,13 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{EDGE, FACE, VERTEX};
+use super::report::{Report, counted};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use super::weld::{TOLERANCES, UNUSED_PARAM, removes_unused, tolerance};
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
+use crate::job::Job;
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::Options;
 

@@ -1,12 +1,18 @@
 //! Common parts of filters of smooth surfaces: the surface through the vertices of a quad grid.
 
-use super::prelude::*;
+use super::data::Curves;
+use super::param::{Param, Values};
 use super::report::{CURVE, FACE, POINT, VERTEX};
+use super::report::{Report, counted};
 use crate::error::Element;
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
 use crate::surface::contour::PointSpacing;
 use crate::surface::{Closest, Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
+use glam::DVec3;
+use gusset_base::alloc;
 
 pub(super) const CATEGORY: &str = "Smooth surfaces";
 pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";

@@ -1,7 +1,13 @@
 use super::curve::{self, INTERPOLATION};
-use super::prelude::*;
+use super::data::{Curves, Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::Values;
 use super::report::HIT;
+use super::report::{counted, push_line, short, short_point};
+use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::surface::line_intersection::HitSelection;
 
 /// The largest number of intersections that the report lists.

@@ -1,10 +1,16 @@
 use super::data::with_positions;
+use super::data::{Input, Output};
 use super::deform::moved_output;
-use super::prelude::*;
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{VERTEX, distances};
+use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Element;
+use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::PositionBuffer;
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_distance",

@@ -1,5 +1,10 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::Values;
+use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
+use crate::error::Result;
+use crate::job::Job;
 use crate::surface::surface_intersection::Options;
 
 pub(super) const FILTER: Filter = Filter {

@@ -1,6 +1,13 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::CURVE;
+use super::report::{counted, push_line};
+use super::signatures::{MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
+use crate::error::Result;
+use crate::job::Job;
+use gusset_base::{alloc, choices};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub(super) const FILTER: Filter = Filter {

@@ -1,7 +1,15 @@
-use super::prelude::*;
+use super::data::{Curves, Input, Output};
+use super::extent::extent_of;
+use super::filter::{Defaults, Filter};
+use super::param::{COORDINATES, Param, ParamKind, Values};
 use super::report::HIT;
+use super::report::{counted, push_line, short, short_point};
+use super::signatures::{MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use crate::error::Result;
+use crate::job::Job;
 use crate::surface::line_intersection::{HitSelection, Line};
+use gusset_base::choice::Choice;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_line",

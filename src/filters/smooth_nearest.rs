@@ -1,7 +1,15 @@
-use super::prelude::*;
+use super::data::{Curves, Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::Values;
+use super::report::Report;
 use super::report::{POINT, distances};
+use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Element;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec3;
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_nearest",

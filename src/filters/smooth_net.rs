@@ -1,9 +1,15 @@
 use super::curve::{self, INTERPOLATION};
-use super::prelude::*;
+use super::data::{Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::{LENGTHS, Param, Values};
+use super::signatures::TO_MESH_TEXT;
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::curve::Curve;
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::surface::construct::CurveNet;
 use crate::surface::{Sheet, Surface};
+use gusset_base::alloc;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_net",

@@ -1,7 +1,15 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::extent::extent_of;
+use super::filter::{Defaults, Filter};
+use super::param::{COORDINATES, LENGTHS, Param, Values};
+use super::signatures::{MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
+use crate::error::Result;
+use crate::job::Job;
 use crate::surface::contour::Planes;
 use crate::surface::{Paths, Surface};
+use glam::DVec3;
+use gusset_base::choice::Choice;
 use gusset_base::geom::aabb;
 
 pub(super) const FILTER: Filter = Filter {

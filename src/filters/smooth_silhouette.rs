@@ -1,5 +1,10 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, ParamKind, Values};
+use super::signatures::{MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
+use crate::error::Result;
+use crate::job::Job;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub(super) const FILTER: Filter = Filter {

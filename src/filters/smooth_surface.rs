@@ -1,5 +1,10 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::Values;
+use super::signatures::{MESH, TO_MESH_TEXT};
 use super::smooth::{self, CATEGORY, FINENESS, REFERENCE, SCHEME};
+use crate::error::Result;
+use crate::job::Job;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_surface",

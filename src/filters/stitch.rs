@@ -1,9 +1,15 @@
+use super::data::{Input, Output};
 use super::facing_arcs::RUN_HELP;
 use super::fill_holes::{OUTWARD_HELP, cuts, turned_outwards};
-use super::prelude::*;
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{BOUNDARY_LOOP, FACE};
+use super::report::{Report, counted, short};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use crate::attributes::{KeepSplits, Origins};
 use crate::boundary::{self, boundary_loops};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
 use crate::stitch::facing::Run;
@@ -11,6 +17,8 @@ use crate::stitch::{
     Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Quality, Request, Rows, Stitch,
     stitch,
 };
+use gusset_base::choice::Choice;
+use gusset_base::{alloc, choices};
 
 /// A bound on numbers of loops and vertices.
 const MAX_COUNT: f64 = u32::MAX as f64;

@@ -1,7 +1,15 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::FACE;
+use super::report::counted;
+use super::signatures::{CURVES, TO_MESH_TEXT};
 use super::stitch::{CELLS, ROW_COUNT, ROWS, rows};
+use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::stitch::{Cells, Meridians, RuledOptions, Start, ruled};
+use glam::DVec3;
+use gusset_base::{alloc, choices};
 
 pub(super) const FILTER: Filter = Filter {
     id: "strip",

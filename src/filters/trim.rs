@@ -1,9 +1,16 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, ParamKind, Values};
 use super::report::{FACE, VERTEX};
+use super::report::{Report, counted, push_line};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use super::weld::TOLERANCES;
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::trim::{Options, Remains, Trimmed, trim};
+use gusset_base::alloc;
 use std::f64::consts::FRAC_PI_3;
 
 pub(super) const FILTER: Filter = Filter {

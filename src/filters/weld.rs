@@ -1,7 +1,14 @@
-use super::prelude::*;
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
 use super::report::{BOUNDARY_EDGE, EDGE, FACE, VERTEX};
+use super::report::{Report, counted};
+use super::signatures::{MESH, TO_MESH_TEXT};
 use crate::attributes::{KeepSplits, Origins};
+use crate::error::Result;
+use crate::job::Job;
 use crate::repair::weld::{Options, Vertices, Weld, weld};
+use gusset_base::choices;
 
 pub(super) const FILTER: Filter = Filter {
     id: "weld",

@@ -6,7 +6,11 @@
 
 use super::Patch;
 use super::subdivision::Field;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 use std::ops::Range;
 
 /// Cells in u and in v of a block, the unit of the index.

@@ -1,6 +1,7 @@
 //! Checks of what callers give.
 
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Element, Error, Result};
 use std::borrow::Borrow;
 
 /// A direction's unit vector.

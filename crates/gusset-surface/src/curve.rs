@@ -7,8 +7,11 @@ use super::axis::{Axis, TAPS};
 use super::cells::Cells;
 use super::checks::finite_nodes;
 use super::{Scheme, Sheet, each_sheet};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::evaluate;
+use gusset_base::job::Job;
 use gusset_curve::{Curve, CurveView};
 
 /// Segments between two progress reports.

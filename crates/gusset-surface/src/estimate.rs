@@ -7,7 +7,10 @@ use super::axis::{Axis, TAPS};
 use super::cells::{Cells, by_cell, by_row};
 use super::normal::angle;
 use super::{Sheet, each_sheet};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 use std::ops::Range;
 
 /// Cells whose normals a thread compares at a time.

@@ -3,7 +3,10 @@
 //! Curvatures follow from the two fundamental forms in an orthonormal basis of the tangent plane.
 
 use super::{Jet, Normal, NormalKind, Place, Sheet, Surface};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 
 /// Places that a thread takes at a time.
 const PLACES_PER_TASK: usize = 1 << 10;

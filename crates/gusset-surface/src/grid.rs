@@ -12,7 +12,9 @@ use super::nodes::{Nodes, Window};
 use super::subdivision::Field;
 use super::tangents::tangents;
 use super::{Patch, Scheme};
-use crate::prelude::*;
+use glam::{DVec2, DVec3};
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
 use std::ops::Range;
 
 /// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round
@@ -31,9 +33,10 @@ impl<'a> Grid<'a> {
     /// and in v (columns).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three
-    /// nodes and the repeated one; [`Error::SidesApart`] if a closed direction does not end where
-    /// it begins, with the place of the largest gap.
+    /// [`NotFinite`](gusset_base::Error::NotFinite);
+    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall) for a closed direction of fewer than three
+    /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart) if a closed
+    /// direction does not end where it begins, with the place of the largest gap.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
         let [u, v] = Axis::pair([nodes.rows(), nodes.columns()], closed, scheme)?;
         nodes.check_finite()?;

@@ -46,7 +46,6 @@ mod normal;
 mod patch;
 mod patches;
 mod path;
-mod prelude;
 mod ranges;
 pub mod reference;
 mod sheet;

@@ -7,7 +7,10 @@
 
 use super::cells::Cells;
 use super::{Patch, Place, Sheet, each_sheet};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 use gusset_mesh::mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
 use std::ops::Range;
 

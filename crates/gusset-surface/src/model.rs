@@ -2,7 +2,11 @@
 
 use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
 
 /// A place on a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,8 @@
 
 use super::axis::TAPS;
 use super::checks::finite_nodes;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 use std::borrow::Cow;
 use std::sync::Arc;
 

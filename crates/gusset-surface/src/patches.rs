@@ -3,7 +3,10 @@
 use super::Patch;
 use super::cells::{BLOCK, Cells, cells_of_block};
 use super::checks::finite_points;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::elevate;
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,7 +1,9 @@
 //! Curves on a surface: the form of sections, contours and intersections.
 
 use super::Place;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use std::ops::Range;
 
 /// Polylines whose points lie on the surface, one after the other.

@@ -1,8 +1,12 @@
 //! C interface: curves made of curves.
 
+use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
-use crate::capi::prelude::*;
+use crate::capi::glue::versioned;
+use crate::capi::input::{self, flag};
+use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::OffsetOptions;
+use crate::job::Job;
 
 /// How an offset is fitted.
 #[repr(C)]

@@ -1,7 +1,13 @@
 //! C interface: export of curves to other formats.
 
+use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, view};
-use crate::capi::prelude::*;
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::lent;
+use crate::capi::status::gusset_status;
+use glam::DVec3;
+use gusset_base::alloc;
 use std::ffi::c_char;
 
 /// A curve in another form. Opaque and immutable; it keeps nothing of the curve.

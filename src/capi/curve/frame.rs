@@ -1,14 +1,21 @@
 //! C interface: frames of outlines.
 
+use crate::capi::context::{answer, create, guard, gusset_context, lend};
 use crate::capi::curve::outline::{Given, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
+use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::Tagged;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, flag, lent};
 use crate::capi::mesh::{self, gusset_indices};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::curve::Options;
 use crate::curve::frame::{
     Axis, Correspondence, Frame, FrameOptions, Measure, NodeGrid, OffsetDirection, frame, slice,
 };
+use glam::DVec3;
+use gusset_base::alloc;
+use std::ptr;
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;

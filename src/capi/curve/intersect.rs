@@ -1,10 +1,18 @@
 //! C interface: points, intersections and minima found on curves.
 
+use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, points, view};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::lent;
 use crate::capi::mesh::gusset_indices;
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
 use crate::curve::{CurveView, Place};
+use crate::error::Error;
+use crate::job::Job;
+use glam::DVec3;
+use gusset_base::alloc;
 
 /// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
 #[derive(Default)]

@@ -1,8 +1,13 @@
 //! C interface: queries of curves whose answers have as many numbers as were asked for.
 
+use crate::capi::context::{answer, answer_struct, guard, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
-use crate::capi::prelude::*;
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::input;
+use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{CurveView, Place};
+use crate::job::Job;
+use glam::DVec3;
 
 /// Places that are measured between two progress reports.
 const PLACES_PER_REPORT: usize = 1 << 8;

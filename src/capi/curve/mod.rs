@@ -8,10 +8,18 @@ pub mod measure;
 pub mod outline;
 pub mod outline_options;
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, flag, lent};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_OFFSETS;
+use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{Curve, CurveView, Place, Points};
+use crate::error::Error;
+use glam::DVec3;
+use gusset_base::alloc;
+use std::ffi::c_void;
 
 /// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
 /// from many threads.

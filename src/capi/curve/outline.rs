@@ -1,12 +1,20 @@
 //! C interface: identification of outlines: input, and the resulting curves.
 
+use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::gusset_curve;
 use crate::capi::curve::outline_options::gusset_outline_options;
+use crate::capi::glue::{fixed, laid_out_like, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, flag, lent};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{
     Constraint, CurveView, Cycle, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections,
 };
+use crate::error::Error;
+use glam::DVec3;
+use gusset_base::alloc;
+use std::ffi::c_void;
 
 /// The curve passes the point in the direction of the tangent, of any length but 0.
 pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;

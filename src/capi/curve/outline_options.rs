@@ -1,6 +1,8 @@
 //! Options of the identification of outlines in C, and its reports.
 
-use crate::capi::prelude::*;
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::{choice, flag};
+use crate::capi::status::Failure;
 use crate::curve::{Ends, JointParameter, Lock, Method, Mode, Options, Solver};
 
 /// Quadratic segments, one control point for each point; smooth (G1) everywhere.

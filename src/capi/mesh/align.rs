@@ -1,10 +1,16 @@
 //! C interface: alignment of pieces that overlap.
 
 use crate::align::{Aligned, Alignment, Options, Overlap, Pose, Reason, Start, align};
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, Choice};
 use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
 use crate::capi::net::scene::gusset_transform;
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
 use glam::{DMat3, DVec3};
+use gusset_base::alloc;
 
 /// The pieces begin where their positions say, or where poses move them if these are given.
 pub const GUSSET_ALIGN_AS_GIVEN: u32 = 0;

@@ -2,15 +2,21 @@
 
 use crate::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector, assemble};
 use crate::attributes::KeepSplits;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, Choice, flag, lent};
 use crate::capi::mesh::fill::{gusset_fill_options, gusset_hole};
 use crate::capi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
 use crate::capi::mesh::trim::gusset_trim_options;
 use crate::capi::mesh::weld::gusset_weld_options;
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::IndexMap;
 use glam::DVec3;
+use gusset_base::alloc;
 
 /// Coincident borders are sewn, by default up to what rounding can have done; see
 /// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.

@@ -1,12 +1,19 @@
 //! C interface: values of elements, carried over to results.
 
 use crate::attributes::{Channel, Origins, Output, Rule, ValueType, apply};
+use crate::capi::context::{guard, gusset_context};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle;
+use crate::capi::input::{self, choice};
 use crate::capi::mesh::origins::{gusset_domain, gusset_origins};
 use crate::capi::mesh::{self, gusset_mesh_view};
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
+use crate::job::Job;
 use crate::mesh::merge::merge_map;
 use gusset_base::geom::strided::Strided;
+use std::ffi::c_void;
 
 /// The type of values.
 pub type gusset_value_type = u32;

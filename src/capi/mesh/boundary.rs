@@ -1,9 +1,15 @@
 //! C interface: boundary loops.
 
 use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
+use crate::capi::context::{create, guard, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, lent};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::{Defect, NONE};
+use gusset_base::alloc;
+use std::ptr;
 
 /// At an edge with three or more faces each face has a border of its own; loops run along it and
 /// are always closed.

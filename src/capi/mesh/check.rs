@@ -1,7 +1,10 @@
 //! C interface: checks of meshes.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::check::{Check, check};
 
 /// There are edges, and every one has exactly two faces; degenerate faces have none.

@@ -1,8 +1,13 @@
 //! C interface: developments.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::develop::{Chart, CutKind, Cuts, Developed, Distortion, Finish, Options, develop};
+use gusset_base::alloc;
 
 /// Lengths and areas: stretch and compression count alike, by the symmetric Dirichlet energy.
 pub const GUSSET_DISTORTION_SYMMETRIC: u32 = 0;

@@ -1,12 +1,20 @@
 //! The steps of stitching that can be called by themselves: facing arcs, and the rule for
 //! meridians.
 
+use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, fill, lent};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::stitch_options::tolerance;
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
+use glam::DVec3;
+use gusset_base::alloc;
+use std::ptr;
 
 /// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
 /// points.

@@ -1,16 +1,22 @@
 //! C interface: hole filling.
 
 use crate::attributes::KeepSplits;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, Choice, choice, flag, lent};
 use crate::capi::mesh::stitch::gusset_quality_report;
 use crate::capi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
 use crate::fill::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together,
     Weight, fill_holes,
 };
 use crate::mesh::MAX_ELEMENTS;
+use gusset_base::alloc;
 
 /// The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
 /// the rim's included, t being the angle between the normals on both sides, and over the triangles of

@@ -18,9 +18,15 @@ pub mod trim;
 pub mod weld;
 pub mod winged;
 
-use crate::capi::prelude::*;
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::{self, Choice, choice, lent};
+use crate::capi::status::Failure;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
+use crate::error::Error;
+use crate::job::Job;
 use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions, Scalar};
+use gusset_base::alloc;
+use std::ffi::c_void;
 
 /// Coordinates are 32-bit floats.
 pub const GUSSET_F32: u32 = 1;

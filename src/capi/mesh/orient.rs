@@ -1,9 +1,14 @@
 //! C interface: orientation.
 
 use crate::attributes::KeepSplits;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, lent};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
+use gusset_base::alloc;
 
 /// Closed components face as most of their faces did; those of a stitch or of a filled mesh stay as
 /// they are.

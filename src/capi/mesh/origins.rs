@@ -1,6 +1,10 @@
 //! C interface: where the elements of results come from.
 
 use crate::attributes::{Domain, Origins};
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{choice, lent};
 use crate::capi::mesh::assembly::gusset_assembly;
 use crate::capi::mesh::develop::gusset_development;
 use crate::capi::mesh::fill::gusset_fill;
@@ -10,7 +14,7 @@ use crate::capi::mesh::sew::gusset_sew;
 use crate::capi::mesh::stitch::gusset_stitch;
 use crate::capi::mesh::strip::gusset_strip;
 use crate::capi::mesh::weld::gusset_weld;
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 
 /// Elements of meshes, and of what meshes are made from.
 pub type gusset_domain = u32;

@@ -1,9 +1,13 @@
 //! C interface: sewing.
 
 use crate::attributes::KeepSplits;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input;
 use crate::capi::mesh::weld::gusset_weld_options;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::repair::sew::{Sew, sew};
 
 /// A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.

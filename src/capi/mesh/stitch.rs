@@ -1,10 +1,15 @@
 //! C interface: stitching.
 
 use crate::attributes::KeepSplits;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, Choice, lent};
 use crate::capi::mesh::stitch_options::gusset_stitch_options;
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::stitch::{Quality, Request, Stitch, stitch};
+use gusset_base::alloc;
 
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
 pub struct gusset_stitch(pub(crate) Stitch);

@@ -1,6 +1,8 @@
 //! Options of stitching in C.
 
-use crate::capi::prelude::*;
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::choice;
+use crate::capi::status::Failure;
 use crate::stitch::facing::{Arc, Centres, Run};
 use crate::stitch::{
     Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Rows, Search, Start,

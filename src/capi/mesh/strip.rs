@@ -1,10 +1,14 @@
 //! C interface: strips between two polylines.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, flag, lent};
 use crate::capi::mesh::facing::points;
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::stitch_options::{GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, rows};
 use crate::capi::mesh::{self, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::stitch::{Ruled, RuledOptions, Start, ruled};
 
 /// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.

@@ -1,9 +1,14 @@
 //! C interface: trimming pieces that overlap.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input;
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::trim::{Options, Trimmed, trim};
 use glam::DVec3;
+use gusset_base::alloc;
 
 /// How pieces that overlap are trimmed; all zero is the default.
 #[repr(C)]

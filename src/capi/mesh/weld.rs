@@ -1,9 +1,13 @@
 //! C interface: welding.
 
 use crate::attributes::KeepSplits;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, flag};
 use crate::capi::mesh::stitch_options::tolerance;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 
 /// The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.

@@ -1,7 +1,12 @@
 //! C interface: winged-edge tables.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, laid_out_like, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, lent};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
+use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
 use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, WingedFaces, faces, free_loops};
 

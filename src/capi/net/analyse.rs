@@ -1,10 +1,15 @@
 //! C interface: folds and contacts that deformations cause.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, lent};
 use crate::capi::net::field::{Given, fields, gusset_field};
 use crate::capi::net::{gusset_net, read, reglue};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::error::Result;
 use crate::net::analyse::{Analysis, absorb, analyse, analyse_field};
+use gusset_base::alloc;
 
 /// What a deformation does to a net. Immutable; may be read from many threads.
 pub struct gusset_net_analysis {

@@ -1,7 +1,10 @@
 //! C interface: nets with their nodes rearranged.
 
+use crate::capi::context::{create, guard_change, gusset_context};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::{self, choice};
 use crate::capi::net::{edit, gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::net::{Direction, Replication};
 
 /// A direction within a net.

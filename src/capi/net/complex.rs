@@ -1,8 +1,11 @@
 //! C interface: the quotient complex of a net.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::net::complex::Complex;
 
 /// Which cells count.

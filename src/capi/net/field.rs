@@ -1,11 +1,18 @@
 //! C interface: deformation fields.
 
+use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::{self, choice};
 use crate::capi::net::transform::{gusset_axis, matrix, vector};
 use crate::capi::net::{edit, gusset_net};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
 use crate::net::field::*;
+use glam::DVec3;
+use gusset_base::alloc;
 use std::ffi::c_int;
+use std::ffi::c_void;
 
 /// What a field does, and what its values are. An axis and those that follow it: y and z after x, z
 /// and x after y, x and y after z.

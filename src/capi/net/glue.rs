@@ -1,11 +1,18 @@
 //! C interface: gluing and ungluing nets, and the classes of nodes that are one point.
 
+use crate::capi::context::{answer, create, guard, guard_change, gusset_context};
+use crate::capi::glue::fixed;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, fill, flag};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::net::gluing::{gusset_seam, seam};
 use crate::capi::net::{edit, gusset_net, read, reglue};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
 use crate::net::topology::{Diagonal, Gluing, GluingType, Groups, Occurrence, occurrences};
 use crate::net::{Classes, MAX_NODES};
+use gusset_base::alloc;
+use std::ptr;
 
 /// What a gusset_gluing glues.
 pub type gusset_gluing_kind = u32;

@@ -1,9 +1,16 @@
 //! C interface: the gluing of a net: sides, matrix, seams, closures.
 
+use crate::capi::context::{guard, guard_change, gusset_context};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::input::{self, fill, flag};
 use crate::capi::net::net_handle::{gusset_net, read, reglue};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
+use crate::job::Job;
 use crate::net::topology::{Links, Run};
 use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
+use gusset_base::alloc;
+use std::ptr;
 
 /// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k *
 /// column_step_a) and node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to

@@ -1,10 +1,17 @@
 //! C interface: joining nets, and splitting them again.
 
+use crate::capi::context::{answer, create, guard_change, gusset_context, lend};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::handle;
+use crate::capi::input::{self, Choice, choice, flag};
 use crate::capi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
 use crate::capi::net::{edit, gusset_net, read};
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::GUSSET_ERROR_OVERLAP;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::{Element, Error};
 use crate::net::{BridgeKind, BridgeMode, BridgeProperties, JoinOptions, MAX_NODES, Net, concatenate_all};
+use gusset_base::alloc;
+use std::ptr;
 
 /// What is done with the cells between two nets that were joined.
 pub type gusset_bridge_mode = u32;

@@ -1,7 +1,10 @@
 //! C interface: areas, volumes, moments and planarity of nets.
 
+use crate::capi::context::{answer_struct, guard_change, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::input;
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
 /// What gusset_net_measure finds.

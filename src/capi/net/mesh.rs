@@ -1,14 +1,21 @@
 //! C interface: nets to meshes and back, and nets of height fields.
 
 use crate::attributes::Origins;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, flag, lent};
 use crate::capi::mesh::origins::gusset_origins;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::job::Job;
 use crate::mesh::{NONE, Scalar};
 use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights, net_of_triangles};
 use crate::net::{Coordinates, Net, Planes, Real, Shape};
+use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
+use std::ffi::c_void;
 use std::sync::Arc;
 
 /// What the faces of the mesh of a net are.

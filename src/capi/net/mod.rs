@@ -21,11 +21,18 @@ pub mod stream;
 pub mod transform;
 pub mod validate;
 
+use crate::capi::context::{create, guard, guard_change, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle;
+use crate::capi::input::{self, Choice, choice};
 use crate::capi::net::gluing::{gusset_net_gluing, topology};
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
+use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+use std::ffi::c_void;
 
 pub use net_handle::gusset_net;
 pub(crate) use net_handle::{edit, read, reglue};

@@ -1,7 +1,10 @@
 //! C interface: nets between two nets.
 
+use crate::capi::context::{create, gusset_context};
+use crate::capi::glue::c_enum;
+use crate::capi::input::choice;
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::net::{MorphPath, morph};
 
 /// The way of nodes from one net to another.

@@ -1,6 +1,9 @@
 //! The handle of a net.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::handle::{self, handle};
+use crate::capi::status::{Failure, gusset_status};
+use crate::job::Job;
 use crate::net::{Net, Topology};
 use std::sync::Arc;
 

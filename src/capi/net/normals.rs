@@ -1,11 +1,14 @@
 //! C interface: normals of nets.
 
+use crate::capi::context::{answer_optional, gusset_context};
+use crate::capi::input;
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
+use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::Scalar;
 use crate::net::normals::normals_into;
 use crate::net::{Coordinates, Net, Planes, Real, each};
+use std::ffi::c_void;
 
 /// The caller's buffers as matrices of the net's size.
 fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {

@@ -1,8 +1,13 @@
 //! C interface: nets whose cells are made plane.
 
+use crate::capi::context::{answer_struct, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::input::{self, flag};
 use crate::capi::net::{edit, gusset_net};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
+use crate::error::Error;
 use crate::net::planarise::{PlanariseOptions, planarise};
+use gusset_base::alloc;
 
 /// How gusset_net_planarise works. All zeros: the defaults.
 #[repr(C)]

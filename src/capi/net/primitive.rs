@@ -1,7 +1,10 @@
 //! C interface: nets of standard shapes.
 
+use crate::capi::context::{create, gusset_context};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::{self, choice};
 use crate::capi::net::gusset_net;
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::primitive::{Primitive, Request};
 

@@ -1,9 +1,15 @@
 //! C interface: resampling, levels of detail and changes of size.
 
+use crate::capi::context::{create, create_and_tell, guard_change, gusset_context};
+use crate::capi::glue::c_enum;
+use crate::capi::handle;
+use crate::capi::input::{self, choice};
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
+use crate::capi::status::{Failure, gusset_status};
+use crate::job::Job;
 use crate::net::resample::{Interpolation, decimate, pyramid, resample};
+use gusset_base::alloc;
 
 /// How positions between nodes are found.
 pub type gusset_interpolation = u32;

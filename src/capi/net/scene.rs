@@ -1,9 +1,14 @@
 //! C interface: scenes.
 
+use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, fill, flag};
 use crate::capi::net::arrange::gusset_direction;
 use crate::capi::net::join::gusset_join_options;
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
+use crate::job::Job;
 use crate::net::scene::{Content, Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 use glam::{DAffine3, DVec3};

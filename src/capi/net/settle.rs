@@ -1,8 +1,12 @@
 //! C interface: bridges at rest under their forces.
 
+use crate::capi::context::{answer_struct, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::input::{self, flag};
 use crate::capi::net::{edit, gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::net::settle::{SettleOptions, settle};
+use gusset_base::alloc;
 
 /// How gusset_net_settle works. All zeros: the defaults.
 #[repr(C)]

@@ -1,9 +1,15 @@
 //! C interface: compact streams of nets.
 
+use crate::capi::context::{answer_struct, create, guard, guard_change, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, Choice, flag, lent};
 use crate::capi::net::{gusset_net, read};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::net::MAX_NODES;
 use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_within, encode};
+use std::ffi::c_void;
+use std::ptr;
 
 /// How a stream stores coordinates.
 pub type gusset_stream_mode = u32;

@@ -1,8 +1,12 @@
 //! C interface: affine maps and deformations of nets.
 
+use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::glue::{c_enum, fixed};
+use crate::capi::input::{self, choice};
 use crate::capi::net::{edit, gusset_net};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::net::transform::{Affine, Axis, Sense, transform};
+use glam::DVec3;
 
 /// An axis of coordinates: 0 is x, 1 is y, 2 is z.
 pub type gusset_axis = u32;

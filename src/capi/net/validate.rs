@@ -1,8 +1,13 @@
 //! C interface: whether the coordinates of a net agree with its gluing.
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{Choice, lent};
 use crate::capi::net::{gusset_net, read, reglue};
-use crate::capi::prelude::*;
+use crate::capi::status::gusset_status;
 use crate::net::{Finding, FindingKind, detect_gluing};
+use gusset_base::alloc;
 
 /// What is found.
 pub type gusset_net_finding_kind = u32;

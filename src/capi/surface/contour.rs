@@ -1,6 +1,9 @@
 //! C interface: sections, contours and isophotes of a surface.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{answer_struct, create, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::input::{self, flag};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
 use crate::surface::contour::{Planes, PointSpacing};
 

@@ -1,9 +1,12 @@
 //! C interface: curves beside surfaces: through points, along a surface, and close to each other in
 //! space.
 
+use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
 use crate::capi::curve::{gusset_curve, points, view};
-use crate::capi::prelude::*;
+use crate::capi::handle;
+use crate::capi::input::{choice, flag};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::line_intersection::{gusset_line, lines};
 use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
 use crate::surface::curve_through;

@@ -1,7 +1,11 @@
 //! C interface: nearest points of a surface and a line, a plane, a curve or another surface.
 
+use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
-use crate::capi::prelude::*;
+use crate::capi::glue::versioned;
+use crate::capi::handle;
+use crate::capi::input;
+use crate::capi::status::gusset_status;
 use crate::capi::surface::line_intersection::{gusset_line, lines};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::surface::Approach;

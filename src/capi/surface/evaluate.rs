@@ -1,9 +1,14 @@
 //! C interface: points, normals and curvatures at places of a surface.
 
+use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::curve::times;
-use crate::capi::prelude::*;
+use crate::capi::glue::{c_enum, fixed};
+use crate::capi::input::{self, Choice};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::error::{Element, Error};
 use crate::surface::{LocalGeometry, NormalKind, Place};
+use gusset_base::alloc;
 
 /// There is no normal: the tangents are 0, or parallel all along the lines to the point.
 pub const GUSSET_NORMAL_NONE: u32 = 0;

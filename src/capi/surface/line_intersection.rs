@@ -1,10 +1,16 @@
 //! C interface: intersections of lines and curves with a surface.
 
+use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
-use crate::capi::prelude::*;
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, lent};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::curve::Place;
 use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line};
+use glam::DVec3;
+use gusset_base::alloc;
 
 /// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
 #[repr(C)]

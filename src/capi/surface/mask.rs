@@ -1,7 +1,11 @@
 //! C interface: masks of cells, the paper's cell regions: chains, diameters, cells and nodes.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{answer_struct, guard_change, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::input::{self, fill};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::{gusset_sheet, read};
+use crate::job::Job;
 use crate::surface::Sheet;
 use crate::surface::reference::{CellMask, Diameters, Lattice, chain, euler_characteristic, integer_diameter};
 

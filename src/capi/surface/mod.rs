@@ -16,10 +16,17 @@ pub mod sheet_mesh;
 pub mod sheet_report;
 pub mod surface_intersection;
 
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, Choice, flag, lent};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
+use crate::error::Error;
 use crate::surface::{Contact, ContactKind, Paths, Place, Sheet, Surface};
+use glam::DVec3;
+use gusset_base::alloc;
 
 /// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
 /// functions may use it from any thread, and many at the same time, each with a context of its own;

@@ -1,9 +1,16 @@
 //! Nearest points of surfaces, places where the distance is locally least, regions of cells, as C
 //! sees them.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, flag, lent};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::error::Error;
 use crate::surface::{Closest, Minima, Region};
+use glam::DVec3;
+use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 
 /// gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers

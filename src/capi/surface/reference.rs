@@ -1,18 +1,25 @@
 //! C interface: the paper's search: diameters of cells, the logical scale, the normal by two
 //! sections. It is the documented reference; to ask questions, use the index of a surface.
 
+use crate::capi::context::{answer, guard_change, gusset_context};
 use crate::capi::curve::{gusset_curve, view};
-use crate::capi::prelude::*;
+use crate::capi::glue::versioned;
+use crate::capi::handle;
+use crate::capi::input::{self, flag};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::evaluate::surface_places;
 use crate::capi::surface::sheet::{gusset_sheet, read};
 use crate::capi::surface::{gusset_surface, gusset_surface_place};
 use crate::curve::CurveView;
+use crate::error::{Element, Error};
+use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
     AngleTarget, Arcs, Diameters, Figure, Goal, Object, SearchOptions, SearchOutcome, Sum, angle_incidence,
     curvature_bound, figure_incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
+use glam::DVec3;
 
 /// What distances are measured from, or angles.
 pub type gusset_reference_object = u32;

@@ -1,6 +1,8 @@
 //! C interface: reports on surfaces and their sheets.
 
-use crate::capi::prelude::*;
+use crate::capi::context::lend;
+use crate::capi::glue::versioned;
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface;
 
 /// What a surface is.

@@ -1,10 +1,18 @@
 //! C interface: sheets of smooth patches.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{create, gusset_context};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, choice, flag};
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
+use crate::capi::status::{Failure, gusset_status};
+use crate::error::Error;
+use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::surface::{Grid, MAX_NODES, Nodes, Scheme, Sheet};
+use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
+use std::ffi::c_void;
 
 /// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
 /// functions may use it from any thread, and many at the same time, each with a context of its own;

@@ -1,12 +1,19 @@
 //! C interface: sheets from tangents, patches, splines, curves and frames.
 
+use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
 use crate::capi::curve::{gusset_curve, points, times};
-use crate::capi::prelude::*;
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::handle;
+use crate::capi::input::{self, choice, flag};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
 use crate::curve::CurveView;
+use crate::error::Error;
+use crate::job::Job;
 use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions, Tangents, Twists};
 use crate::surface::{MAX_DEGREE, Patches, Sheet};
+use gusset_base::alloc;
 
 /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
 pub type gusset_twists = u32;

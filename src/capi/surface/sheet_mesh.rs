@@ -1,12 +1,17 @@
 //! C interface: meshes of sheets.
 
 use crate::attributes::Origins;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, flag, lent};
 use crate::capi::mesh::origins::gusset_origins;
 use crate::capi::mesh::{self, gusset_mesh_view};
-use crate::capi::prelude::*;
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface_place;
 use crate::capi::surface::sheet::gusset_sheet;
 use crate::surface::{SurfaceMesh, SurfaceMeshOptions};
+use gusset_base::alloc;
 
 /// The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
 pub struct gusset_sheet_mesh {

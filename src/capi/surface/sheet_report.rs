@@ -1,8 +1,12 @@
 //! C interface to reports on sheets: size, degree, closure and poles, and estimates and bounds of
 //! their error for each cell.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{answer, guard, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle;
+use crate::capi::input;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
 use crate::surface::Sheet;
 

@@ -1,8 +1,13 @@
 //! C interface: intersection curves of two surfaces, and of one with itself.
 
-use crate::capi::prelude::*;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, lent};
+use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_paths, read};
 use crate::surface::surface_intersection::{CellPair, Options};
+use gusset_base::alloc;
 
 /// How intersections are wanted.
 #[repr(C)]

@@ -5,7 +5,8 @@
 //! nearest to it, as in the grid's six-tap scheme, but for lines that are not evenly apart.
 
 use crate::axis::TAPS;
-use crate::prelude::*;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::{blossom, elevate};
 

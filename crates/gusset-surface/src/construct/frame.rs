@@ -2,9 +2,12 @@
 
 use super::net::Gordon;
 use super::net_curve::{CurvePlace, NetCurve, degree};
-use crate::prelude::*;
 use crate::{Grid, Nodes, Scheme, Sheet};
+use glam::DVec3;
+use gusset_base::alloc;
 use gusset_base::choices;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 use gusset_curve::frame::{Frame, NodeGrid};
 use gusset_curve::{Fit, Place};
 

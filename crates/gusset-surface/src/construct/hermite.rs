@@ -2,8 +2,11 @@
 
 use crate::axis::Axis;
 use crate::checks::finite_points;
-use crate::prelude::*;
 use crate::{Nodes, Patch, Patches, Scheme, Sheet};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// The mixed derivatives S_uv at nodes, which tangents leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -45,10 +48,12 @@ impl Sheet<'static> {
     /// O(nodes); 384 bytes a cell.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] with the node, also for its tangents and twist;
-    /// [`Error::ArrayTooShort`]; [`Error::NetTooSmall`] for a closed direction of fewer than three
-    /// nodes and the repeated one; [`Error::SidesApart`]; [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`NotFinite`](gusset_base::Error::NotFinite) with the node, also for its tangents and twist;
+    /// [`ArrayTooShort`](gusset_base::Error::ArrayTooShort);
+    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall) for a closed direction of fewer than three
+    /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart);
+    /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_tangents(given: &Tangents<'_>, job: &Job<'_>) -> Result<Self> {
         let hermite = Hermite::new(given)?;
         let [rows, columns] = [hermite.rows - 1, hermite.columns - 1];

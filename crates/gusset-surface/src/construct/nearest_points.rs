@@ -7,7 +7,10 @@
 
 use super::net_curve::{CurvePlace, NetCurve, restricted};
 use crate::frontier::{BranchAndBound, Frontier};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::evaluate_with_slope;
 
 /// Pairs of parts that are split for two curves: curves that run together would take them without

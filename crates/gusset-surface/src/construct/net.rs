@@ -12,8 +12,12 @@ use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
 use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
 use crate::axis::TAPS;
-use crate::prelude::*;
 use crate::{MAX_NODES, Patch, Patches, Sheet};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_curve::CurveView;
 

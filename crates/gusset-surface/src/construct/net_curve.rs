@@ -1,7 +1,9 @@
 //! A curve of a net: Bézier segments of one degree, cut where other curves meet it.
 
 use crate::MAX_DEGREE;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::{elevate, evaluate, restrict};
 use gusset_curve::CurveView;
 

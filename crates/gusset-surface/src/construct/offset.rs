@@ -1,9 +1,11 @@
 //! The surface beside a surface.
 
-use crate::prelude::*;
 use crate::{Grid, Nodes, Scheme, Sheet};
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::node_normals::node_normals;
 use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
 use gusset_curve::frame::by_node;
 
 const STAGE: &str = "offsetting";
@@ -21,9 +23,12 @@ impl Sheet<'_> {
     /// O(cells).
     ///
     /// # Errors
-    /// [`Error::ValuesDiffer`] for another number of distances, [`Error::BadValue`] for one that is
-    /// not finite, [`Error::NetTooSmall`], [`Error::NotFinite`] if a corner overflows,
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`ValuesDiffer`](gusset_base::Error::ValuesDiffer) for another number of distances,
+    /// [`BadValue`](gusset_base::Error::BadValue) for one that is not finite,
+    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall),
+    /// [`NotFinite`](gusset_base::Error::NotFinite) if a corner overflows,
+    /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn offset(&self, distances: &[f64], job: &Job<'_>) -> Result<(Sheet<'static>, f64)> {
         let ([rows, columns], closed) = (self.cells(), self.is_closed());
         let [height, width] = [rows + 1, columns + 1];

@@ -6,7 +6,9 @@
 //! any part [a, b] of a span.
 
 use crate::MAX_DEGREE;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use std::ops::{Add, Mul};
 
 /// One direction of a spline.

@@ -4,8 +4,11 @@ use super::rational;
 use super::spline::{Interval, Spline, SplineOptions, knots_of};
 use crate::checks::finite_points;
 use crate::patches::Origin;
-use crate::prelude::*;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 
 impl Sheet<'static> {
     /// The Bézier patches of a spline. If it has no weights, or weights that are all equal, these

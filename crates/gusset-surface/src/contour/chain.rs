@@ -6,9 +6,11 @@
 use super::lattice::Lattice;
 use super::search::{Arc, FoundArcs};
 use crate::Place;
-use crate::prelude::*;
+use glam::DVec2;
+use gusset_base::error::{Error, Result};
 use gusset_base::sort;
 use gusset_base::sort::Buckets;
+use gusset_base::{alloc, par};
 use std::collections::VecDeque;
 
 /// A curve of a sheet.

@@ -6,7 +6,9 @@
 
 use super::source::between;
 use crate::index::Cones;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use std::f64::consts::PI;
 
 /// By how much an angle may be off where a curve is still found within rounding, in radians: the

@@ -6,7 +6,10 @@ use super::lattice::Lattice;
 use super::projected_normals::ProjectedNormals;
 use crate::cells::{BLOCK, Cells};
 use crate::index::Cones;
-use crate::prelude::*;
+use glam::DVec2;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 use std::f64::consts::PI;
 
 /// Cells and the middles of their sides at whose ends the angle is less than one of `angles` in one

@@ -17,10 +17,13 @@ use super::search::{ContourSearch, FoundArcs};
 use super::source::{CellBase, Continuity, Source, between};
 use crate::cells::Cells;
 use crate::checks::{direction, rising};
-use crate::prelude::*;
 use crate::ranges::angles;
 use crate::subdivision::Field;
 use crate::{NormalKind, Paths, Place, Sheet, Surface};
+use glam::{DVec2, DVec3};
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 use std::f64::consts::PI;
 use std::ops::Range;
 

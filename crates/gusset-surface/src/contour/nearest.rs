@@ -18,12 +18,15 @@ use super::source::Continuity;
 use crate::cells::Cells;
 use crate::checks::direction;
 use crate::index::Cones;
-use crate::prelude::*;
 use crate::ranges::angles;
 use crate::subdivision::Field;
 use crate::{Place, Sheet, Surface, each_sheet};
+use glam::{DVec2, DVec3};
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::job::Job;
 use gusset_base::sort;
+use gusset_base::{alloc, par};
 use std::convert::Infallible;
 use std::f64::consts::PI;
 

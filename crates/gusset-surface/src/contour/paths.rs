@@ -5,9 +5,12 @@
 use super::chain::{ContourPath, ContourPaths, chain};
 use super::lattice::Lattice;
 use super::search::FoundArcs;
-use crate::prelude::*;
 use crate::{Paths, Place, Surface};
+use glam::{DVec2, DVec3};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 use gusset_base::sort;
+use gusset_base::{alloc, par};
 
 /// Places that are one thread's work.
 const CHUNK: usize = 1024;

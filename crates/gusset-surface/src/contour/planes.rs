@@ -3,7 +3,9 @@
 
 use super::source::between;
 use crate::index::Pyramid;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 
 /// Parallel planes.
 #[derive(Debug, Clone, Copy)]

@@ -3,8 +3,9 @@
 //!
 //! Cost: O(1) a point.
 
-use crate::prelude::*;
 use crate::{Paths, Surface};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 
 /// The points between those where a curve crosses the lines of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

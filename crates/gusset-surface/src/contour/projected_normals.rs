@@ -8,9 +8,11 @@ use super::source::Continuity;
 use crate::Surface;
 use crate::cells::{BLOCK, Cells};
 use crate::index::Pyramid;
-use crate::prelude::*;
 use crate::ranges::cross;
 use crate::subdivision::{Roots, roots};
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use std::ops::Range;
 
 /// Normals of a sheet, seen along a direction.

@@ -12,8 +12,11 @@ use super::side::{crossings, positive};
 use super::source::{CellBase, Continuity, CornerTest, Source};
 use crate::Patch;
 use crate::cells::Cells;
-use crate::prelude::*;
 use crate::subdivision::Field;
+use glam::{DVec2, DVec3};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 
 /// Blocks that are one thread's work.
 const CHUNK: usize = 16;

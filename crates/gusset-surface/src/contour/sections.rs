@@ -13,8 +13,9 @@ use super::source::{Nodal, Plane};
 use crate::axis::{Axis, Scheme};
 use crate::cells::BLOCK;
 use crate::checks::{direction, finite, rising};
-use crate::prelude::*;
 use crate::{Paths, Sheet, Surface, each_sheet};
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::job::Job;
 
 impl Surface<'_> {
     /// Where parallel planes cut the surface: curves in the order of the planes (`levels` of the

@@ -8,9 +8,12 @@
 use super::net::{Balls, Net};
 use crate::cells::{Cells, cells_of_block};
 use crate::index::OrientedBox;
-use crate::prelude::*;
 use crate::{Surface, each_sheet};
 use glam::DMat3;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
 use gusset_base::geom::hull_distance::Corner;
 use gusset_curve::CurveView;
 use std::ops::Range;

@@ -12,8 +12,9 @@
 use super::descent::{NetPair, Parameters, Value};
 use super::pieces::{Pieces, Whereabouts};
 use crate::frontier::{BranchAndBound, Frontier};
-use crate::prelude::*;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::hull_distance::hull_distance;
+use gusset_base::job::Job;
 
 /// Pairs that are examined at most.
 const MAX_PAIRS: usize = 50_000;

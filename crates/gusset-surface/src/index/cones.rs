@@ -11,7 +11,11 @@ use super::super::cells::{BLOCK, Cells};
 use super::super::normal::angle;
 use super::super::ranges::{angles, cross};
 use super::schedule::block_rows_per_task;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 use std::f64::consts::PI;
 
 /// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is

@@ -4,7 +4,11 @@ use super::super::cells::{BLOCK, Cells};
 use super::boxes::{ChildBoxes, OrientedBox};
 use super::cones::Cones;
 use super::schedule::block_rows_per_task;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 use std::sync::OnceLock;
 
 /// Levels that have oriented boxes, from the lowest on.

@@ -3,7 +3,9 @@
 use super::line::{Hit, HitSelection, Line};
 use super::search::Workspace;
 use crate::Surface;
-use crate::prelude::*;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 
 /// Lines that one thread takes at once.
 const BATCH: usize = 512;

@@ -8,10 +8,13 @@ use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
-use crate::prelude::*;
 use crate::{Surface, each_sheet};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::elevate;
+use gusset_base::job::Job;
 use gusset_base::sort;
+use gusset_base::{alloc, par};
 use gusset_curve::{CurveView, Place as CurvePlace};
 use std::cmp::Ordering;
 

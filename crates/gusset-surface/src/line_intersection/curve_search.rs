@@ -4,8 +4,11 @@ use super::search::MAX_RELATIVE_ROUNDING;
 use crate::Place;
 use crate::cells::{Cells, cells_of_block};
 use crate::index::Pyramid;
-use crate::prelude::*;
 use crate::subdivision::{Crossings, CurveWorkspace, crossings};
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::{evaluate, halves};
 
 /// A hit as one cell has it.

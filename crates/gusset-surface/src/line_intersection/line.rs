@@ -2,7 +2,8 @@
 
 use crate::Place;
 use crate::checks::finite;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 
 /// Coordinates of lines and curves beyond this are refused: their squares would overflow.
 pub(crate) const MAX_COORDINATE: f64 = 1e150;

@@ -20,9 +20,10 @@ mod line;
 mod search;
 mod winding;
 
-use crate::prelude::*;
 pub use batch::Lines;
 pub use curve::CurveHit;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 pub(crate) use line::MAX_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
 

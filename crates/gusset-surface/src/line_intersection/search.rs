@@ -3,9 +3,11 @@
 use super::line::{Hit, HitSelection, Line};
 use crate::cells::{BLOCK, Cells};
 use crate::index::{OrientedBox, Pyramid, Slab};
-use crate::prelude::*;
 use crate::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
 use crate::{Patch, Place};
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::subdivision::UnresolvedCluster;
 

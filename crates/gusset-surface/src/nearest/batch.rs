@@ -9,7 +9,11 @@ use super::closest::Closest;
 use super::query::check_query;
 use super::search::NearestSearch;
 use crate::Surface;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 
 /// Queries that are sorted at once.
 const SORTED_QUERIES: usize = 1 << 16;

@@ -5,8 +5,8 @@
 use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
 use super::patch_minima::slope_rounding;
 use crate::Patch;
-use crate::prelude::*;
 use glam::DMat2;
+use glam::{DVec2, DVec3};
 
 /// Places within this distance of a side, in parameters, are on it.
 pub(super) const SIDE_ROUNDING: f64 = 1e-9;

@@ -14,9 +14,12 @@ use super::query::check;
 use super::search::cells_around;
 use crate::cells::Cells;
 use crate::frontier::{BranchAndBound, Frontier};
-use crate::prelude::*;
 use crate::{Place, Surface, each_sheet};
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// Places where the distance from a point is locally least.

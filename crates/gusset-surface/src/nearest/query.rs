@@ -1,7 +1,8 @@
 //! The conditions that a query point and a distance must meet.
 
 use crate::line_intersection::MAX_COORDINATE;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Element, Error, Result};
 
 /// [`Error::NotFinite`] and [`Error::CoordinateTooLarge`] with the number of a query point whose
 /// coordinates are no numbers, or so great that their squares would overflow.

@@ -9,8 +9,11 @@ use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
 use crate::cells::Cells;
 use crate::index::Pyramid;
-use crate::prelude::*;
 use crate::{Patch, Surface, each_sheet};
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// Cells of a surface.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -42,8 +45,10 @@ impl Surface<'_> {
     /// be proved.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::NotFinite`],
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a radius that is negative or
+    /// NaN, [`NotFinite`](gusset_base::Error::NotFinite),
+    /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
         check("radius", query, radius)?;
         let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };

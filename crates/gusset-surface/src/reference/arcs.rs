@@ -14,8 +14,11 @@ use super::normal_variation::AngleTarget;
 use super::search::{SearchOptions, SearchOutcome, search};
 use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::normal::angle;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::restrict;
+use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place};
 use std::f64::consts::PI;
 

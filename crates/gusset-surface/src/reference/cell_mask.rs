@@ -2,7 +2,8 @@
 //! the object.
 
 use super::lattice::{Lattice, Span};
-use crate::prelude::*;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 
 /// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of
 /// word k / 64.

@@ -7,8 +7,10 @@
 //! the means are units.
 
 use crate::cells::{Cells, by_cell};
-use crate::prelude::*;
 use crate::{Patch, Sheet, each_sheet};
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// Halvings of a cell before its surface is taken for not regular.
 const MAX_HALVINGS: u32 = 5;

@@ -14,8 +14,11 @@
 use super::lattice::Lattice;
 use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::cells::{Cells, by_cell};
-use crate::prelude::*;
 use crate::{Patch, Sheet, each_sheet};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// Bounds of the diameters of all cells of a sheet.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,9 +5,11 @@ use super::diameter::Diameters;
 use super::object::{Object, Target};
 use super::search::{SearchOptions, SearchOutcome, search_at_cost};
 use super::sizes::Sizes;
-use crate::prelude::*;
 use crate::{Sheet, Surface};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
 use gusset_curve::CurveView;
 use gusset_curve::ops::CurveSearch;
 

@@ -14,9 +14,11 @@ use super::search::{SearchOptions, SearchOutcome, search};
 use super::sizes::Sizes;
 use crate::cells::{Cells, by_cell};
 use crate::normal::angle;
-use crate::prelude::*;
 use crate::{MAX_DEGREE, Patch, Sheet, each_sheet};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::binomial_row;
+use gusset_base::job::Job;
 use std::f64::consts::PI;
 
 /// An upper bound of the rounding of angles.

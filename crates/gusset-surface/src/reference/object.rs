@@ -5,7 +5,9 @@ use super::diameter::Diameters;
 use super::search::{SearchOptions, SearchOutcome, search};
 use crate::Sheet;
 use crate::line_intersection::Line;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 
 /// A point, a plane or a line.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,9 @@
 
 use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
-use crate::prelude::*;
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::job::Job;
 
 /// Steps of chains from a cell; those that no chain reaches have none.
 const UNREACHED: u32 = u32::MAX;

@@ -7,7 +7,8 @@
 use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
 use super::sizes::{Sizes, Sum};
-use crate::prelude::*;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 
 /// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,8 +8,9 @@
 
 use super::lattice::Lattice;
 use crate::cells::Cells;
-use crate::prelude::*;
 use crate::{Sheet, each_sheet};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::{evaluate, halves};
 
 /// Lines that a section is drawn through.

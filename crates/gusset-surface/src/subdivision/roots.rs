@@ -12,7 +12,8 @@
 //! Cost: O(N^3) a part, [`MAX_PARTS`] parts at most.
 
 use super::field::{Field, Slope};
-use crate::prelude::*;
+use glam::DVec2;
+use gusset_base::error::Result;
 use gusset_base::geom::subdivision::{
     BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
 };

@@ -9,9 +9,12 @@
 use super::contact::CriticalPoint;
 use super::links::{Chain, Links, NONE};
 use super::solve::{Arc, FoundArcs, UnresolvedBall};
-use crate::prelude::*;
+use glam::DVec3;
 use glam::DVec4;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// Shorter chains may be scraps.

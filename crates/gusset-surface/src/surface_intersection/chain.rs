@@ -6,8 +6,11 @@ use super::bridge::{Bridges, JoinedCrossings, Surroundings};
 use super::contact::{APART, CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
 use super::solve::{Arc, FoundArcs};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::job::Job;
 use gusset_base::sort;
 use std::ops::ControlFlow;
 

@@ -20,11 +20,14 @@
 use super::graph::{Form, Graph, Interval};
 use super::pairs::CellPair;
 use super::solve::UnresolvedBall;
-use crate::prelude::*;
 use crate::{Place, Surface, each_sheet};
 use glam::{DMat2, DMat3, DVec4};
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::job::Job;
 
 /// Balls of a cluster: of more, something larger than a point is there.
 const MAX_CLUSTER: usize = 4096;

@@ -17,9 +17,12 @@ use super::solve::FoundArcs;
 use super::trails::{Step, Trail, Trails};
 use super::{Intersection, Options, positive, rounding_error};
 use crate::cells::Cells;
-use crate::prelude::*;
 use crate::{Paths, Place, Surface, each_sheet};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 use gusset_base::sort;
+use gusset_base::{alloc, par};
 
 /// Pairs of cells told apart between two steps of the job.
 const PAIRS_PER_STEP: usize = 1 << 16;

@@ -11,7 +11,9 @@
 use super::chart::ParameterBox;
 use super::poles;
 use crate::cells::Cells;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// How two opposite borders of a sheet are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

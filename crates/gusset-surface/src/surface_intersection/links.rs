@@ -1,6 +1,7 @@
 //! Which arc follows which, and the chains that come of it.
 
-use crate::prelude::*;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 
 /// Arcs in their order along a curve.
 #[derive(Debug)]

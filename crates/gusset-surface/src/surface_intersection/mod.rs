@@ -41,8 +41,10 @@ mod refine;
 mod solve;
 mod trails;
 
-use crate::prelude::*;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
 use gusset_base::sort;
+use gusset_base::{alloc, par};
 pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;

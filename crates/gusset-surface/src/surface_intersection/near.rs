@@ -19,7 +19,10 @@ use super::chart::ParameterBox;
 use super::joints::{Joint, Joints, Meeting};
 use super::net::Net;
 use super::solve::{FoundArcs, PairSearch, PairTask, Stop};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// Pairs of parts of one size that have points in common, and are not proved to have no others:
 /// above that they are reported as they are.

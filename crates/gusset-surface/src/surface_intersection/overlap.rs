@@ -9,8 +9,11 @@
 
 use super::places::{CurvePoint, PairPlaces};
 use super::solve::{Arc, FoundArcs};
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// Arcs between two steps of the job, if they are along sides.

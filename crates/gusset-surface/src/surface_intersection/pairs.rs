@@ -7,8 +7,12 @@
 
 use crate::cells::{BLOCK, Cells, cells_of_block};
 use crate::index::{OrientedBox, Pyramid};
-use crate::prelude::*;
 use crate::{Sheet, Surface, each_sheet};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// A pair of cells of two surfaces.

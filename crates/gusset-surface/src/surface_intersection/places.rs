@@ -2,8 +2,8 @@
 
 use super::equation::Frame;
 use super::pairs::CellPair;
-use crate::prelude::*;
 use crate::{Place, Surface};
+use glam::DVec3;
 use glam::DVec4;
 
 /// Steps of Newton's method to a point of a curve.

@@ -16,8 +16,11 @@
 use super::graph::Interval;
 use crate::Patch;
 use crate::cells::Cells;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
 use gusset_base::geom::bernstein::elevate;
+use gusset_base::job::Job;
 use std::f64::consts::TAU;
 
 /// Halvings towards the pole that are tried.

@@ -11,8 +11,9 @@
 
 use super::arc::End;
 use super::equation::Equation;
-use crate::prelude::*;
 use glam::{DVec3, DVec4};
+use gusset_base::alloc;
+use gusset_base::error::Result;
 
 /// Cuts of cuts at most.
 const MAX_CUT_DEPTH: u32 = 6;

@@ -11,9 +11,11 @@ use super::chart::ParameterBox;
 use super::equation::Equation;
 use super::refine::ArcRefinement;
 use crate::Patch;
-use crate::prelude::*;
 use glam::{DVec3, DVec4};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::job::Job;
 use std::borrow::Cow;
 
 /// The box at which the cells are tested for contact in many places and for having no area:

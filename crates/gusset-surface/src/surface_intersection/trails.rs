@@ -9,7 +9,10 @@
 use super::chain::{REACH, near_pairs, repeated};
 use super::links::NONE;
 use super::solve::Arc;
-use crate::prelude::*;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// Arcs whose ends are as unlike as this go different ways.

@@ -10,8 +10,9 @@
 
 use super::super::spline::Net;
 use crate::MAX_DEGREE;
-use crate::prelude::*;
+use glam::DVec3;
 use glam::DVec4;
+use gusset_base::error::Result;
 use gusset_base::geom::bernstein::{basis, evaluate};
 use gusset_base::geom::linear::dense::Dense;
 

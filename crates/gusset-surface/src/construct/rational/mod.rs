@@ -12,10 +12,14 @@ use self::bound::Difference;
 use self::fit::{Fit, Known};
 use super::spline::{Interval, Net, Piece, Spline, SplineOptions, knots_of};
 use crate::patches::Origin;
-use crate::prelude::*;
 use crate::{Patch, Patches};
+use glam::DVec3;
 use glam::DVec4;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
 use gusset_base::geom::scale::{common_unit, floor_to_power_of_two};
+use gusset_base::job::Job;
+use gusset_base::{alloc, par};
 
 /// The most cells, if the caller does not say.
 const MAX_CELLS: usize = 1 << 20;

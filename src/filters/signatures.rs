@@ -1,16 +1,6 @@
-//! The imports of every filter.
+//! The inputs and outputs that several filters have in common.
 
-pub(super) use super::data::{Curves, Input, InputKind, Output, OutputKind};
-pub(super) use super::extent::extent_of;
-pub(super) use super::filter::{Defaults, Filter};
-pub(super) use super::param::{COORDINATES, LENGTHS, NON_NEGATIVE, Param, ParamKind, Values};
-pub(super) use super::report::{Report, counted, push_line, push_more, short, short_point};
-pub(super) use crate::error::{Error, Result};
-pub(super) use crate::job::Job;
-pub(super) use glam::DVec3;
-pub(super) use gusset_base::alloc;
-pub(super) use gusset_base::choice::Choice;
-pub(super) use gusset_base::choices;
+use super::data::{InputKind, OutputKind};
 
 /// One mesh.
 pub(super) const MESH: &[InputKind] = &[InputKind::Mesh];
