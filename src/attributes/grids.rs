@@ -101,6 +101,7 @@ impl Origins {
             [(first, (1.0 - u) * (1.0 - v)), (below, u * (1.0 - v)), (first + 1, (1.0 - u) * v), (below + 1, u * v)]
         };
         let mut vertices = Table::with_capacity(sheet.places.len(), 4 * sheet.places.len())?;
+        job.step(0.0, STAGE)?;
         for (k, place) in sheet.places.iter().enumerate() {
             job.part(0.0, 0.3).step_within(k, STAGE)?;
             vertices.push(nodes(place.cell, [place.u, place.v]))?;

@@ -45,7 +45,7 @@ fn a_determinant_that_is_not_zero_can_glue() {
     // Made part of the net, and exact.
     let mut rolled = net.copied().unwrap();
     deform(&mut rolled, &steps, &Job::default()).unwrap();
-    let glued = absorb(rolled.topology(), found.contracted.iter().map(|c| c.link)).unwrap();
+    let glued = absorb(rolled.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
     assert_eq!(glued.sides(), Some(Sides::TUBE));
     rolled.set_topology(glued);
     assert!(!glued_bits_agree(&rolled), "2 pi has no exact sine");
@@ -83,13 +83,16 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     assert_eq!(found.contracted.len(), 6 + 4);
     assert_eq!(found.cells[shape.cell(2, 2) as usize], 0.0);
     // Once absorbed nothing is new.
-    let glued = absorb(net.topology(), found.contracted.iter().map(|c| c.link)).unwrap();
+    let glued = absorb(net.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
     let classes = Classes::of(&glued).unwrap();
     assert_eq!(classes.representative(shape.node(3, 3)), shape.node(2, 2));
     let mut again = net.copied().unwrap();
     again.set_topology(glued);
     assert!(analyse(&again, &after, 0.0, &Job::default()).unwrap().contracted.is_empty());
-    assert_eq!(absorb(net.topology(), [60]).unwrap_err(), Error::NoSuch { element: Element::Link, index: 60 });
+    assert_eq!(
+        absorb(net.topology(), [60], &Job::default()).unwrap_err(),
+        Error::NoSuch { element: Element::Link, index: 60 }
+    );
 }
 
 #[test]

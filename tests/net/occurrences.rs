@@ -105,7 +105,7 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
             };
             assert_eq!((Some(found.kind), found.class_size), (kind, class));
         }
-        let expected = histogram(topology).unwrap();
+        let expected = histogram(topology, &Job::default()).unwrap();
         assert_eq!(counts[1], expected.cells);
         assert!(cyclic || counts[0] == expected.nodes);
         assert!(!cyclic || counts[0] != expected.nodes, "closing links count too");

@@ -129,7 +129,7 @@ fn check_types(topology: &Topology, class: &[usize], seen: &mut BTreeSet<usize>)
             }
         }
     }
-    let histogram = histogram(topology).unwrap();
+    let histogram = histogram(topology, &Job::default()).unwrap();
     assert_eq!([histogram.nodes, histogram.cells], count);
 }
 
@@ -276,7 +276,7 @@ fn long_rows() {
                 types[0].iter().for_each(|kind| nodes[kind.number()] += 1);
                 types[1].iter().for_each(|kind| cells[kind.number()] += 1);
             }
-            let histogram = histogram(&topology).unwrap();
+            let histogram = histogram(&topology, &Job::default()).unwrap();
             assert_eq!((histogram.nodes, histogram.cells), (nodes, cells));
         }
     }

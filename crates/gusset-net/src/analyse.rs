@@ -101,7 +101,7 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
 ///
 /// # Errors
 /// [`Error::NoSuch`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
-pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>) -> Result<Topology> {
+pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
     let (shape, mut matrix) = (topology.shape(), topology.matrix()?);
     for link in links {
         if link as usize >= 2 * shape.node_count() {
@@ -109,7 +109,7 @@ pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>) -> Resu
         }
         matrix.set(link, true);
     }
-    let glued = Topology::new(shape, Links::Matrix(matrix), topology.seams())?;
+    let glued = Topology::new_cancellable(shape, Links::Matrix(matrix), topology.seams(), job, "absorbing")?;
     Ok(glued.with_reversed(topology.is_reversed()))
 }
 
@@ -130,7 +130,7 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
         alloc::append(&mut contracted, &new)?;
         alloc::append(&mut torn, &lost)?;
     }
-    let contracted = with_stars(before.topology(), &contracted)?;
+    let contracted = with_stars(before.topology(), &contracted, &job.part(0.5, 0.5))?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     let hidden = HiddenCells::of(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
@@ -172,11 +172,11 @@ fn row_of_links<A: Real, B: Real>(
 }
 
 /// The types of the stars at newly contracted links.
-fn with_stars(topology: &Topology, links: &[u32]) -> Result<Vec<Contracted>> {
+fn with_stars(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<Contracted>> {
     if links.is_empty() {
         return Ok(Vec::new());
     }
-    let classes = Classes::of(&absorb(topology, links.iter().copied())?)?;
+    let classes = Classes::of_cancellable(&absorb(topology, links.iter().copied(), job)?, job, "analyse")?;
     alloc::gather(links.iter().filter_map(|&link| {
         let (i, j) = topology.shape().place(link / 2);
         classify_node(&classes, i, j, true).map(|star| Contracted { link, star })

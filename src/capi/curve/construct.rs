@@ -110,7 +110,7 @@ pub unsafe extern "C" fn gusset_curve_split_create(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
 /// @param[out] reversed receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]

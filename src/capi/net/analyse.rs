@@ -184,7 +184,7 @@ pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_a
 /// @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
 /// @param count see links.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
-///     CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+///     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED; the net is unchanged then.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -195,5 +195,5 @@ pub unsafe extern "C" fn gusset_net_absorb(
     links: *const u32,
     count: usize,
 ) -> gusset_status {
-    reglue(context, net, |net, _| Ok(absorb(net.topology(), input::items(links, count, "links")?)?))
+    reglue(context, net, |net, job| Ok(absorb(net.topology(), input::items(links, count, "links")?, job)?))
 }

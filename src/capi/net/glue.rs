@@ -206,13 +206,13 @@ pub unsafe extern "C" fn gusset_net_unglue(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_saturate(context: *const gusset_context, net: *mut gusset_net) -> gusset_status {
-    reglue(context, net, |net, _| Ok(net.topology().saturated()?))
+    reglue(context, net, |net, job| Ok(net.topology().saturated_cancellable(job, "saturating")?))
 }
 
 /// Writes for each node the smallest node that is the same point.
@@ -223,7 +223,7 @@ pub unsafe extern "C" fn gusset_net_saturate(context: *const gusset_context, net
 /// @param capacity see classes.
 /// @param[out] written receives that number. NULL and 0 ask for it.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
-///     written but the number), OUT_OF_MEMORY.
+///     written but the number), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes); 4 bytes a node.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -239,7 +239,8 @@ pub unsafe extern "C" fn gusset_net_classes(
     guard_change(context, |job| {
         let net = read(net)?;
         fill((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
-            Ok(Classes::of(net.topology())?.table()?)
+            let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
+            Ok(classes.table_cancellable(&job.part(0.8, 1.0), "classes")?)
         })
     })
 }
@@ -254,7 +255,7 @@ handle! { gusset_net_groups }
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
 /// @param[out] groups receives the result, for gusset_net_groups_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
 ///     the glued nodes.
 /// @since 0.1
@@ -265,7 +266,9 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     net: *const gusset_net,
     groups: *mut *mut gusset_net_groups,
 ) -> gusset_status {
-    create(context, groups, "groups", |_| Ok(gusset_net_groups(Classes::of(read(net)?.topology())?.groups()?)))
+    create(context, groups, "groups", |job| {
+        Ok(gusset_net_groups(Classes::of_cancellable(read(net)?.topology(), job, "groups")?.groups()?))
+    })
 }
 
 /// Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the
@@ -313,7 +316,7 @@ pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_group
 /// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
 /// @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     NO_SUCH_ELEMENT, OUT_OF_MEMORY.
+///     NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
 ///     all.
 /// @source Deryagin, Fig. 4.
@@ -327,8 +330,8 @@ pub unsafe extern "C" fn gusset_net_classify_node(
     cyclic: u32,
     found: *mut gusset_gluing_type,
 ) -> gusset_status {
-    answer(context, (found, "found"), GUSSET_TYPE_NONE, |_| {
-        Ok(number(read(net)?.topology().node_type(node, flag(cyclic, "cyclic")?)?))
+    answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| {
+        Ok(number(read(net)?.topology().node_type(node, flag(cyclic, "cyclic")?, job)?))
     })
 }
 
@@ -349,7 +352,7 @@ pub unsafe extern "C" fn gusset_net_classify_cell(
     cell: u32,
     found: *mut gusset_gluing_type,
 ) -> gusset_status {
-    answer(context, (found, "found"), GUSSET_TYPE_NONE, |_| Ok(number(read(net)?.topology().cell_type(cell)?)))
+    answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| Ok(number(read(net)?.topology().cell_type(cell, job)?)))
 }
 
 /// Counts the local gluings of a net by type.
@@ -359,7 +362,8 @@ pub unsafe extern "C" fn gusset_net_classify_cell(
 /// @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
 ///     many cells have each type; NULL for what is not wanted.
 /// @param[out] cells see nodes.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY,
+///     CANCELLED.
 /// @complexity O(nodes); 4 bytes a node.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -374,7 +378,7 @@ pub unsafe extern "C" fn gusset_net_histogram(
     guard_change(context, |job| {
         let [nodes, cells] = outputs;
         let (nodes, cells) = (nodes?, cells?);
-        let histogram = crate::net::topology::histogram(read(net)?.topology())?;
+        let histogram = crate::net::topology::histogram(read(net)?.topology(), job)?;
         job.memory()?;
         nodes.copy_from_slice(&histogram.nodes[..nodes.len()]);
         cells.copy_from_slice(&histogram.cells[..cells.len()]);

@@ -107,14 +107,20 @@ impl Layout {
     }
 }
 
+/// The rows of a net that are copied between two progress reports.
+fn rows_per_report(shape: Shape) -> usize {
+    ((1 << 17) / shape.columns()).max(1)
+}
+
 /// A copy of the caller's matrices, which may lie at any alignment.
-fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Result<Planes<'static, T>, Failure> {
     let size = size_of::<T>();
     let layout = Layout::of(shape, arrays, size)?;
     let mut planes = Planes::zeroed(shape)?;
     for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
-        let from = input::bytes(from, layout.span, 1, name)?;
+        let (from, job) = (input::bytes(from, layout.span, 1, name)?, job.share(axis, 3));
         for i in 0..shape.rows() {
+            job.step_every(rows_per_report(shape), i, shape.rows(), "copying a net")?;
             let to = &mut planes.row_mut(i)[axis];
             let from = &from[layout.at(i, 0)..];
             if layout.column == size {
@@ -146,12 +152,13 @@ fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'s
 }
 
 /// Copies coordinates to the caller's matrices, which may lie at any alignment.
-fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view) -> Result<(), Failure> {
+fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_>) -> Result<(), Failure> {
     let (shape, size) = (net.shape(), size_of::<T>());
     let layout = Layout::of(shape, arrays, size)?;
     for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
-        let to = input::results::<u8>(to.cast(), layout.span, name)?;
+        let (to, job) = (input::results::<u8>(to.cast(), layout.span, name)?, job.share(axis, 3));
         for i in 0..shape.rows() {
+            job.step_every(rows_per_report(shape), i, shape.rows(), "reading a net")?;
             each!(net.coordinates(), planes => {
                 for (j, &value) in planes.row(i)[axis].iter().enumerate() {
                     let at = layout.at(i, j);
@@ -228,15 +235,20 @@ fn net_of(
     borrow: bool,
     job: &Job<'_>,
 ) -> Result<gusset_net, Failure> {
-    fn planes<T: Real>(shape: Shape, arrays: &gusset_net_view, borrow: bool) -> Result<Planes<'static, T>, Failure> {
-        if borrow { borrowed(shape, arrays) } else { copied(shape, arrays) }
+    fn planes<T: Real>(
+        shape: Shape,
+        arrays: &gusset_net_view,
+        borrow: bool,
+        job: &Job<'_>,
+    ) -> Result<Planes<'static, T>, Failure> {
+        if borrow { borrowed(shape, arrays) } else { copied(shape, arrays, job) }
     }
     let (arrays, shape) = read_arrays(arrays)?;
     let coordinates = match choice(arrays.scalar)? {
-        Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow)?),
-        Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow)?),
+        Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
+        Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
     };
-    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing, job)?)))
+    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing, &job.part(0.5, 1.0))?)))
 }
 
 fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
@@ -372,7 +384,7 @@ pub unsafe extern "C" fn gusset_net_edit(
 /// @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
 ///     type: double to float is rounded.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
-///     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW.
+///     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, CANCELLED.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -382,7 +394,7 @@ pub unsafe extern "C" fn gusset_net_read(
     net: *const gusset_net,
     arrays: *const gusset_net_view,
 ) -> gusset_status {
-    guard(context, |_| {
+    guard(context, |job| {
         let net = read(net)?;
         let (arrays, shape) = read_arrays(arrays)?;
         let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
@@ -390,8 +402,8 @@ pub unsafe extern "C" fn gusset_net_read(
             return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
         }
         match choice(arrays.scalar)? {
-            Scalar::F32 => write::<f32>(net, &arrays),
-            Scalar::F64 => write::<f64>(net, &arrays),
+            Scalar::F32 => write::<f32>(net, &arrays, job),
+            Scalar::F64 => write::<f64>(net, &arrays, job),
         }
     })
 }

@@ -298,7 +298,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
 /// @param decoder the decoder.
 /// @param[out] net receives it.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL if there are
-///     fewer rows, OUT_OF_MEMORY.
+///     fewer rows, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]

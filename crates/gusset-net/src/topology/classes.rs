@@ -41,7 +41,7 @@ impl Classes {
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub(crate) fn of_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub fn of_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
             return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
@@ -103,7 +103,7 @@ impl Classes {
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub(crate) fn table_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+    pub fn table_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         match &self.map {
             ClassMap::Sides(_) => {
                 let nodes = (0..self.shape.node_count()).map(|node| node as u32);

@@ -9,6 +9,7 @@
 use super::{Classes, Matrix, Topology};
 use crate::Shape;
 use gusset_base::error::Result;
+use gusset_base::job::Job;
 
 /// One of the 18 local gluings, by its number:
 ///
@@ -107,10 +108,10 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
+    pub fn node_type(&self, node: u32, cyclic: bool, job: &Job<'_>) -> Result<Option<GluingType>> {
         self.shape().check_node(node)?;
         let (i, j) = self.shape().place(node);
-        Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
+        Ok(classify_node(&Classes::of_cancellable(self, job, STAGE)?, i, j, cyclic))
     }
 
     /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the
@@ -118,11 +119,16 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
+    pub fn cell_type(&self, cell: u32, job: &Job<'_>) -> Result<Option<GluingType>> {
         let (i, j) = self.shape().checked_cell_place(cell)?;
-        Ok(classify_cell(&Classes::of(self)?, i, j))
+        Ok(classify_cell(&Classes::of_cancellable(self, job, STAGE)?, i, j))
     }
 }
+
+/// Nodes between two progress reports.
+const NODES_PER_REPORT: usize = 1 << 17;
+
+const STAGE: &str = "types of gluings";
 
 /// The number of occurrences of each type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -136,12 +142,14 @@ pub struct Histogram {
 /// Counts the types of all nodes and cells. O(nodes).
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-pub fn histogram(topology: &Topology) -> Result<Histogram> {
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+pub fn histogram(topology: &Topology, job: &Job<'_>) -> Result<Histogram> {
     let shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let table = Classes::of(topology)?.table()?;
-    let links = Matrix::of_table(shape, &table)?;
+    let classes = Classes::of_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
+    let table = classes.table_cancellable(&job.part(0.4, 0.5), STAGE)?;
+    let (links, job) = (Matrix::of_table(shape, &table)?, job.part(0.5, 1.0));
     let mut histogram = Histogram::default();
     let count = |counts: &mut [u64; GluingType::COUNT], number: u8| {
         if number != NO_TYPE {
@@ -150,6 +158,7 @@ pub fn histogram(topology: &Topology) -> Result<Histogram> {
     };
     for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
         let node = i * w + j;
+        job.step_every(NODES_PER_REPORT, node, h * w, STAGE)?;
         // Two bits a node: 1 for the link to the east, 2 for the link to the south.
         let pair = |there: bool, node: usize| if there { links.pair(node) } else { 0 };
         let (right, down) = (j + 1 < w, i + 1 < h);

@@ -29,6 +29,7 @@ impl Topology {
         job: &Job<'_>,
         stage: &'static str,
     ) -> Result<Self> {
+        job.step(0.0, stage)?;
         seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
         let (mut links, mut kept) = (links, Vec::new());
         for seam in Seam::each_cancellable(seams, &job.part(0.0, 0.3), stage) {
@@ -78,12 +79,22 @@ impl Topology {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn saturated(&self) -> Result<Self> {
-        let table = Classes::of(self)?.table()?;
+        self.saturated_cancellable(&Job::default(), "")
+    }
+
+    /// [`Topology::saturated`] for large nets.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub fn saturated_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let classes = Classes::of_cancellable(self, &job.part(0.0, 0.3), stage)?;
+        let table = classes.table_cancellable(&job.part(0.3, 0.5), stage)?;
         let matrix = Matrix::of_table(self.shape, &table)?;
         let links = Links::Matrix(matrix).normal(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
-            let pieces = Classes::of(&saturated)?.table()?;
+            let pieces = Classes::of_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
+            let pieces = pieces.table_cancellable(&job.part(0.8, 1.0), stage)?;
             saturated.seams = canonical_seams::seams(self.shape, &table, &pieces)?;
         }
         Ok(saturated)

@@ -49,7 +49,7 @@ impl Sheet<'static> {
     ) -> Result<Self> {
         let counts = [grid.rows, grid.columns];
         if kind == FrameSurface::Nodes && grid.corners.is_empty() {
-            return through(counts, &grid.nodes, closed);
+            return through(counts, &grid.nodes, closed, job);
         }
         if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
             Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
@@ -59,11 +59,16 @@ impl Sheet<'static> {
     }
 }
 
+/// Nodes between two progress reports.
+const NODES_PER_REPORT: usize = 1 << 17;
+
 /// The grid of the nodes, with the first line at the end once more where it is closed.
-fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2]) -> Result<Sheet<'static>> {
+fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job: &Job<'_>) -> Result<Sheet<'static>> {
     let [height, width] = [rows + usize::from(closed[0]), columns + usize::from(closed[1])];
     let mut data = alloc::with_capacity(3 * height * width)?;
-    for (i, j) in (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns))) {
+    let places = (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns)));
+    for (k, (i, j)) in places.enumerate() {
+        job.step_every(NODES_PER_REPORT, k, height * width, "surface of a frame")?;
         data.extend(nodes[i * columns + j].to_array());
     }
     let nodes = Nodes::strided(data, height, width, 0, 0)?;

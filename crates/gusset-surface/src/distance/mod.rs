@@ -26,7 +26,7 @@ use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place as CurvePlace};
 use pieces::{Pieces, Source, View, Whereabouts};
-use search::DistanceSearch;
+use search::{DistanceSearch, STAGE};
 
 /// The nearest points of a surface and something else. `T`: a place on that.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -209,6 +209,7 @@ impl Surface<'_> {
         tolerance: Option<f64>,
         job: &Job<'_>,
     ) -> Result<Found> {
+        job.step(0.0, STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
         let all = || self.corners().into_iter().chain(extent.iter().copied());

@@ -33,6 +33,8 @@ const MIN_SIZE: f64 = 1e-12;
 /// Pairs between two looks at the job.
 const PAIRS_PER_STEP: usize = 256;
 
+pub(super) const STAGE: &str = "distance";
+
 /// A pair of pieces, and where descent may begin.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
@@ -210,7 +212,7 @@ impl BranchAndBound for DistanceSearch<'_> {
     fn branch(&mut self, bound: f64, pair: Pair) -> Result<()> {
         self.pairs += 1;
         if self.pairs.is_multiple_of(PAIRS_PER_STEP) {
-            self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, "distance")?;
+            self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, STAGE)?;
         }
         let are_nets = self.a.net(pair.a).is_some() && self.b.net(pair.b).is_some();
         if are_nets {

@@ -39,6 +39,8 @@ pub struct Minima {
 const MAX_UNDECIDED: usize = 512;
 /// Blocks and cells between two chances to cancel.
 const REPORT_INTERVAL: usize = 1 << 7;
+
+const STAGE: &str = "minima";
 /// Points no farther apart than this many tolerances are one.
 const SAME_POINT: f64 = 16.0;
 
@@ -63,6 +65,7 @@ impl Surface<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
         check("limit", query, limit)?;
+        job.step(0.0, STAGE)?;
         let mut search = MinimaSearch {
             surface: self,
             query,
@@ -128,7 +131,7 @@ impl MinimaSearch<'_> {
     #[inline(never)]
     fn tick(&mut self) -> Result<()> {
         self.looked_at += 1;
-        if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, "minima") } else { Ok(()) }
+        if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, STAGE) } else { Ok(()) }
     }
 
     fn wait(&mut self, sheet: usize, block: Block) -> Result<()> {

@@ -51,6 +51,7 @@ impl Surface<'_> {
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
         check("radius", query, radius)?;
+        job.step(0.0, STAGE)?;
         let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };
         let mut bits = 0_u64;
         for k in 0..self.len() {
@@ -81,6 +82,8 @@ impl Surface<'_> {
 /// Blocks of cells between two chances to cancel.
 const BLOCKS_PER_STEP: usize = 1 << 12;
 
+const STAGE: &str = "region";
+
 /// A ball round the query.
 struct Ball {
     query: DVec3,
@@ -101,7 +104,7 @@ impl Ball {
         let mut workspace = PartFrontier::default();
         for (k, block) in blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
             if (k + 1).is_multiple_of(BLOCKS_PER_STEP) {
-                job.step(0.0, "region")?;
+                job.step(0.0, STAGE)?;
             }
             for [i, j] in block.cells(cells) {
                 let patch = cells.patch(i, j);
