@@ -5,6 +5,7 @@ mod common;
 
 mod construct;
 mod curves;
+mod frame_corners;
 mod frame_missing;
 mod intersect;
 mod lines;
@@ -16,7 +17,9 @@ mod outline_curvature;
 mod outline_data;
 mod outline_export;
 mod outline_frame;
+mod outline_limits;
 mod outline_memory;
+mod outline_single;
 mod outline_solvers;
 mod plane;
 mod sections;

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 use gusset::curve::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, frame, slice};
-use gusset::curve::{Constraint, Mode, Options, Outlines, PointConstraint, Points};
+use gusset::curve::{Mode, Options, Outlines, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
 
-const CUBIC: Options = Options {
+pub(crate) const CUBIC: Options = Options {
     mode: Mode::CubicC2,
     method: gusset::curve::Method::Bisector,
     lock: gusset::curve::Lock::Parameter,
@@ -26,13 +26,13 @@ const CUBIC: Options = Options {
 
 /// Sections one after another, each from its own points.
 #[derive(Default)]
-struct Sections {
-    points: Vec<[f64; 3]>,
-    offsets: Vec<u32>,
+pub(crate) struct Sections {
+    pub(crate) points: Vec<[f64; 3]>,
+    pub(crate) offsets: Vec<u32>,
 }
 
 impl Sections {
-    fn of(sections: impl IntoIterator<Item = Vec<[f64; 3]>>) -> Self {
+    pub(crate) fn of(sections: impl IntoIterator<Item = Vec<[f64; 3]>>) -> Self {
         let mut all = Sections { points: Vec::new(), offsets: vec![0] };
         for section in sections {
             all.points.extend(section);
@@ -41,24 +41,24 @@ impl Sections {
         all
     }
 
-    fn make(&self, closed: bool, options: &FrameOptions<'_>) -> Result<Frame, Error> {
+    pub(crate) fn make(&self, closed: bool, options: &FrameOptions<'_>) -> Result<Frame, Error> {
         let points = Points::from(&self.points[..]);
         let outlines = Outlines { points, offsets: Some(&self.offsets), closed, constraints: &[] };
         frame(&outlines, options, &Job::default())
     }
 }
 
-fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
+pub(crate) fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
     FrameOptions { across: CUBIC, along: CUBIC, ..FrameOptions::new(correspondence) }
 }
 
-fn straight(point: DVec3, direction: DVec3) -> Axis<'static> {
+pub(crate) fn straight(point: DVec3, direction: DVec3) -> Axis<'static> {
     Axis::Line { point, direction }
 }
 
 /// The circle of a ball of radius 2 at height z, of n points from angle `from` on, forwards or
 /// backwards.
-fn circle(z: f64, n: usize, from: f64, backwards: bool) -> Vec<[f64; 3]> {
+pub(crate) fn circle(z: f64, n: usize, from: f64, backwards: bool) -> Vec<[f64; 3]> {
     let r = (4.0 - z * z).sqrt();
     (0..n)
         .map(|i| {
@@ -68,11 +68,11 @@ fn circle(z: f64, n: usize, from: f64, backwards: bool) -> Vec<[f64; 3]> {
         .collect()
 }
 
-fn heights() -> impl Iterator<Item = f64> {
+pub(crate) fn heights() -> impl Iterator<Item = f64> {
     (0..9).map(|k| -1.6 + 0.4 * f64::from(k))
 }
 
-fn assert_meets(made: &Frame) {
+pub(crate) fn assert_meets(made: &Frame) {
     let grid = &made.grid;
     assert_eq!(grid.nodes.len(), grid.rows * grid.columns);
     assert_eq!((grid.across.len(), grid.along.len()), (grid.nodes.len(), grid.nodes.len()));
@@ -347,85 +347,6 @@ fn where_lists_begin_and_which_way_they_run_does_not_matter() {
     assert!(wrung.grid.max_twist > 1.0, "{}", wrung.grid.max_twist);
 }
 
-/// The frames of a ship of 10 by 2 by 1: below the deck a parabola, pointed at the keel; `n` points
-/// from edge to edge and `m` more across the deck.
-fn ship(n: usize, m: usize, random: &mut fastrand::Rng) -> Sections {
-    Sections::of((0..11).map(|k| {
-        let x = f64::from(k) - 5.0;
-        let half = 1.0 - 0.03 * x * x;
-        let below = (0..n).map(|i| 2.0 * i as f64 / (n - 1) as f64 - 1.0).map(|s| [x, half * s, s * s]);
-        let across = (1..=m).map(|i| 1.0 - 2.0 * i as f64 / (m + 1) as f64).map(|s| [x, half * s, 1.0]);
-        let mut points: Vec<[f64; 3]> = below.chain(across).collect();
-        let n = points.len();
-        points.rotate_left(random.usize(..n));
-        points
-    }))
-}
-
-#[test]
-fn decks_keep_their_edges() {
-    let mut random = fastrand::Rng::with_seed(9);
-    for (n, m) in [(9, 0), (9, 3), (15, 5), (30, 1)] {
-        let sections = ship(n, m, &mut random);
-        for (correspondence, columns) in
-            [(Correspondence::ArcLength { columns: 20 }, 20), (Correspondence::ArcLength { columns: 31 }, 31)]
-        {
-            let made = sections.make(true, &options(correspondence)).unwrap();
-            assert_meets(&made);
-            assert_eq!((made.grid.columns, made.grid.corners.len()), (columns, 22), "{n} {m}");
-            for (k, pair) in made.grid.corners.chunks(2).enumerate() {
-                let x = k as f64 - 5.0;
-                let half = 1.0 - 0.03 * x * x;
-                for &node in pair {
-                    let p = made.grid.nodes[node as usize];
-                    assert!((p.x - x).abs() < 1e-12 && (p.y.abs() - half).abs() < 1e-12 && p.z == 1.0, "{p}");
-                }
-                // Its area, which the paper has for a parabola and a line, at every section.
-                let area = Measure::of(made.across.curve(k)).unwrap().area;
-                assert!((area / (4.0 / 3.0 * half) - 1.0).abs() < 0.01, "{n} {m} {k}: {area}");
-            }
-            // Smooth, they are fuller.
-            let smooth =
-                sections.make(true, &FrameOptions { smooth_corners: true, ..options(correspondence) }).unwrap();
-            assert!(smooth.grid.corners.is_empty());
-        }
-    }
-    // Some corners that others do not have, and a section that is smooth: nothing is shared.
-    let mut sections = ship(9, 3, &mut random);
-    let from = sections.offsets[4] as usize;
-    (from..sections.offsets[5] as usize).for_each(|i| sections.points[i][2] *= sections.points[i][2]);
-    let round = circle(0.0, 40, 0.0, false).into_iter().map(|[y, z, _]| [6.0, 0.1 * y, 0.5 + 0.1 * z]);
-    sections.points.extend(round);
-    sections.offsets.push(sections.points.len() as u32);
-    let made = sections.make(true, &options(Correspondence::ArcLength { columns: 20 })).unwrap();
-    assert!(made.grid.corners.is_empty() && made.grid.max_twist < 0.3);
-}
-
-#[test]
-fn open_sections_keep_their_chines() {
-    let sections = Sections::of((0..5).map(|k| {
-        let x = f64::from(k);
-        // Differently many points, and a chine at y = 1.
-        let below = (0..6 + k).map(move |i| f64::from(i) / f64::from(6 + k)).map(move |s| [x, s, 0.1 * s * s]);
-        let above = (0..=4).map(|i| f64::from(i) / 4.0).map(move |s| [x, 1.0 + 0.1 * s * s, 0.1 + s]);
-        below.chain(above).collect()
-    }));
-    let made = sections.make(false, &options(Correspondence::ArcLength { columns: 12 })).unwrap();
-    assert_meets(&made);
-    assert_eq!(made.grid.corners.len(), 5);
-    for (k, &node) in made.grid.corners.iter().enumerate() {
-        assert_eq!(made.grid.nodes[node as usize], DVec3::new(k as f64, 1.0, 0.1));
-    }
-    assert_eq!(made.grid.max_twist, 0.0);
-    for columns in [0, 1] {
-        let refused = sections.make(false, &options(Correspondence::ArcLength { columns })).unwrap_err();
-        assert_eq!(refused, Error::OptionOutOfRange { option: "columns", value: columns as f64 });
-    }
-    // No room for the chine.
-    let made = sections.make(false, &options(Correspondence::ArcLength { columns: 2 })).unwrap();
-    assert!(made.grid.corners.is_empty());
-}
-
 #[test]
 fn angles_about_a_bent_axis() {
     // A helix of radius 4 with a wire of radius 0.5 about it; the sections begin anywhere.
@@ -515,67 +436,4 @@ fn bent_bodies_keep_their_direction() {
             assert!((0..grid.rows).all(|k| (grid.nodes[24 * k + i].z - z).abs() < 1e-9), "{i}");
         }
     }
-}
-
-#[test]
-fn a_point_that_is_repeated_but_for_round_off_is_no_corner() {
-    let mut random = fastrand::Rng::with_seed(6);
-    for case in 0..200 {
-        let sections = Sections::of((0..4).map(|k| {
-            let n = 24 + 8 * (case % 4);
-            let mut points = circle(0.2 * f64::from(k), n, 0.4 + random.f64(), false);
-            let noise = || 1e-14 * (2.0 * fastrand::Rng::with_seed(case as u64).f64() - 1.0);
-            points.push(points[0].map(|x| x + noise()));
-            points
-        }));
-        let made = sections.make(true, &options(Correspondence::ArcLength { columns: 16 })).unwrap();
-        assert!(made.grid.corners.is_empty() && made.grid.max_twist < 0.1, "{case}: {}", made.grid.max_twist);
-        // Once round.
-        for k in 0..4 {
-            let row = &made.grid.nodes[16 * k..16 * (k + 1)];
-            assert!((0..16).all(|i| row[i].distance(row[(i + 8) % 16]) > 1.0), "{case}");
-        }
-    }
-}
-
-#[test]
-fn corners_belong_together_at_any_scale() {
-    for scale in [1e-300, 1e-170, 1e-20, 1.0, 1e100, 1e150] {
-        let mut random = fastrand::Rng::with_seed(3);
-        let mut sections = ship(15, 5, &mut random);
-        sections.points.iter_mut().flatten().for_each(|x| *x *= scale);
-        let made = sections.make(true, &options(Correspondence::ArcLength { columns: 20 })).unwrap();
-        assert_eq!(made.grid.corners.len(), 22, "{scale:e}");
-        assert!(made.grid.max_twist < 0.1, "{scale:e} {}", made.grid.max_twist);
-    }
-}
-
-#[test]
-fn corners_that_the_caller_knows() {
-    let square = |z: f64| {
-        (0..16).map(move |i| {
-            let t = f64::from(i % 4) / 4.0;
-            let [x, y] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][i as usize / 4];
-            [x, y, z]
-        })
-    };
-    let points: Vec<[f64; 3]> = (0..3).flat_map(|k| square(f64::from(k))).collect();
-    let make = |constraints: &[Constraint], options: &FrameOptions<'_>| {
-        let offsets = [0, 16, 32, 48];
-        let points = Points::from(&points[..]);
-        let outlines = Outlines { points, offsets: Some(&offsets), closed: true, constraints };
-        frame(&outlines, options, &Job::default()).unwrap().grid.corners
-    };
-    let given = options(Correspondence::Given);
-    assert_eq!(make(&[], &given).len(), 12);
-    // A tangent there says that it is none.
-    let tangent = Constraint { point: 16, kind: PointConstraint::Tangent(DVec3::X) };
-    assert_eq!(make(&[tangent], &given).len(), 11);
-    let smooth = FrameOptions { smooth_corners: true, ..given };
-    assert!(make(&[], &smooth).is_empty());
-    let sharp = Options { corner_angle: 0.6, ..CUBIC };
-    assert!(make(&[], &FrameOptions { across: sharp, ..smooth }).is_empty());
-    let corner = Constraint { point: 20, kind: PointConstraint::Corner };
-    assert_eq!(make(&[corner], &smooth), [20]);
-    assert_eq!(make(&[], &FrameOptions { across: sharp, ..given }).len(), 12);
 }

@@ -4,9 +4,7 @@
 //! Everything is checked on what comes out, against the definitions: the curve is evaluated by de
 //! Casteljau's scheme here, the parameters of the method are computed from angles and lengths here.
 
-use crate::outline_data::{
-    Line, adversarial, arc, blob, check, foot_half, outlines, random, sine, size, solve, solve_with,
-};
+use crate::outline_data::{Line, adversarial, arc, blob, check, outlines, random, sine, size, solve, solve_with};
 use glam::DVec3;
 use gusset::Job;
 use gusset::curve::{
@@ -16,14 +14,14 @@ use gusset::curve::{
 use proptest::prelude::*;
 
 /// The control point, the first and the last point of a point's segment, and its parameter.
-fn section<'a>(curve: CurveView<'a>, fit: &Fit, i: usize) -> Option<(&'a [DVec3], f64)> {
+pub(crate) fn section<'a>(curve: CurveView<'a>, fit: &Fit, i: usize) -> Option<(&'a [DVec3], f64)> {
     let place = fit.place(i);
     let controls = curve.segment(place.segment as usize);
     (controls.len() == 3 && place.t > 0.0 && place.t < 1.0).then_some((controls, place.t))
 }
 
 /// The parameter of the bisector: the roots of the legs.
-fn centripetal(a: DVec3, p: DVec3, c: DVec3) -> f64 {
+pub(crate) fn centripetal(a: DVec3, p: DVec3, c: DVec3) -> f64 {
     let (before, after) = ((p - a).length().sqrt(), (c - p).length().sqrt());
     before / (before + after)
 }
@@ -156,7 +154,7 @@ fn stepping_agrees_with_fast_solutions_of_outlines() {
 }
 
 /// The control points of two curves are within a tolerance, times the size.
-fn near(line: &Line, a: &Fit, b: &Fit, tolerance: f64, what: &str) {
+pub(crate) fn near(line: &Line, a: &Fit, b: &Fit, tolerance: f64, what: &str) {
     assert_eq!(a.points().len(), b.points().len(), "{what} {}", line.name);
     let far = a.points().iter().zip(b.points()).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max) / size(line);
     assert!(far <= tolerance, "{what} {}: {far:e}", line.name);
@@ -250,27 +248,6 @@ fn solutions_move_with_the_points() {
                 assert!(found <= 1e-12, "{lock:?} {joint:?} backwards: {found:e}");
             }
         }
-    }
-}
-
-#[test]
-fn single_curves_move_with_the_points() {
-    for line in [arc(8), sine(9)] {
-        let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
-        let plain = solve(&line, &options);
-        assert_eq!(plain.reports()[0].status, FitStatus::Ok);
-        let far = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
-        let (sin, cos) = 0.7f64.sin_cos();
-        let turn = |p: DVec3| DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z) * 1e5;
-        let turned = Line { points: line.points.iter().map(|&p| turn(p)).collect(), ..line.clone() };
-        let wanted: Vec<DVec3> = plain.points().iter().map(|&p| turn(p)).collect();
-        let found = far(solve(&turned, &options).points(), &wanted) / size(&turned);
-        assert!(found <= 1e-11, "turned: {found:e}");
-        let mut backwards = line.clone();
-        backwards.points.reverse();
-        let wanted: Vec<DVec3> = plain.points().iter().rev().copied().collect();
-        let found = far(solve(&backwards, &options).points(), &wanted) / size(&line);
-        assert!(found <= 1e-11, "backwards: {found:e}");
     }
 }
 
@@ -446,86 +423,6 @@ fn joints_by_curvatures() {
         }
     }
     assert!(checked > 20, "{checked}");
-}
-
-#[test]
-fn single_curves_keep_their_guides() {
-    let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
-    let mut most = 0;
-    for n in [2, 3, 4, 5, 6, 8, 10, 12, 15, 20] {
-        let mut lines = vec![arc(n + 1), sine(n + 1)];
-        lines.extend((0..20).filter_map(|k| foot_half(k, n)));
-        for line in lines {
-            let fit = solve(&line, &options);
-            let report = fit.reports()[0];
-            assert_eq!(fit.curve(0).len(), 1, "{} {n} {report:?}", line.name);
-            check(&line, &fit, "single");
-            assert!(report.max_residual <= 1e-14, "{} {n} {report:?}", line.name);
-            most = most.max(report.iterations);
-            let controls = fit.curve(0).segment(0);
-            let far = (1..n).map(|i| controls[i].distance(line.points[i])).fold(0.0, f64::max) / size(&line);
-            let wanted = if far > 2.0 { FitStatus::IllConditioned } else { FitStatus::Ok };
-            assert_eq!(report.status, wanted, "{} {n}: {far}", line.name);
-            for (i, control) in controls.iter().enumerate().take(n).skip(1) {
-                let [a, p, c] = [line.points[i - 1], line.points[i], line.points[i + 1]];
-                let guide = ((a - p).normalize() - (c - p).normalize()).normalize();
-                // The guide is across the difference of the legs' directions.
-                let aside = (control - p).dot(guide).abs();
-                assert!(aside <= 1e-13 * size(&line) * far.max(1.0), "{} {n} {i}: {aside:e}", line.name);
-            }
-            assert!(fit.parameters().windows(2).all(|pair| pair[0] < pair[1]));
-        }
-    }
-    println!("single curves: at most {most} iterations");
-    assert!(most <= 8);
-}
-
-#[test]
-fn single_curves_by_parameters() {
-    for line in [arc(6), sine(9)] {
-        let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
-        check(&line, &fit, "collocation");
-        let mut knots = vec![0.0];
-        line.points.windows(2).for_each(|pair| knots.push(knots[knots.len() - 1] + pair[0].distance(pair[1]).sqrt()));
-        for (t, knot) in fit.parameters().iter().zip(&knots) {
-            assert!((t - knot / knots[knots.len() - 1]).abs() < 1e-14);
-        }
-    }
-}
-
-#[test]
-fn single_curves_have_their_tangents_and_seams() {
-    for lock in [Lock::Parameter, Lock::DataGuide] {
-        let options = Options { mode: Mode::Single, lock, ..Options::default() };
-        let line = sine(7);
-        let tangent = DVec3::new(1.0, 2.0, 0.0);
-        let constraints = [
-            Constraint { point: 0, kind: PointConstraint::Tangent(tangent) },
-            Constraint { point: 6, kind: PointConstraint::Tangent(DVec3::X) },
-        ];
-        let fit = solve_with(&line, &options, &constraints);
-        check(&line, &fit, "tangents");
-        let controls = fit.curve(0).segment(0);
-        assert_eq!((fit.curve(0).len(), controls.len()), (1, 9));
-        let legs = [(controls[1] - controls[0]).normalize(), (controls[8] - controls[7]).normalize()];
-        assert!(legs[0].distance(tangent.normalize()) < 1e-14 && legs[1].distance(DVec3::X) < 1e-14, "{legs:?}");
-        // Closed: smooth where it begins.
-        for n in [3, 5, 7] {
-            let line = blob(n, 0.0);
-            let fit = solve(&line, &options);
-            check(&line, &fit, "closed");
-            let controls = fit.curve(0).segment(0);
-            assert_eq!((fit.curve(0).len(), controls.len(), fit.curve(0).is_closed()), (1, n + 3, true));
-            let (first, last) = (controls[1] - controls[0], controls[n + 2] - controls[n + 1]);
-            assert!(first.normalize().distance(last.normalize()) < 1e-13, "{first} {last}");
-            assert!(first.dot(line.points[1] - line.points[n - 1]) > 0.0, "{first}");
-        }
-    }
-    let line = blob(80, 0.0);
-    let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
-    check(&line, &fit, "many");
-    assert_eq!((fit.reports()[0].status, fit.curve(0).len()), (FitStatus::DegreeTooHigh, 80));
-    assert!(fit.statuses().iter().all(|&status| status == PointStatus::CompositeInstead));
 }
 
 /// The second derivative of a segment in its knots.

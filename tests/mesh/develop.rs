@@ -1,25 +1,25 @@
 //! Developments, held against shapes that unfold, the best radial map of a cap, Euler's formula and
 //! the definitions of distortion.
 
-use crate::common::{Soup, cap, data, edge_counts, euler, faces_of, sheet, some_of, torus};
+use crate::common::{Soup, data, edge_counts, euler, faces_of, sheet, some_of};
 use glam::{DVec2, DVec3};
-use gusset::develop::{CutKind, Cuts, Developed, Distortion, Finish, Options, develop};
+use gusset::develop::{Cuts, Developed, Distortion, Finish, Options, develop};
 use gusset::{Error, Job};
 use std::collections::HashSet;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
-fn developed(soup: &Soup, options: &Options<'_>) -> Developed {
+pub(crate) fn developed(soup: &Soup, options: &Options<'_>) -> Developed {
     let done = develop(&soup.view(), options, &Job::default()).unwrap();
     assert_sound(soup, &done);
     done
 }
 
-fn at(soup: &Soup, v: u32) -> DVec3 {
+pub(crate) fn at(soup: &Soup, v: u32) -> DVec3 {
     DVec3::from_array(soup.points[v as usize])
 }
 
 /// What every development has, whatever the surface.
-fn assert_sound(soup: &Soup, done: &Developed) {
+pub(crate) fn assert_sound(soup: &Soup, done: &Developed) {
     let faces: Vec<&[u32]> = faces_of(&done.mesh).collect();
     assert_eq!(faces.len(), soup.faces().count());
     // The faces are the old ones, corner by corner.
@@ -62,7 +62,7 @@ fn assert_sound(soup: &Soup, done: &Developed) {
 }
 
 /// Every side of every face keeps its length.
-fn assert_isometric(soup: &Soup, done: &Developed, tolerance: f64) {
+pub(crate) fn assert_isometric(soup: &Soup, done: &Developed, tolerance: f64) {
     assert!(done.charts.iter().all(|chart| chart.finish == Finish::Exact && chart.overlaps == 0), "{:?}", done.charts);
     for face in faces_of(&done.mesh) {
         for k in 0..face.len() {
@@ -77,7 +77,7 @@ fn assert_isometric(soup: &Soup, done: &Developed, tolerance: f64) {
 }
 
 /// A grid of points as quads or triangles.
-fn grid(rows: usize, columns: usize, triangles: bool, point: impl Fn(f64, f64) -> DVec3) -> Soup {
+pub(crate) fn grid(rows: usize, columns: usize, triangles: bool, point: impl Fn(f64, f64) -> DVec3) -> Soup {
     let mut soup = Soup { offsets: vec![0], ..Soup::default() };
     for i in 0..rows {
         for j in 0..columns {
@@ -134,91 +134,19 @@ fn tangent_developables_keep_every_length() {
     assert_isometric(&soup, &developed(&soup, &Options::default()), 1e-9);
 }
 
-#[test]
-fn tubes_are_opened_along_the_shortest_path() {
-    let (around, rows) = (24usize, 7usize);
-    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
-    for i in 0..rows {
-        for j in 0..around {
-            let angle = TAU * j as f64 / around as f64;
-            soup.points.push([angle.cos(), angle.sin(), 0.5 * i as f64]);
-        }
-    }
-    for i in 0..rows - 1 {
-        for j in 0..around {
-            let [a, b] = [j, (j + 1) % around].map(|j| (i * around + j) as u32);
-            soup.face(&[a, b, b + around as u32, a + around as u32]);
-        }
-    }
-    let done = developed(&soup, &Options::default());
-    assert_isometric(&soup, &done, 1e-9);
-    assert_eq!(done.cut_edges.len(), rows - 1);
-    assert!(done.cut_edges.iter().all(|&(_, kind)| kind == CutKind::Opening));
-    let high = done.points.iter().fold(DVec2::ZERO, |high, &p| high.max(p));
-    let girth = around as f64 * 2.0 * (PI / around as f64).sin();
-    assert!((high - DVec2::new(girth, 3.0)).length() < 1e-9, "{high}");
-}
-
-#[test]
-fn handles_and_spheres_are_opened() {
-    let sphere = cap(20, 8, 0.0, 1.0).turned();
-    let closed = |soup: &Soup| edge_counts(soup.faces()).values().all(|&pair| pair == (1, 1));
-    for soup in [torus(24, 12), torus(5, 4), torus(9, 7).and(&torus(6, 6)), cube(), tetrahedron()] {
-        assert!(closed(&soup));
-        let done = developed(&soup, &Options::default());
-        assert!(!done.cut_edges.is_empty());
-        assert!(done.charts.iter().all(|chart| chart.finish != Finish::Folded), "{:?}", done.charts);
-    }
-    // Two tori that are joined by a tube have two handles and no border.
-    developed(&double_torus(), &Options::default());
-    developed(&sphere, &Options::default());
-    // Plates with holes.
-    let full = sheet(12, 9);
-    let holes = full.part(|face| {
-        let p = full.middle(face);
-        !(2.0..4.0).contains(&p.x) || !(2.0..5.0).contains(&p.y)
-    });
-    let done = developed(&holes, &Options::default());
-    assert_isometric(&holes, &done, 1e-9);
-}
-
-fn cube() -> Soup {
+pub(crate) fn cube() -> Soup {
     let points = (0..8).map(|k| [f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2)]).collect();
     Soup::new(points, &[&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[1, 3, 7, 5], &[3, 2, 6, 7], &[2, 0, 4, 6]])
 }
 
-fn tetrahedron() -> Soup {
+pub(crate) fn tetrahedron() -> Soup {
     let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.3, 0.9, 0.0], [0.4, 0.3, 0.8]];
     Soup::new(points, &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]])
 }
 
-/// Two tori, each without one quad, and a tube between the quads.
-fn double_torus() -> Soup {
-    let mut one = torus(12, 8);
-    let mut other = torus(12, 8);
-    other.points.iter_mut().for_each(|p| p[0] += 8.0);
-    let open = |soup: &Soup, gone: usize| {
-        let mut rest = Soup { points: soup.points.clone(), offsets: vec![0], ..Soup::default() };
-        soup.faces().enumerate().filter(|&(f, _)| f != gone).for_each(|(_, face)| rest.face(face));
-        (rest, soup.faces().nth(gone).unwrap().to_vec())
-    };
-    let (rest, rim) = open(&one, 0);
-    one = rest;
-    let (rest, mut far) = open(&other, 0);
-    let shift = one.points.len() as u32;
-    let mut both = one.and(&rest);
-    far.iter_mut().for_each(|v| *v += shift);
-    far.reverse();
-    let n = rim.len();
-    for k in 0..n {
-        both.face(&[rim[k], rim[(k + 1) % n], far[(k + 1) % n], far[k]]);
-    }
-    both
-}
-
 /// The energy of the best map of a cap that turns circles round its centre into circles: r(a) for
 /// the angle a from the centre, found on a line by itself.
-fn best_radial_energy(rim: f64) -> f64 {
+pub(crate) fn best_radial_energy(rim: f64) -> f64 {
     let n = 400;
     let h = rim / n as f64;
     let mut r: Vec<f64> = (0..=n).map(|k| k as f64 * h).collect();
@@ -278,7 +206,7 @@ fn best_radial_energy(rim: f64) -> f64 {
 }
 
 /// A cap of the unit sphere up to an angle from its pole, in triangles of about one size.
-fn dome(rings: u32, rim: f64) -> Soup {
+pub(crate) fn dome(rings: u32, rim: f64) -> Soup {
     let mut soup = Soup { points: vec![[0.0, 0.0, 1.0]], offsets: vec![0], ..Soup::default() };
     let start = |i: u32| if i == 0 { 0 } else { 1 + 3 * i * (i - 1) };
     for i in 1..=rings {
@@ -313,7 +241,7 @@ fn caps_are_as_flat_as_the_best_radial_map() {
 }
 
 /// The sums of the definitions, from the singular values of the triangles' maps.
-fn energy_of(soup: &Soup, done: &Developed, one: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn energy_of(soup: &Soup, done: &Developed, one: impl Fn(f64) -> f64) -> f64 {
     let (mut sum, mut area) = (0.0, 0.0);
     for face in faces_of(&done.mesh) {
         let [a, b, c] = [0, 1, 2].map(|k| at(soup, done.vertex_map[face[k] as usize]));
@@ -359,46 +287,6 @@ fn distortions_are_least_of_their_kind() {
         moved.points[v] += size * DVec2::from_angle(TAU * random.f64());
         assert!(dirichlet(&moved) > lowest - 1e-9);
     }
-}
-
-#[test]
-fn cuts_given_are_made() {
-    let soup = sheet(10, 10);
-    let path = [5u32, 5 + 11 * 4, 8 + 11 * 4];
-    let done = developed(&soup, &Options { cuts: Cuts { vertices: &path, offsets: &[] }, ..Options::default() });
-    assert_isometric_but_slits(&soup, &done);
-    let given = done.cut_edges.iter().filter(|&&(_, kind)| kind == CutKind::Given).count();
-    assert_eq!((given, done.cut_edges.len()), (7, 7));
-    // Two parts: right across, in two paths.
-    let ends = [0u32, 60, 60, 120];
-    let done = developed(&soup, &Options { cuts: Cuts { vertices: &ends, offsets: &[0, 2, 4] }, ..Options::default() });
-    assert_eq!(done.charts.len(), 2);
-}
-
-/// Slits of a plane sheet have both sides at one place.
-fn assert_isometric_but_slits(soup: &Soup, done: &Developed) {
-    for face in faces_of(&done.mesh) {
-        let [a, b] = [face[0], face[1]];
-        let flat = done.points[a as usize].distance(done.points[b as usize]);
-        let wanted = at(soup, done.vertex_map[a as usize]).distance(at(soup, done.vertex_map[b as usize]));
-        assert!((flat - wanted).abs() < 1e-9);
-    }
-}
-
-#[test]
-fn darts_lower_the_distortion() {
-    let soup = dome(12, 1.5);
-    let mut last = f64::INFINITY;
-    for max_darts in [0, 1, 2, 4, 8] {
-        let done = developed(&soup, &Options { max_darts, ..Options::default() });
-        assert_eq!((done.darts, done.charts.len()), (max_darts, 1));
-        let energy = done.charts[0].energy - 4.0;
-        assert!(energy < last, "{max_darts}: {energy} after {last}");
-        last = energy;
-    }
-    let some = developed(&soup, &Options { max_darts: 30, max_stretch: Some(1.15), ..Options::default() });
-    let [most, least] = some.charts[0].stretch;
-    assert!(most <= 1.15 && least >= 1.0 / 1.15 && some.darts > 0 && some.darts < 30, "{} darts", some.darts);
 }
 
 #[test]
@@ -490,30 +378,8 @@ fn real_surfaces_do_not_fold() {
     }
 }
 
-fn bumps(n: usize) -> Soup {
+pub(crate) fn bumps(n: usize) -> Soup {
     grid(n, n, true, |u, v| DVec3::new(u, v, 0.3 * (3.0 * u).sin() * (4.0 * v).cos()))
-}
-
-/// A slit whose sides touch at first does not hold the rest, and a dart that does not help is none.
-#[test]
-fn darts_never_raise_the_distortion() {
-    for soup in [bumps(4), bumps(16)] {
-        let mut last = f64::INFINITY;
-        for max_darts in 0..6 {
-            let done = developed(&soup, &Options { max_darts, ..Options::default() });
-            assert!(done.darts <= max_darts && done.charts.iter().all(|chart| chart.overlaps == 0));
-            assert_eq!(done.cut_edges.is_empty(), done.darts == 0);
-            assert!(
-                done.charts[0].energy <= last * (1.0 + 1e-6),
-                "{max_darts}: {} after {last}",
-                done.charts[0].energy
-            );
-            last = done.charts[0].energy;
-        }
-    }
-    // As many as one likes end by themselves.
-    let done = developed(&dome(4, 1.5), &Options { max_darts: u32::MAX, ..Options::default() });
-    assert!(done.darts > 0 && done.charts[0].overlaps == 0);
 }
 
 /// Rough ground whose border touches itself on the way: the map goes on as if it did not.
@@ -550,22 +416,5 @@ fn points_spoil_nothing() {
         let done = develop(&soup.view(), &Options::default(), &Job::default()).unwrap();
         assert!(done.points.iter().all(|p| p.is_finite()));
         assert!(done.charts.iter().all(|chart| chart.energy.is_finite() || chart.finish == Finish::Exact));
-    }
-}
-
-/// Cuts may name a vertex by any of those that are one with it.
-#[test]
-fn cuts_know_merged_vertices() {
-    let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-    let beyond = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0]];
-    let soup = Soup::new([points, beyond].concat(), &[&[0, 1, 2, 3], &[4, 6, 7, 5]]);
-    let merge: Vec<u8> = [0u32, 1, 2, 3, 1, 2, 6, 7].iter().flat_map(|v| v.to_ne_bytes()).collect();
-    let corners = soup.view().merged_corners(&merge, &Job::default()).unwrap();
-    let view = soup.view();
-    let merged = view.merged(&merge, &corners);
-    assert_eq!(develop(&merged, &Options::default(), &Job::default()).unwrap().charts.len(), 1);
-    for cut in [[1, 2], [4, 5], [1, 5]] {
-        let options = Options { cuts: Cuts { vertices: &cut, offsets: &[] }, ..Options::default() };
-        assert_eq!(develop(&merged, &options, &Job::default()).unwrap().charts.len(), 2, "{cut:?}");
     }
 }

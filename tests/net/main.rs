@@ -30,6 +30,7 @@ mod scene;
 mod settle;
 mod space;
 mod stream;
+mod stream_damage;
 mod topology;
 mod transform;
 mod triangles;

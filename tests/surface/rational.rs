@@ -3,8 +3,8 @@
 //! be.
 
 use crate::common::Silent;
-use crate::construct::basis;
 use crate::shapes::Random;
+use crate::spline_sheets::basis;
 use glam::DVec3;
 use gusset::surface::construct::{Spline, SplineAxis, SplineOptions};
 use gusset::surface::contour::{Planes, PointSpacing};
