@@ -5,12 +5,12 @@
 #ifndef TORTURE_H
 #define TORTURE_H
 
+#include "hostile.h"
 #include "memory.h"
+#include "questions.h"
 
-#include <float.h>
 #include <gusset.h>
 #include <limits.h>
-#include <math.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdint.h>
@@ -23,20 +23,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-enum torture_kind {
-    TORTURE_F64, TORTURE_F32, TORTURE_U32, TORTURE_I32, TORTURE_U64, TORTURE_I64, TORTURE_U8,
-    TORTURE_COUNT,       /* elements of an array: what its memory has for certain, or what nothing can have */
-    TORTURE_CAPACITY,    /* of an array that is written: less than it has */
-    TORTURE_STRIDE,      /* between elements of an array: none, or what nothing can have */
-    TORTURE_WIDE,        /* a size that no array has: any */
-    TORTURE_OFFSET,      /* where a part of an array begins that has no length of its own: within it, or what nothing can have */
-    TORTURE_READ_AS,     /* how an array is read: values without meaning */
-    TORTURE_POINTS, TORTURE_FLOAT_POINTS, /* an array of points as a whole */
-    TORTURE_STRUCT_SIZE, TORTURE_POINTER,
-    TORTURE_BYTES,       /* a pointer of any alignment */
-    TORTURE_HANDLE       /* a pointer to what the library made, of which it knows the kind */
-};
 
 /* No handle that the library makes. */
 #define TORTURE_UNTOUCHED ((uintptr_t)0xDEAD)
@@ -52,13 +38,6 @@ enum torture_kind {
 /* The status of a process after which another one goes on. */
 #define TORTURE_AGAIN 3
 
-struct torture_slot {
-    enum torture_kind kind;
-    void *at;
-    size_t count, dimension; /* of points */
-    char path[72];
-};
-
 /* What is tried, one after another: hostile arguments; a cancel at each step; allocations that fail, each alone and with all after it,
  * or as many of them as TORTURE_ALLOCATIONS says. With TORTURE_FROM=2 only the latter. After each failure the call is made again with the
  * same context, and must give what it gave before. What changes a handle, or keeps something in one, is tried once in
@@ -73,14 +52,15 @@ struct torture_shared {
     int plain;                /* and its status */
     uint64_t result;          /* and its results, with the handle that it changes */
     size_t refused, resolved; /* calls that returned OUT_OF_MEMORY, and that succeeded without an allocation */
+    struct torture_questions questions[TORTURE_MAX_FUNCTIONS];
     double slowest;
     char now[360], slow[360];
 };
 
-static struct torture_slot torture_slots[4096];
-static size_t torture_slot_count, torture_failures, torture_functions;
+static size_t torture_failures, torture_functions;
 static struct torture_shared *torture_told;
 static const char *torture_function;
+static struct torture_questions *torture_asking;
 /* The values in force: their slots and what was there. */
 static struct torture_change {
     struct torture_slot *slot;
@@ -91,92 +71,19 @@ static int torture_begun;
 /* When the call began. */
 static double torture_began;
 
-static inline const char *torture_path(const char *path, const char *name) {
-    static char paths[64][72];
-    static size_t next;
-    char *const made = paths[next++ % 64];
-    snprintf(made, 72, "%.34s.%.34s", path, name);
-    return made;
-}
-
-/* Data that programs may not write can be written in a process of one's own. */
-static inline void *torture_writable(const void *data, size_t size) {
-    const uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE), from = (uintptr_t)data & ~(page - 1);
-    mprotect((void *)from, ((uintptr_t)data + size + page - 1 - from) & ~(page - 1), PROT_READ | PROT_WRITE);
-    return (void *)(uintptr_t)data;
-}
-
-/* A copy of a struct with garbage behind it. */
-static inline void *torture_copy(const void *given, size_t size, size_t least) {
-    if (!given) return NULL;
-    size = size > least ? size : least;
-    unsigned char *const copy = malloc(size + 64);
-    memcpy(copy, given, size);
-    memset(copy + size, 0xAB, 64);
-    return copy;
-}
-
-static inline void torture_slot(enum torture_kind kind, const void *at, const char *path) {
-    if (torture_slot_count == sizeof torture_slots / sizeof *torture_slots) return;
-    struct torture_slot *const slot = &torture_slots[torture_slot_count++];
-    slot->kind = kind, slot->at = (void *)(uintptr_t)at, slot->count = slot->dimension = 0;
-    snprintf(slot->path, sizeof slot->path, "%s", path);
-}
-
-static inline size_t torture_width(enum torture_kind kind) {
-    switch (kind) {
-    case TORTURE_U8: return 1;
-    case TORTURE_F32: case TORTURE_U32: case TORTURE_I32: case TORTURE_READ_AS: case TORTURE_OFFSET: return 4;
-    default: return 8;
-    }
-}
-
-/* A packed array of points. */
-static inline void torture_points(enum torture_kind kind, const void *array, size_t count, size_t dimension, size_t stride, const char *path) {
-    const size_t width = torture_width(kind);
-    if (!array || count == 0 || count > 100000 || (stride != 0 && stride != dimension * width)) return;
-    torture_writable(array, count * dimension * width);
-    torture_slot(kind == TORTURE_F64 ? TORTURE_POINTS : TORTURE_FLOAT_POINTS, array, path);
-    torture_slots[torture_slot_count - 1].count = count, torture_slots[torture_slot_count - 1].dimension = dimension;
-}
-
-/* Points as a whole, in the n-th way: in one place, on a line, in steps that no grid has, as large and as small as numbers go. */
-static inline void torture_points_as(const struct torture_slot *slot, size_t n) {
-    static const double scales[] = {1e150, 1e-150, 1e300, 1e-300, 1e-310};
-    for (size_t i = 0; i < slot->count * slot->dimension; ++i) {
-        double *const real = (double *)slot->at + i;
-        float *const single = (float *)slot->at + i;
-        const size_t axis = i % slot->dimension;
-        const double was = slot->kind == TORTURE_POINTS ? *real : *single;
-        const double first = slot->kind == TORTURE_POINTS ? ((double *)slot->at)[axis] : ((float *)slot->at)[axis];
-        const double line = slot->kind == TORTURE_POINTS ? real[-(ptrdiff_t)axis] : single[-(ptrdiff_t)axis];
-        const double now = n == 0 ? 0.0 : n == 1 ? first : n == 2 ? line : n == 3 ? was + 1e15 : was * scales[n - 4];
-        if (slot->kind == TORTURE_POINTS) *real = now;
-        else *single = (float)now;
-    }
-}
-#define TORTURE_WAYS 9
-
-/* The first elements of an array. */
-static inline void torture_elements(enum torture_kind kind, const void *array, size_t count, const char *path) {
-    if (!array) return;
-    torture_writable(array, 3 * torture_width(kind));
-    for (size_t i = 0; i < count && i < 3; ++i) torture_slot(kind, (const char *)array + i * torture_width(kind), path);
-}
-
 static inline void torture_summary(void) {
     const size_t *const calls = torture_told->calls;
     printf("in place of %zu calls %zu with other arguments, %zu cancelled, %zu without memory (%zu said so, %zu did without); "
            "%zu failures; slowest %.2f s: %s\n",
            torture_functions, calls[0], calls[1], calls[2] + calls[3], torture_told->refused, torture_told->resolved,
            torture_failures + torture_told->failures, torture_told->slowest, torture_told->slow);
+    torture_failures += torture_unheard(torture_told->questions);
     fflush(stdout);
     if (torture_failures + torture_told->failures) _exit(1);
 }
 
-/* What calls are given instead of the program's own context, so that they can be cancelled and report; and another one, for
- * arguments that should be none, or another. */
-static gusset_context *torture_context, *torture_alien_context;
+/* The context that calls are given instead of the program's own, so that they can be cancelled and report. */
+static gusset_context *torture_context;
 /* Ends the process. */
 static timer_t torture_end;
 /* Whether the function changes nothing that it is given, so that it does the same each time. */
@@ -205,12 +112,13 @@ static inline size_t torture_limit(const char *name, size_t usual) {
 }
 
 /* Tries a call in other processes, as many as die. True in those: they list their slots, try them, and leave. */
-static inline int torture_enter(const char *function) {
+static inline int torture_enter(const char *function, enum torture_promise promise) {
     if (!torture_told) {
         torture_told = mmap(NULL, sizeof *torture_told, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         atexit(torture_summary);
     }
     ++torture_functions;
+    torture_asking = torture_row(torture_told->questions, function, promise);
     torture_function = function, torture_told->phase = (enum torture_phase)torture_limit("TORTURE_FROM", 0), torture_told->value = 0;
     torture_told->allocations = torture_told->kept = 0;
     for (;;) {
@@ -226,86 +134,6 @@ static inline int torture_enter(const char *function) {
         ++torture_failures;
         ++torture_told->value;
     }
-}
-
-/* Handles of two kinds, of which one at least is not the kind that is asked for. */
-static inline void *torture_alien(int which) {
-    static gusset_scene *scene;
-    if (!torture_alien_context && (gusset_context_create)(&torture_alien_context) != GUSSET_OK) abort();
-    if (!scene && (gusset_scene_create)(NULL, &scene) != GUSSET_OK) abort();
-    return which ? (void *)scene : (void *)torture_alien_context;
-}
-
-/* The n-th hostile value of a kind; 0 if there are no more. `was` is what it replaces. */
-static inline int torture_hostile(enum torture_kind kind, size_t n, const void *was, void *value) {
-    static const double reals[] = {NAN, INFINITY, -INFINITY, 0, -0.0, -1, 1, 1e300, -1e300, DBL_MAX, 1e150, 1e-150, 1e-300, 5e-324};
-    static const float floats[] = {NAN, INFINITY, -INFINITY, 0, -1, 1, FLT_MAX, -FLT_MAX, FLT_MIN};
-    static const uint32_t words[] = {0, 1, INT32_MAX, 0x80000000u, UINT32_MAX - 1, UINT32_MAX};
-    static const uint32_t meaningless[] = {UINT32_MAX};
-    static const uint32_t offsets[] = {0, 1, 2, UINT32_MAX};
-    static const int32_t integers[] = {0, 1, -1, INT32_MIN, INT32_MAX};
-    static const uint64_t longs[] = {0, 1, UINT32_MAX, (uint64_t)1 << 32, INT64_MAX, UINT64_MAX};
-    static const int64_t signed_longs[] = {0, 1, -1, INT64_MIN, INT64_MAX};
-    static const uint8_t bytes[] = {0, 1, 2, 0x80, 0xFF};
-    static const size_t impossible[] = {SIZE_MAX, SIZE_MAX - 1, SIZE_MAX / 2, SIZE_MAX / 4 + 2};
-    uint64_t whole = 0;
-    memcpy(&whole, was, torture_width(kind));
-#define TORTURE_FROM(list)                                                                                             \
-    if (n >= sizeof list / sizeof *list) return 0;                                                                     \
-    memcpy(value, &list[n], sizeof *list);                                                                             \
-    return 1
-    switch (kind) {
-    case TORTURE_F64: TORTURE_FROM(reals);
-    case TORTURE_F32: TORTURE_FROM(floats);
-    case TORTURE_U32: TORTURE_FROM(words);
-    case TORTURE_READ_AS: TORTURE_FROM(meaningless);
-    case TORTURE_OFFSET: TORTURE_FROM(offsets);
-    case TORTURE_I32: TORTURE_FROM(integers);
-    case TORTURE_U64: case TORTURE_WIDE: TORTURE_FROM(longs);
-    case TORTURE_I64: TORTURE_FROM(signed_longs);
-    case TORTURE_U8: TORTURE_FROM(bytes);
-    case TORTURE_COUNT: {
-        const uint64_t fewer[] = {0, whole ? 1 : 0, whole ? whole - 1 : 0};
-        if (n < 3) return memcpy(value, &fewer[n], 8), 1;
-        n -= 3;
-        TORTURE_FROM(impossible);
-    }
-    case TORTURE_CAPACITY: {
-        const uint64_t fewer[] = {0, whole ? 1 : 0, whole ? whole - 1 : 0};
-        TORTURE_FROM(fewer);
-    }
-    case TORTURE_STRIDE: {
-        static const size_t strides[] = {0, SIZE_MAX, SIZE_MAX - 1, SIZE_MAX / 2};
-        TORTURE_FROM(strides);
-    }
-    case TORTURE_STRUCT_SIZE: {
-        const uint64_t sizes[] = {0, 1, 8, whole - 8, whole - 1, whole + 1, whole + 8, whole + 64, SIZE_MAX};
-#ifdef __SANITIZE_ADDRESS__ /* What is longer than the program's is read past its end. */
-        if (n > 4) return 0;
-#endif
-        TORTURE_FROM(sizes);
-    }
-    case TORTURE_POINTER: {
-        const uint64_t pointers[] = {0, whole + 1, whole + 4};
-        if (n > 0 && !whole) return 0;
-#ifdef __SANITIZE_ADDRESS__ /* From a misaligned one as many bytes are read: past the end of what the program has. */
-        if (n > 0) return 0;
-#endif
-        TORTURE_FROM(pointers);
-    }
-    case TORTURE_HANDLE: {
-        const uint64_t pointers[] = {0, whole + 1, whole + 4, (uintptr_t)torture_alien(0), (uintptr_t)torture_alien(1)};
-        if (n > 0 && !whole) return 0;
-        TORTURE_FROM(pointers);
-    }
-    case TORTURE_BYTES:
-        if (n > 0) return 0;
-        return memset(value, 0, 8), 1;
-    case TORTURE_POINTS: case TORTURE_FLOAT_POINTS:
-        return memcpy(value, &n, 8), n < TORTURE_WAYS;
-    }
-#undef TORTURE_FROM
-    return 0;
 }
 
 static inline void torture_fails(const char *what) {
@@ -511,6 +339,10 @@ static inline void torture_check(gusset_status status, const gusset_context *con
         if (torture_repeats && status != told->plain) torture_fails("not what it was before");
         if (!torture_repeats) ++*(status == told->plain ? &told->resolved : &told->refused);
     }
+    if (told->phase == TORTURE_CANCELS && torture_asking) {
+        torture_asking->successes += status == GUSSET_OK && !torture_fired;
+        torture_asking->asked += torture_steps;
+    }
     if (status == GUSSET_ERROR_PANIC) torture_fails("a panic");
     if (strcmp((gusset_status_text)(status), "unknown status") == 0) torture_fails("a status that the header does not have");
     if (told->phase == TORTURE_CANCELS && torture_fired && torture_pure && status != GUSSET_ERROR_CANCELLED) torture_fails("the cancel was not heard");
@@ -521,102 +353,7 @@ static inline void torture_check(gusset_status status, const gusset_context *con
     if (strlen((gusset_context_get_message)(context)) == 0) torture_fails("no message");
 }
 
-static inline uint64_t torture_hash(uint64_t hash, const void *data, size_t size) {
-    for (size_t i = 0; data && i < size; ++i) hash = (hash ^ ((const unsigned char *)data)[i]) * 0x100000001B3u;
-    return hash;
-}
-
-/* What a net is: all that a stream of it has. */
-static inline uint64_t torture_hash_net(uint64_t hash, const gusset_net *net) {
-    const gusset_stream_options raw = {.struct_size = sizeof raw, .mode = GUSSET_STREAM_RAW};
-    gusset_stream *stream = NULL;
-    const void *data = NULL;
-    size_t size = 0;
-    if ((gusset_net_encode_create)(NULL, net, &raw, &stream) != GUSSET_OK) return hash;
-    if ((gusset_stream_get_view)(stream, &data, &size) == GUSSET_OK) hash = torture_hash(hash, data, size);
-    (gusset_stream_destroy)(stream);
-    return hash;
-}
-
-/* What a scene is: where all that is in it is, and what it counts. */
-static inline uint64_t torture_hash_scene(uint64_t hash, const gusset_scene *scene) {
-    static gusset_scene_instance instances[4096];
-    gusset_scene_report report = {.struct_size = sizeof report};
-    size_t written = 0;
-    if ((gusset_scene_get_report)(scene, &report) == GUSSET_OK) hash = torture_hash(hash, &report, sizeof report);
-    if ((gusset_scene_world_transforms)(NULL, scene, instances, 4096, &written) == GUSSET_OK)
-        hash = torture_hash(hash, instances, written * sizeof *instances);
-    return hash;
-}
-
-/* What a decoder is: the rows that it has. */
-static inline uint64_t torture_hash_decoder(uint64_t hash, const gusset_stream_decoder *decoder) {
-    gusset_net *net = NULL;
-    if ((gusset_stream_decoder_preview_create)(NULL, decoder, &net) != GUSSET_OK) return hash;
-    hash = torture_hash_net(hash, net);
-    (gusset_net_destroy)(net);
-    return hash;
-}
-
-/* After a call, with what it gave and what it changed: the same as of the call as it is, or as before. */
-static inline void torture_results(gusset_status status, uint64_t changed, uint64_t result) {
-    struct torture_shared *const told = torture_told;
-    if (told->phase < TORTURE_ONE_ALLOCATION) return;
-    if (told->value == 0 && told->phase == TORTURE_ONE_ALLOCATION) {
-        told->result = changed * 31 + result;
-    } else if (status == told->plain ? changed * 31 + result != told->result : changed != torture_before) {
-        torture_fails(status == told->plain ? "another result than before" : "half a change");
-    }
-}
-
-/* An output before a call: nothing that it may hold after a failure. */
-static inline void torture_soil(void *output, size_t from, size_t to) {
-    if (from < to) memset((char *)output + from, 0x5A, to - from);
-}
-
-/* The same output after it: 0 if the call failed, or all ones, which is no type and no index. */
-static inline void torture_cleared(gusset_status status, const void *output, size_t from, size_t to, const char *name) {
-    const unsigned char *const bytes = output;
-    for (size_t i = from; status != GUSSET_OK && i < to; ++i)
-        if (bytes[i] != 0 && bytes[i] != 0xFF) {
-            printf("%s: %s is not cleared\n", torture_told->now, name);
-            ++torture_told->failures;
-            return;
-        }
-}
-
-/* A result: there if the call succeeded, NULL if not. */
-static inline void torture_made(gusset_status status, const void *made) {
-    if (status == GUSSET_OK && (made == NULL || (uintptr_t)made == TORTURE_UNTOUCHED)) torture_fails("no result");
-    if (status != GUSSET_OK && made != NULL) torture_fails((uintptr_t)made == TORTURE_UNTOUCHED ? "the output is not cleared" : "half a result");
-}
-
-/* Coordinates that a result lends, hashed. */
-static inline uint64_t torture_finite(uint64_t hash, const void *list, size_t count, int real, const char *name) {
-    for (size_t i = 0; list && i < 2 * count; ++i)
-        if (!isfinite(real ? ((const double *)list)[i] : (double)((const float *)list)[i])) {
-            torture_fails(name);
-            break;
-        }
-    if (torture_told->phase < TORTURE_ONE_ALLOCATION) return hash;
-    return torture_hash(hash, list, 2 * count * (real ? sizeof(double) : sizeof(float)));
-}
-
-/* The same of a mesh that a result lends: a vertex without faces may be anything, as it was given. */
-static inline uint64_t torture_finite_mesh(uint64_t hash, const gusset_mesh_view *mesh) {
-    const int real = mesh->scalar == GUSSET_F64;
-    const uint32_t *const offsets = mesh->face_offsets, *const corners = mesh->face_corners;
-    const size_t count = mesh->face_count == 0 ? 0 : mesh->face_size ? mesh->face_size * mesh->face_count : offsets[mesh->face_count];
-    for (size_t k = 0; k < 3 * count; ++k) {
-        const size_t at = 3 * (size_t)corners[k / 3] + k % 3;
-        if (!isfinite(real ? ((const double *)mesh->positions)[at] : (double)((const float *)mesh->positions)[at])) {
-            torture_fails("positions");
-            break;
-        }
-    }
-    if (torture_told->phase < TORTURE_ONE_ALLOCATION) return hash;
-    return torture_hash(hash, mesh->positions, 3 * mesh->vertex_count * (real ? sizeof(double) : sizeof(float)));
-}
+#include "results.h"
 
 /* Ends the process of a call: nothing of the program's is to run. */
 static inline void torture_leave(void) {

@@ -5,7 +5,7 @@ A program that is compiled with `-include wrappers.h` does what it did; but befo
 again and again in another process, each time with one number, pointer or size of the arguments replaced by a hostile one. What is
 reached from the arguments is found from the declarations: fields of structs, elements of arrays, options within options. So the
 examples of the reference, of which there is one for each function, are the rows of the table, and no function can be forgotten.
-torture.h has what is replaced by what, and what must hold after each call.
+hostile.h has what is replaced by what; torture.h, results.h and questions.h have what must hold after each call.
 """
 
 import re
@@ -25,7 +25,7 @@ POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points
 UNSPECIFIED = {"out", "rows", "columns", "deviations", "merge"}
 # What says that an element is none, where not all of it is 0.
 NONE = {"gusset_surface_nearest_point": "flags"}
-# Handles that functions change, and what torture.h calls what it knows of them.
+# Handles that functions change, and what results.h calls what it knows of them.
 HASHED = {"gusset_net": "net", "gusset_scene": "scene", "gusset_stream_decoder": "decoder"}
 # Numbers that say how an array is to be read: only values that no array has.
 READ_AS = {"scalar", "index", "dimension", "face_size", "counts", "value_type", "components"}
@@ -50,6 +50,8 @@ class Item:
 
 class Header:
     def __init__(self, text):
+        # Functions of which one may know that their work does not grow with the input.
+        self.constant = set(re.findall(r"@complexity O\(1\)\.\n(?:(?!\*/).)*?\*/\s*GUSSET_API[^;(]*?\b(gusset_\w+)\(", text, re.S))
         text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
         text = re.sub(r"^\s*//.*|^\s*#.*", "", text, flags=re.M)
         self.names = dict(NUMBERS)
@@ -204,7 +206,8 @@ def wrapper(header, result, name, given, declaration):
                and count_after(given, at, "") == "1" and not one.name in UNSPECIFIED]
     lines = [f"static {result} torture_{declaration} {{"]
     if given and not name.endswith("_destroy"):
-        lines.append(f'    if (torture_enter("{name}")) {{')
+        promise = "NO_CONTEXT" if not context else "CONSTANT" if name in header.constant else "ASKS"
+        lines.append(f'    if (torture_enter("{name}", TORTURE_{promise})) {{')
         if context:
             lines.append("        context = torture_own_context();")
         if made:
