@@ -46,10 +46,12 @@ def origins():
 
 
 def group(name):
-    """The group named after the folder and the file; or else after the file, or the longest beginning of its name."""
+    """The group named after the folder and the file; or else after the file, or after the longest beginning of its name with
+    or without the folder."""
     place = origins().get(name, Path())
     exact = "_".join(place.parts)
-    fitting = [one for one in groups() if place.name == one or place.name.startswith(one + "_")]
+    begins = lambda name, one: name == one or name.startswith(one + "_")
+    fitting = [one for one in groups() if begins(place.name, one)] or [one for one in groups() if begins(exact, one)]
     return exact if exact in groups() else max(fitting, key=len, default=None)
 
 

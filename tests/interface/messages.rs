@@ -8,6 +8,7 @@ use gusset::capi::curve::frame::*;
 use gusset::capi::curve::outline::gusset_outlines;
 use gusset::capi::curve::outline_options::gusset_outline_options;
 use gusset::capi::mesh::assembly::*;
+use gusset::capi::mesh::assembly_options::gusset_assembly_options;
 use gusset::capi::mesh::fill::gusset_fill_options;
 use gusset::capi::mesh::stitch_options::gusset_stitch_options;
 use gusset::capi::mesh::weld::gusset_weld_options;

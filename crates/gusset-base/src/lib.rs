@@ -28,6 +28,7 @@ pub mod alloc;
 #[doc(hidden)]
 pub mod choice;
 pub mod error;
+mod error_subject;
 #[doc(hidden)]
 pub mod geom;
 pub mod job;

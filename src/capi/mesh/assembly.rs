@@ -1,151 +1,62 @@
 //! C interface to the assembly of many pieces.
 
-use crate::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector, assemble};
+use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason, assemble};
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lent};
-use crate::capi::mesh::fill::{gusset_fill_options, gusset_hole};
-use crate::capi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
-use crate::capi::mesh::trim::gusset_trim_options;
-use crate::capi::mesh::weld::gusset_weld_options;
+use crate::capi::input::{self, Choice, lent};
+use crate::capi::mesh::assembly_options::{gusset_assembly_options, pairs};
+use crate::capi::mesh::fill::gusset_hole;
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
-use crate::capi::status::{Failure, gusset_status};
+use crate::capi::status::gusset_status;
 use crate::error::Error;
-use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::IndexMap;
-use glam::DVec3;
 use gusset_base::alloc;
-
-/// Coincident borders are sewn, by default up to what rounding can have done; see
-/// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
-pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
-/// Nothing is welded.
-pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
-/// Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
-pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
-
-/// Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
-/// size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
-/// from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
-/// is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
-/// the loop with the longer ones. The width is the mean distance from each loop to the nearest
-/// points of the other, the larger of the two. Loops must look at each other, or lie round each
-/// other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
-/// joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
-/// may be a hole that the seam crosses.
-/// Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
-/// coarsest wide, or four where a part would be left alone.
-pub const GUSSET_GAP_AUTO: u32 = 0;
-/// Gaps are closed up to max_gap.
-pub const GUSSET_GAP_GIVEN: u32 = 1;
 
 /// A strip joins them.
 pub const GUSSET_JOINT_JOINED: u32 = 0;
+
 /// Left: joining them would make a one-sided surface with what is joined already.
 pub const GUSSET_JOINT_ORIENTATION_CONFLICT: u32 = 1;
+
 /// Left: they pass the same vertex.
 pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
+
 /// Left: every strip would repeat an edge that the mesh already has.
 pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
+
 /// Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
 /// part of a hole then.
 pub const GUSSET_JOINT_WOULD_CUT: u32 = 4;
 
-/// Pieces that overlap stay as they are.
-pub const GUSSET_OVERLAPS_KEEP: u32 = 0;
-/// Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
-/// are closed as others are. Strips that would cut other faces are left to the holes.
-pub const GUSSET_OVERLAPS_TRIM: u32 = 1;
-
 /// There is no other loop.
 pub const GUSSET_LEFT_ALONE: u32 = 0;
+
 /// It is open, or the faces along it disagree in orientation or are not manifold there.
 pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
+
 /// It has fewer than three vertices.
 pub const GUSSET_LEFT_TOO_SHORT: u32 = 2;
+
 /// It faces another loop, but no strip could be made: see the joints.
 pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
+
 /// The nearest loop is farther away than is allowed; or the loop is what sewing left of two
 /// borders, and its two sides are. See gap and allowed_gap.
 pub const GUSSET_LEFT_TOO_FAR: u32 = 4;
+
 /// All other loops are of its own component, and within_components is not set.
 pub const GUSSET_LEFT_SAME_COMPONENT: u32 = 5;
+
 /// The nearest loop is near enough, but they do not look at each other along enough of both.
 pub const GUSSET_LEFT_LOOKS_AWAY: u32 = 6;
+
 /// The nearest loop is joined with another.
 pub const GUSSET_LEFT_TAKEN: u32 = 7;
+
 /// It is not to be joined with the nearest loop.
 pub const GUSSET_LEFT_EXCLUDED: u32 = 8;
-
-/// Two loops of the input.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_loop_pair {
-    /// The piece of each.
-    pub piece: [u32; 2],
-    /// A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in
-    /// exclusions only.
-    pub vertex: [u32; 2],
-}
-
-/// How pieces are assembled; all zero is the default.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_assembly_options {
-    /// sizeof(gusset_assembly_options), set by the caller.
-    pub struct_size: usize,
-    /// GUSSET_ASSEMBLY_WELD, GUSSET_ASSEMBLY_NO_WELD or GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE.
-    pub weld: u32,
-    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
-    /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
-    /// turned, nor in the end.
-    pub orientation: u32,
-    /// GUSSET_GAP_...
-    pub gap: u32,
-    /// 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
-    /// 1.
-    pub whole_loops_only: u32,
-    /// 1: loops of one component may be joined without being asked for. 0 or 1.
-    pub within_components: u32,
-    /// 1: holes that are left in the end are filled. 0 or 1.
-    pub fill: u32,
-    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
-    /// finite and at least 0; 0 leaves all open.
-    pub max_gap: f64,
-    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-    /// different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
-    /// and none is named in two pairs. Errors name a pair by its number from 0, and say what is
-    /// wrong with it.
-    pub pairs: *const gusset_loop_pair,
-    /// How many.
-    pub pair_count: usize,
-    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same,
-    /// and a vertex that no loop passes, as it was welded, excludes nothing.
-    pub excluded: *const gusset_loop_pair,
-    /// How many.
-    pub excluded_count: usize,
-    /// How to weld; NULL for the defaults.
-    pub weld_options: *const gusset_weld_options,
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
-    /// fairing, intersections and finish are read; the other fields must be valid too.
-    pub strip_options: *const gusset_stitch_options,
-    /// How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
-    /// two must be valid too; intersections REPORT is as IGNORE.
-    pub fill_options: *const gusset_fill_options,
-    /// 0: components of the result that are closed (every edge has two faces), consistently
-    /// oriented and inside out are turned over in the end, each as a whole and by its own volume:
-    /// the wall of a cavity within another component is turned too. 1: they stay as they are, which
-    /// is mostly as the first piece has it. All other components stay as they are in both cases. 0
-    /// or 1. Its sense is opposite to that of outward in the options of stitching and filling, so
-    /// that 0 can be the default in each.
-    pub keep_inside_out: u32,
-    /// GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
-    pub overlaps: u32,
-    /// Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
-    pub trim_options: *const gusset_trim_options,
-}
 
 /// Where a piece went.
 #[repr(C)]
@@ -282,15 +193,9 @@ pub struct gusset_assembly {
 
 handle! { gusset_assembly }
 
-versioned! { gusset_assembly_options: 104, gusset_assembly_view: 168 reserved }
-fixed! { gusset_joint: 104, gusset_left_loop: 40, gusset_loop_pair: 16 }
+versioned! { gusset_assembly_view: 168 reserved }
 
-/// The caller's pairs.
-fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Result<Vec<[Selector; 2]>, Failure> {
-    Error::check_count(name, count as u64, MAX_ELEMENTS)?;
-    let pair = |[p, q, v, w]: [u32; 4]| [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }];
-    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
-}
+fixed! { gusset_joint: 104, gusset_left_loop: 40 }
 
 c_enum! {
     outcome: Outcome {
@@ -310,53 +215,6 @@ c_enum! {
         GUSSET_LEFT_LOOKS_AWAY => LooksAway,
         GUSSET_LEFT_TAKEN => Taken,
         GUSSET_LEFT_EXCLUDED => Excluded,
-    }
-}
-
-impl gusset_assembly_options {
-    fn checked<'a>(
-        &self,
-        [pairs, excluded]: [&'a [[Selector; 2]]; 2],
-        trim: gusset_trim_options,
-        viewpoints: &'a [DVec3],
-    ) -> Result<Options<'a>, Failure> {
-        let weld = match self.weld {
-            GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE => {
-                Some(input::nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
-            }
-            GUSSET_ASSEMBLY_NO_WELD => None,
-            other => return Err(Failure::unknown("weld", other.into())),
-        };
-        let keep_orientation = match self.orientation {
-            GUSSET_ORIENTATION_FIX => false,
-            GUSSET_ORIENTATION_KEEP => true,
-            other => return Err(Failure::unknown("orientation", other.into())),
-        };
-        let max_gap = match self.gap {
-            GUSSET_GAP_AUTO => MaxGap::Auto,
-            GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
-            other => return Err(Failure::unknown("gap", other.into())),
-        };
-        let overlaps = match self.overlaps {
-            GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
-            GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
-            other => return Err(Failure::unknown("overlaps", other.into())),
-        };
-        let fill = input::nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
-        Ok(Options {
-            overlaps,
-            weld,
-            edge_to_edge: self.weld == GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE,
-            keep_orientation,
-            keep_inside_out: flag(self.keep_inside_out, "keep_inside_out")?,
-            max_gap,
-            whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
-            within_components: flag(self.within_components, "within_components")?,
-            pairs,
-            excluded,
-            strip: input::nested(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
-            fill: flag(self.fill, "fill")?.then_some(fill),
-        })
     }
 }
 

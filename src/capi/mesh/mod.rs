@@ -2,6 +2,7 @@
 
 pub mod align;
 pub mod assembly;
+pub mod assembly_options;
 pub mod attributes;
 pub mod boundary;
 pub mod check;

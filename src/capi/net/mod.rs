@@ -16,6 +16,7 @@ pub mod planarise;
 pub mod primitive;
 pub mod resample;
 pub mod scene;
+pub mod scene_instances;
 pub mod settle;
 pub mod stream;
 pub mod transform;

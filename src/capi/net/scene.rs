@@ -1,29 +1,28 @@
 //! C interface: scenes.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
-use crate::capi::glue::{fixed, versioned};
+use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, fill, flag};
-use crate::capi::net::arrange::gusset_direction;
-use crate::capi::net::join::gusset_join_options;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::input::{self, flag};
+use crate::capi::net::gusset_net;
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
-use crate::net::scene::{Content, Instance, Scene};
-use crate::net::{BridgeMode, Direction, JoinOptions};
+use crate::net::scene::{Content, Scene};
 use glam::{DAffine3, DVec3};
 
 /// What an entry of a scene is.
 pub type gusset_scene_kind = u32;
+
 /// A net.
 pub const GUSSET_SCENE_NET: gusset_scene_kind = 0;
+
 /// A group of entries.
 pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
 
 /// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
 /// indices, which are never given twice. Functions that take it as const may run at the same time
 /// in many threads; those that change it need it for themselves.
-pub struct gusset_scene(Scene);
+pub struct gusset_scene(pub(crate) Scene);
 
 handle! { gusset_scene }
 
@@ -71,25 +70,7 @@ pub struct gusset_scene_report {
     pub reserved: u32,
 }
 
-/// One way to an entry from an entry in no group.
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub struct gusset_scene_instance {
-    /// Into the space of the scene.
-    pub world: gusset_transform,
-    /// The entry.
-    pub entry: u32,
-    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in
-    /// none.
-    pub parent: u32,
-    /// 1 unless it or a group on the way is hidden.
-    pub visible: u32,
-    /// 0.
-    pub reserved: u32,
-}
-
 versioned! { gusset_scene_entry_report: 120, gusset_scene_report: 40 }
-fixed! { gusset_scene_instance: 112 }
 
 impl From<DAffine3> for gusset_transform {
     fn from(map: DAffine3) -> Self {
@@ -107,7 +88,7 @@ impl From<gusset_transform> for DAffine3 {
     }
 }
 
-fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
+pub(crate) fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
     Ok(&handle::get(scene, "scene")?.0)
 }
 
@@ -430,96 +411,4 @@ pub unsafe extern "C" fn gusset_scene_get_report(
             reserved: 0,
         }
     })
-}
-
-/// All instances and where they are: each behind the group that it is in, children in order.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param scene the scene.
-/// @param[out] instances room for capacity of them, or NULL with capacity 0 to ask for their
-///     number.
-/// @param capacity see instances.
-/// @param[out] written receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE
-///     (more than 2^24, as sharing can make of few entries: refused before any is looked at),
-///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(entries + instances).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_scene_world_transforms(
-    context: *const gusset_context,
-    scene: *const gusset_scene,
-    instances: *mut gusset_scene_instance,
-    capacity: usize,
-    written: *mut usize,
-) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    guard_change(context, |job| {
-        let written = written?;
-        let scene = self::scene(scene)?;
-        fill((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
-            Ok(scene.instances(job)?.into_iter().map(|Instance { entry, parent, visible, world }| {
-                let (world, visible) = (world.into(), visible.into());
-                gusset_scene_instance { world, entry, parent, visible, reserved: 0 }
-            }))
-        })
-    })
-}
-
-/// Joins the nets of all visible instances, where they are in the space of the scene, to one.
-///
-/// Nets under transforms that mirror are flipped where the others would be opposed to them, as if
-/// options said turn. gusset_scene_unflatten_create is the inverse.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param scene the scene.
-/// @param options NULL for each net below the one before, with hidden bridges.
-/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24
-///     instances, or nodes), and those of gusset_net_concatenate_create.
-/// @complexity O(entries + instances + nodes).
-/// @source Deryagin, scenes as "a single whole".
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_scene_flatten_create(
-    context: *const gusset_context,
-    scene: *const gusset_scene,
-    options: *const gusset_join_options,
-    net: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, net, "net", |job| {
-        let options = if options.is_null() {
-            JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
-        } else {
-            input::read(options, false, "options")?.checked()?
-        };
-        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?))
-    })
-}
-
-/// A scene of the nets between the bridges of a direction that run from side to side and were made
-/// last, all at once: the inverse of gusset_scene_flatten_create, in one group (entry 0).
-///
-/// Nets come back as they are in the space of the flat one, bit for bit; copies that were made to
-/// equalise sizes are removed.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param direction GUSSET_DIRECTION_..., that of the bridges.
-/// @param[out] scene receives it, for gusset_scene_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_scene_unflatten_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    direction: gusset_direction,
-    scene: *mut *mut gusset_scene,
-) -> gusset_status {
-    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::of_flat(read(net)?, choice(direction)?, job)?)))
 }

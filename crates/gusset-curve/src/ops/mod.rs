@@ -32,6 +32,7 @@ mod export;
 mod intersect;
 mod intersect_line;
 mod length;
+mod near_miss_bounds;
 mod near_misses;
 mod nearest;
 mod offset;

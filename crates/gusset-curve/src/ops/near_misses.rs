@@ -19,7 +19,8 @@
 //! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
-use super::part::{Part, by_places, chord, halve, separates, sort_distinct};
+use super::near_miss_bounds::{Descent, apart, count_minima, minimise_distance};
+use super::part::{Part, by_places, halve, sort_distinct};
 use crate::curve::segment::{self, SegmentBuffer, jet};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
@@ -59,29 +60,39 @@ pub struct NearMisses {
 
 /// Distances below this, in a frame of size 1, are rounding.
 const ROUNDING: f64 = 1e-12;
+
 /// Parts are not halved below this length of their parameter.
 const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
+
 /// Pairs of parts that are examined for two segments before halving ends.
 const MAX_PAIRS: usize = 20_000;
+
 /// Pairs of segments given up, after which the rest has the effort of plain minima only.
 const MAX_GIVEN_UP: u32 = 32;
+
 /// The pairs of parts that plain minima need.
 const MAX_PAIRS_OF_PLAIN: usize = 300;
+
 /// Pairs of segments between two progress reports: each takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
+
 /// Descents between two progress reports.
 const DESCENTS_PER_REPORT: usize = 256;
-
 const STAGE: &str = "near misses of curves";
+
 /// Places whose parameters differ by less are one.
 const SAME_PARAMETER: f64 = 1e-7;
+
 /// Descents along one valley end no farther apart than this, in the parameters.
 const SAME_VALLEY: f64 = 1e-5;
+
 /// Slopes below this, relative to the size of the segment and the distance, are rounding.
 const SLOPE_ROUNDING: f64 = 1e-12;
+
 /// The slope, relative likewise, below which a descent has come to rest: along a valley the distance
 /// itself is rounding sooner than its slope.
 const MAX_SLOPE: f64 = 1e-6;
+
 /// The least determinant of the Hessian, relative to the product of its diagonal, where the distance
 /// has one least place and not a flat valley of them.
 const MIN_BEND: f64 = 1e-12;
@@ -100,14 +111,6 @@ struct Valley {
     high: DVec2,
     /// Whether the least distance is among the pairs.
     has_minimum: bool,
-}
-
-/// Where a descent ended.
-struct Descent {
-    at: DVec2,
-    /// From the second point to the first.
-    gap: DVec3,
-    gradient: DVec2,
 }
 
 impl CurveView<'_> {
@@ -412,124 +415,4 @@ fn is_lowest(pairs: &[UnresolvedBox], k: usize) -> bool {
     let (mut before, mut after) = (pairs[..k].iter().rev().take_while(near), pairs[k + 1..].iter().take_while(near));
     !before.any(|other| other.residual <= own.residual && other.touches(own))
         && !after.any(|other| other.residual < own.residual && other.touches(own))
-}
-
-/// The mean of the derivative of an order over a part, n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n
-/// (B_i+1 - B_i), and the radius of the ball round it that holds all values.
-fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
-    let mut derived = part.controls;
-    (0..order).for_each(|_| derived.derive());
-    if derived.is_empty() {
-        return (DVec3::ZERO, 0.0);
-    }
-    let mean = derived.iter().sum::<DVec3>() / derived.len() as f64;
-    (mean, derived.iter().map(|v| v.distance(mean)).fold(0.0, f64::max))
-}
-
-/// Whether the hulls are farther apart than `within`.
-fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
-    if !Aabb::of(a).is_within(&Aabb::of(b), within) {
-        return true;
-    }
-    let (u, v) = (chord(a), chord(b));
-    let normal = u.cross(v).normalize_or_zero();
-    let between = a[0] - b[0];
-    let across = (between - between.dot(u) * u).normalize_or_zero();
-    // The directions are of length 1 but for rounding.
-    let slack = within * (1.0 + 1e-12) + 1e-15;
-    let axes = [normal, u, v, normal.cross(u), normal.cross(v), across];
-    axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
-}
-
-/// The number of least distances in a pair, 0 or 1, by bounds of the slopes and the Hessian of
-/// |A(s) - B(t)|^2 / 2 all over it; `None` if they prove neither.
-fn count_minima(p: &Part, q: &Part) -> Option<usize> {
-    let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
-    let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
-    let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_range(part, 2));
-    let (gap, spread) = (here - there, r + rr);
-    // A bound of the difference of products from that of the means.
-    let slack = |x: DVec3, rx: f64, y: DVec3, ry: f64| x.length() * ry + y.length() * rx + rx * ry;
-    let sign = |slope: f64, slack: f64| if slope > slack { 1 } else { -i32::from(slope < -slack) };
-    let signs = [sign(gap.dot(a), slack(gap, spread, a, ra)), sign(-gap.dot(b), slack(gap, spread, b, rb))];
-    // The function falls towards one end, which is an end of the segment.
-    let held = |k: usize, part: &Part| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
-    let held = [held(0, p), held(1, q)];
-    if (0..2).any(|k| signs[k] != 0 && !held[k]) {
-        return Some(0);
-    }
-    let x = a.length_squared() + gap.dot(aa) - slack(a, ra, a, ra) - slack(gap, spread, aa, raa);
-    let y = b.length_squared() - gap.dot(bb) - slack(b, rb, b, rb) - slack(gap, spread, bb, rbb);
-    let z = a.dot(b).abs() + slack(a, ra, b, rb);
-    // Where the Hessian is indefinite, there is no least distance but at ends of segments.
-    let inner = [p, q].iter().all(|part| part.from > 0.0 && part.to < 1.0);
-    let [max_x, max_y] = [
-        a.length_squared() + gap.dot(aa) + slack(a, ra, a, ra) + slack(gap, spread, aa, raa),
-        b.length_squared() - gap.dot(bb) + slack(b, rb, b, rb) + slack(gap, spread, bb, rbb),
-    ];
-    let min_z = (a.dot(b).abs() - slack(a, ra, b, rb)).max(0.0);
-    if inner && (max_x < 0.0 || max_y < 0.0 || max_x * max_y < min_z * min_z) {
-        return Some(0);
-    }
-    let convex = x > 0.0 && y > 0.0 && x * y > z * z * (1.0 + 1e-9);
-    let at_end = (held[0] && (y > 0.0 || held[1])) || (held[1] && x > 0.0);
-    (convex || at_end).then_some(1)
-}
-
-/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton.
-fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> Descent {
-    let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
-    let mut at = start.clamp(low, high);
-    let (mut a, mut b) = jets(at);
-    let slope = |a: &[DVec3; 3], b: &[DVec3; 3]| {
-        let gap = a[0] - b[0];
-        DVec2::new(gap.dot(a[1]), -gap.dot(b[1]))
-    };
-    for _ in 0..50 {
-        let (gap, gradient) = (a[0] - b[0], slope(&a, &b));
-        let held = |k: usize| (at[k] <= low[k] && gradient[k] > 0.0) || (at[k] >= high[k] && gradient[k] < 0.0);
-        let (mixed, gauss) = (-a[1].dot(b[1]), [a[1].length_squared(), b[1].length_squared()]);
-        let full = [gauss[0] + gap.dot(a[2]), gauss[1] - gap.dot(b[2])];
-        let solve = |[x, y]: [f64; 2]| match (held(0), held(1)) {
-            (false, false) => {
-                let determinant = x * y - mixed * mixed;
-                (x > 0.0 && determinant > 1e-14 * x * y).then(|| {
-                    DVec2::new(gradient.x * y - gradient.y * mixed, gradient.y * x - gradient.x * mixed) / determinant
-                })
-            }
-            (false, true) => (x > 0.0).then(|| DVec2::new(gradient.x / x, 0.0)),
-            (true, false) => (y > 0.0).then(|| DVec2::new(0.0, gradient.y / y)),
-            (true, true) => None,
-        };
-        // Newton's step, or where that does not descend Gauss and Newton's, which along valleys is
-        // damped.
-        let shorter = |step: DVec2| {
-            let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
-            lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))
-        };
-        // A step that leaves the box ends where its model is least on the side that it leaves by: a
-        // narrow valley that runs on beyond leads there and not to the nearest point of the box.
-        let along_sides = |step: DVec2, [x, y]: [f64; 2]| {
-            let ahead = at - step;
-            let end = ahead.clamp(low, high);
-            let moved = end - at;
-            let sides = [
-                DVec2::new(end.x, at.y - (gradient.y + mixed * moved.x) / y),
-                DVec2::new(at.x - (gradient.x + mixed * moved.y) / x, end.y),
-            ];
-            (0..2).filter(move |&k| end[k] != ahead[k]).map(move |k| sides[k].clamp(low, high))
-        };
-        let free = !held(0) && !held(1);
-        let models = [full, gauss.map(|x| 1.000_001 * x), gauss.map(|x| 1.2 * x)];
-        let steps = models.into_iter().filter_map(|model| Some((solve(model)?, model)));
-        let places = steps.flat_map(|(step, model)| along_sides(step, model).filter(|_| free).chain(shorter(step)));
-        let next = places.filter(|there| there.is_finite()).find_map(|there| {
-            let (p, q) = jets(there);
-            let down = there != at && p[0].distance_squared(q[0]) < gap.length_squared();
-            down.then_some((there, p, q))
-        });
-        let Some((there, p, q)) = next else { break };
-        (at, a, b) = (there, p, q);
-    }
-    Descent { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
 }

@@ -1,0 +1,109 @@
+//! What an error is about: one of two inputs, a kind of element, a pair of loops.
+
+use std::fmt;
+
+/// One of two pieces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The first piece.
+    A,
+    /// The second piece.
+    B,
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Side::A => "A",
+            Side::B => "B",
+        })
+    }
+}
+
+/// Kinds of elements that share a cause of failure. Places are those that a caller gave, counted
+/// from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Element {
+    /// A vertex of a mesh.
+    Vertex,
+    /// A point of a loop.
+    LoopPoint(Side),
+    /// A point of an outline or a curve, counted over all of them.
+    Point,
+    /// A constraint on an outline.
+    Constraint,
+    /// A query point.
+    Query,
+    /// A place on a surface.
+    Place,
+    /// A node of a net.
+    Node,
+    /// A link of a net.
+    Link,
+    /// A corner of a mesh's face.
+    Corner,
+    /// A face of a mesh.
+    Face,
+    /// A cell of a net.
+    Cell,
+    /// A bridge of a net.
+    Bridge,
+    /// An entry of a scene.
+    Entry,
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Element::Vertex => "vertex",
+            Element::LoopPoint(Side::A) => "loop A, point",
+            Element::LoopPoint(Side::B) => "loop B, point",
+            Element::Point => "point",
+            Element::Constraint => "constraint",
+            Element::Query => "query",
+            Element::Place => "place",
+            Element::Node => "node",
+            Element::Link => "link",
+            Element::Corner => "corner",
+            Element::Face => "face",
+            Element::Cell => "cell",
+            Element::Bridge => "bridge",
+            Element::Entry => "entry",
+        })
+    }
+}
+
+/// Why a pair of loops that a caller names cannot be taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PairFault {
+    /// There is no such piece.
+    NoPiece,
+    /// The piece has no such vertex.
+    NoVertex,
+    /// A vertex must be named, and none is.
+    VertexMissing,
+    /// No loop passes the vertex that could be joined.
+    NoLoop,
+    /// Several loops pass the vertex.
+    SeveralLoops,
+    /// The pair names one loop twice.
+    SameLoop,
+    /// A pair before this one names the loop.
+    LoopTaken,
+}
+
+impl PairFault {
+    pub(crate) fn text(self, piece: u32, vertex: u32) -> String {
+        match self {
+            PairFault::NoPiece => format!("there is no piece {piece}"),
+            PairFault::NoVertex => format!("piece {piece} has no vertex {vertex}"),
+            PairFault::VertexMissing => format!("it names piece {piece} and no vertex of it"),
+            PairFault::NoLoop => format!("no loop that can be joined passes vertex {vertex} of piece {piece}"),
+            PairFault::SeveralLoops => format!("several loops pass vertex {vertex} of piece {piece}"),
+            PairFault::SameLoop => format!("vertex {vertex} of piece {piece} is on the pair's other loop"),
+            PairFault::LoopTaken => {
+                format!("the loop through vertex {vertex} of piece {piece} is in a pair before this one")
+            }
+        }
+    }
+}
