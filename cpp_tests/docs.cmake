@@ -1,13 +1,18 @@
 # The documentation is compiled, run and complete: the examples of the reference and of the guides, the reference itself, the site.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-foreach(name meshes stitching scans attributes developments curves nets nets_joined surfaces)
-  add_executable(reference_${name} ${root}/examples/reference/${name}.c)
-  set_target_properties(reference_${name} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
-  target_compile_options(reference_${name} PRIVATE ${strict} -Wconversion -Wshadow)
-  target_link_libraries(reference_${name} PRIVATE PkgConfig::gusset m)
-  add_test(NAME reference/${name} COMMAND reference_${name})
+# Once for all who run them: here as they are, in cpp_tests/threads in many threads at once.
+set(reference_names meshes stitching scans attributes developments curves nets nets_joined surfaces)
+foreach(name IN LISTS reference_names)
+  list(APPEND reference_sources ${root}/examples/reference/${name}.c)
+  add_test(NAME reference/${name} COMMAND reference ${name})
 endforeach()
+add_programs(reference_programs ${reference_sources})
+set_target_properties(reference_programs PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+target_compile_options(reference_programs PRIVATE ${strict} -Wconversion -Wshadow)
+target_link_libraries(reference_programs PUBLIC PkgConfig::gusset m)
+add_executable(reference ${tests_folder}/programs.c)
+target_link_libraries(reference PRIVATE reference_programs)
 
 # What the guides show, built once and as a reader would, but told to warn; their pages are held against these files by
 # tests/docs/snippets.rs.
@@ -89,13 +94,17 @@ endforeach()
 # Not beside others that build by cargo.
 set_tests_properties(guides/source PROPERTIES RESOURCE_LOCK cargo)
 
+# What draws the pictures, the page and the figures of the papers, in one program.
+set(figures ${root}/examples/figures)
+add_joined_program(drawings ${figures}/main.cpp ${root}/examples/pictures/gallery.cpp ${root}/examples/pictures/showcases.cpp
+                   PARTS ${figures}/nesterenko.cpp ${figures}/deryagin.cpp ${figures}/deryagin_gluing.cpp ${figures}/leus.cpp ${figures}/nadopta.cpp)
+target_compile_options(drawings PRIVATE ${strict} -Wconversion -Wshadow)
+target_link_libraries(drawings PRIVATE PkgConfig::gusset)
+
 # The pictures: the same bytes each time.
-add_executable(gallery ${root}/examples/pictures/gallery.cpp)
-target_compile_options(gallery PRIVATE ${strict} -Wconversion -Wshadow)
-target_link_libraries(gallery PRIVATE PkgConfig::gusset)
 foreach(time first second)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/pictures/${time})
-  add_test(NAME pictures/${time} COMMAND gallery ${CMAKE_BINARY_DIR}/pictures/${time})
+  add_test(NAME pictures/${time} COMMAND drawings gallery ${CMAKE_BINARY_DIR}/pictures/${time})
   set_tests_properties(pictures/${time} PROPERTIES FIXTURES_SETUP pictures)
 endforeach()
 foreach(name stitch pieces fill meet)
@@ -105,14 +114,9 @@ foreach(name stitch pieces fill meet)
 endforeach()
 
 # The figures of the papers: the same bytes each time, and the numbers of docs/papers.md.
-set(figures ${root}/examples/figures)
-add_executable(figures ${figures}/main.cpp ${figures}/nesterenko.cpp ${figures}/deryagin.cpp ${figures}/deryagin_gluing.cpp
-               ${figures}/leus.cpp ${figures}/nadopta.cpp)
-target_compile_options(figures PRIVATE ${strict} -Wconversion -Wshadow)
-target_link_libraries(figures PRIVATE PkgConfig::gusset)
 foreach(time first second)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/papers/${time})
-  add_test(NAME figures/${time} COMMAND figures ${CMAKE_BINARY_DIR}/papers/${time})
+  add_test(NAME figures/${time} COMMAND drawings figures ${CMAKE_BINARY_DIR}/papers/${time})
   set_tests_properties(figures/${time} PROPERTIES FIXTURES_SETUP figures PASS_REGULAR_EXPRESSION
                        "H 1000 0100 0100 0010 0010 0001 0001.*13 quads, 2 triangles.*sphere chi 1 1 0 0 2; torus chi 1 1 0 0 0\
 .*18 local gluings.*two poles 33 ones, chi 2; .*torus 22 ones, chi 0.*2 of 1, 2 of 2, 2 of 9, 2 of 10.*integer diameter 5\
@@ -132,10 +136,6 @@ endforeach()
 
 # The showcases of docs/guides/workshop.md: what they state must hold of shapes by formula, with pictures of the same bytes each time,
 # and of real data; skipped where there are none.
-set(workshop_last ${root}/examples/workshop/last.cpp)
-set(workshop_ship ${root}/examples/workshop/ship.cpp)
-set(workshop_wrist ${root}/examples/workshop/wrist.cpp)
-set(workshop_relief ${root}/examples/workshop/relief.cpp)
 set(workshop_last_real carcass/foot_stations_z.json)
 set(workshop_ship_real carcass/hull_gunnerus_points.csv)
 set(workshop_wrist_real pairs/body_hand/body_741_no_left_hand.obj pairs/body_hand/hand_hires.obj)
@@ -146,24 +146,19 @@ set(workshop_ship_says "0 loops left.*Euler characteristic 2,.*mesh .*surface .*
 set(workshop_wrist_says "joined: 6 edges to 52.*result: .* loops of 4 6 4\n")
 set(workshop_relief_says "after: .* 3 components, 5 loops.* 0 bow-ties")
 foreach(name last ship wrist relief)
-  add_executable(workshop_${name} ${workshop_${name}})
-  # OpenMesh's points start uninitialised, and the CSV reader copies names with strncpy: gcc says so.
-  target_compile_options(workshop_${name} PRIVATE ${strict} -Wconversion -Wshadow -Wno-maybe-uninitialized -Wno-stringop-truncation)
-  target_include_directories(workshop_${name} SYSTEM PRIVATE ${FCCP})
-  target_link_libraries(workshop_${name} PRIVATE PkgConfig::gusset CLI11::CLI11 OpenMeshCore Threads::Threads)
   foreach(time first second)
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/workshop/${time})
     set(pictures --picture ${CMAKE_BINARY_DIR}/workshop/${time}/${name}.svg --page ${CMAKE_BINARY_DIR}/workshop/${time}/${name})
     if(name STREQUAL last)
       list(APPEND pictures --pattern ${CMAKE_BINARY_DIR}/workshop/${time}/pattern.svg)
     endif()
-    add_test(NAME workshop/${name}/${time} COMMAND workshop_${name} - ${pictures})
+    add_test(NAME workshop/${name}/${time} COMMAND examples ${name} - ${pictures})
     set_tests_properties(workshop/${name}/${time} PROPERTIES FIXTURES_SETUP workshop_${name})
   endforeach()
   # Of the first run what it prints counts, of the second its status.
   set_tests_properties(workshop/${name}/first PROPERTIES PASS_REGULAR_EXPRESSION "${workshop_${name}_says}"
                        FAIL_REGULAR_EXPRESSION "does not hold")
-  add_test(NAME workshop/${name}/real COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:workshop_${name}>" "-DFILES=${workshop_${name}_real}"
+  add_test(NAME workshop/${name}/real COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:examples>;${name}" "-DFILES=${workshop_${name}_real}"
            "-DOPTIONS=${workshop_${name}_options}" "-DDEFAULT=${root}/../shared/data" -P ${CMAKE_CURRENT_SOURCE_DIR}/real.cmake)
   set_tests_properties(workshop/${name}/real PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED")
 endforeach()
@@ -180,9 +175,4 @@ endforeach()
 # Every function of the header: what it takes, gives and costs, and an example that is among those above.
 add_test(NAME docs/reference COMMAND Python3::Interpreter ${root}/scripts/reference.py --check)
 
-find_program(DOXYGEN doxygen)
-if(DOXYGEN)
-  add_test(NAME docs/site COMMAND ${root}/scripts/docs.sh)
-endif()
-
-begin_early(guides/project docs/site cpp/refused_kernel cpp/surface cpp/hosts)
+begin_early(guides/project)

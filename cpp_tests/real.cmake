@@ -1,4 +1,4 @@
-# Runs a program on real data: cmake -DPROGRAM=... -DFILES=a;b -DOPTIONS=... -DDEFAULT=folder -P real.cmake. The data are in the
+# Runs a program on real data: cmake -DPROGRAM=program;argument... -DFILES=a;b -DOPTIONS=... -DDEFAULT=folder -P real.cmake. The data are in the
 # folder that GUSSET_DATA names, or in the default one; skipped where there are none.
 set(folder "$ENV{GUSSET_DATA}")
 if(folder STREQUAL "")

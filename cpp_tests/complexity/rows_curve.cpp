@@ -11,7 +11,7 @@ using Points = std::vector<Point3>;
 
 /// A curve of n segments of degree 3 through what a family gives.
 template <class Family, class Function>
-std::function<Call(std::size_t)> on(Family family, Function function) {
+std::function<Call(std::size_t)> on_curve(Family family, Function function) {
     return [=](std::size_t n) {
         const auto curve = std::make_shared<const Curve>(curve_of(family(3 * n + 1), 3));
         return making([=](const Context &context) { return function(*curve, context); });
@@ -77,22 +77,22 @@ std::vector<Row> curve_rows() {
     const auto by_length = [](uint32_t n) { return gusset::Correspondence::arc_length(n); };
     const auto by_angle = [](uint32_t) { return gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}); };
     return {
-        {"curve_intersect_create", "equal copy of a circle", 16, 2000, 1, 1, 0, on(round, copy)},
-        {"curve_intersect_create", "equal copy of a line", 16, 2000, 1, 1, 0, on(line, copy), true},
-        {"curve_intersect_create", "equal copy of a star", 4, 2000, 2, 1, 0, on(star, copy)},
-        {"curve_intersect_create", "equal copy in a point", 32, 2000, 1, 1, 0, on(one, copy)},
-        {"curve_intersect_create", "itself, at random", 8, 2000, 2, 2, 0, on(random, itself), true},
-        {"curve_intersect_create", "itself, spiral", 64, 2000, 1, 1, 0, on(whirl, itself)},
-        {"curve_near_misses_create", "equal points", 2, 64, 0, 0, 0, on(one, near), true},
-        {"curve_near_misses_create", "equal copy of a circle", 2, 64, 1, 1, 0, on(round, near), true},
-        {"curve_near_misses_create", "equal copy of a line", 2, 64, 1, 1, 0, on(line, near), true},
-        {"curve_intersect_plane_create", "star", 128, 1000000, 1, 1, 0, on(star, plane)},
-        {"curve_offset_create", "circle", 64, 3000, 1, 1, 0, on(round, offset)},
-        {"curve_offset_create", "star", 4, 3000, 2, 2, 0, on(star, offset)},
-        {"curve_offset_create", "points in one", 64, 3000, 1, 1, 0, on(one, offset)},
-        {"curve_length", "star", 128, 1000000, 1, 1, 0, on(star, length)},
-        {"curve_nearest", "focal point", 16, 100000, 1, 1, 0, on(round, nearest)},
-        {"curve_nearest", "star", 64, 100000, 1, 1, 0, on(star, nearest)},
+        {"curve_intersect_create", "equal copy of a circle", 16, 2000, 1, 1, 0, on_curve(round, copy)},
+        {"curve_intersect_create", "equal copy of a line", 16, 2000, 1, 1, 0, on_curve(line, copy), true},
+        {"curve_intersect_create", "equal copy of a star", 4, 2000, 2, 1, 0, on_curve(star, copy)},
+        {"curve_intersect_create", "equal copy in a point", 32, 2000, 1, 1, 0, on_curve(one, copy)},
+        {"curve_intersect_create", "itself, at random", 8, 2000, 2, 2, 0, on_curve(random, itself), true},
+        {"curve_intersect_create", "itself, spiral", 64, 2000, 1, 1, 0, on_curve(whirl, itself)},
+        {"curve_near_misses_create", "equal points", 2, 64, 0, 0, 0, on_curve(one, near), true},
+        {"curve_near_misses_create", "equal copy of a circle", 2, 64, 1, 1, 0, on_curve(round, near), true},
+        {"curve_near_misses_create", "equal copy of a line", 2, 64, 1, 1, 0, on_curve(line, near), true},
+        {"curve_intersect_plane_create", "star", 128, 1000000, 1, 1, 0, on_curve(star, plane)},
+        {"curve_offset_create", "circle", 64, 3000, 1, 1, 0, on_curve(round, offset)},
+        {"curve_offset_create", "star", 4, 3000, 2, 2, 0, on_curve(star, offset)},
+        {"curve_offset_create", "points in one", 64, 3000, 1, 1, 0, on_curve(one, offset)},
+        {"curve_length", "star", 128, 1000000, 1, 1, 0, on_curve(star, length)},
+        {"curve_nearest", "focal point", 16, 100000, 1, 1, 0, on_curve(round, nearest)},
+        {"curve_nearest", "star", 64, 100000, 1, 1, 0, on_curve(star, nearest)},
         {"outline_create", "circle", 256, 1000000, 1, 1, 0, outlined(round, outline)},
         {"outline_create", "star", 256, 1000000, 1, 1, 0, outlined(star, outline)},
         {"outline_create", "collinear", 256, 1000000, 1, 1, 0, outlined(line, outline)},

@@ -14,7 +14,7 @@ using gusset::Net;
 Net net_of(const Grid &grid) { return Net::from_points(grid.rows, grid.columns, grid.points); }
 
 template <class Family, class Function>
-std::function<Call(std::size_t)> on(Family family, Function function) {
+std::function<Call(std::size_t)> on_net(Family family, Function function) {
     return [=](std::size_t n) {
         const auto net = std::make_shared<Net>(net_of(family(n)));
         return making([=](const Context &context) { return function(*net, context); });
@@ -84,17 +84,17 @@ std::vector<Row> net_rows() {
         };
     };
     return {
-        {"net_encode_create", "rough", 256, 4000000, 1, 1, 0, on(rough, encode)},
-        {"net_encode_create", "missing nodes", 1024, 4000000, 1, 1, 0, on(missing, encode)},
+        {"net_encode_create", "rough", 256, 4000000, 1, 1, 0, on_net(rough, encode)},
+        {"net_encode_create", "missing nodes", 1024, 4000000, 1, 1, 0, on_net(missing, encode)},
         {"net_decode_create", "rough", 1024, 4000000, 1, 1, 0, decoded(rough)},
         {"net_decode_create", "missing nodes", 4096, 4000000, 1, 1, 0, decoded(missing)},
-        {"net_detect_gluing", "points in one", 1024, 4000000, 1, 1, 0, on(one, detect)},
-        {"net_detect_gluing", "flat", 1024, 4000000, 1, 1, 0, on(flat, detect)},
-        {"net_mesh_create", "points in one", 1024, 4000000, 1, 1, 0, on(one, mesh)},
-        {"net_validation_create", "points in one", 1024, 4000000, 1, 1, 0, on(one, validate)},
-        {"net_validation_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, validate)},
-        {"net_normals", "rough", 4096, 4000000, 1, 1, 0, on(rough, normals)},
-        {"net_resample_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, resample)},
+        {"net_detect_gluing", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, detect)},
+        {"net_detect_gluing", "flat", 1024, 4000000, 1, 1, 0, on_net(flat, detect)},
+        {"net_mesh_create", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, mesh)},
+        {"net_validation_create", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, validate)},
+        {"net_validation_create", "rough", 1024, 4000000, 1, 1, 0, on_net(rough, validate)},
+        {"net_normals", "rough", 4096, 4000000, 1, 1, 0, on_net(rough, normals)},
+        {"net_resample_create", "rough", 1024, 4000000, 1, 1, 0, on_net(rough, resample)},
         // Many calls, each of which is short.
         {"scene_remove_child", "all, first to last", 128, 20000, 2, 1, 0,
          emptied([](gusset::Scene &scene, uint32_t group, uint32_t child, const Context &context) { scene.remove_child(group, child, context); }),

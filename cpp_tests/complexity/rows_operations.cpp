@@ -11,13 +11,13 @@ using gusset::Net;
 using gusset::Sheet;
 using gusset::Surface;
 
-Net net_of(const Grid &grid) { return Net::from_points(grid.rows, grid.columns, grid.points); }
+Net net_of_grid(const Grid &grid) { return Net::from_points(grid.rows, grid.columns, grid.points); }
 Grid rough(std::size_t n, uint32_t seed = 1) { return random_grid(n, seed, 0.8); }
 
 template <class Function>
 Row on_net(const char *name, double bytes, Function function) {
     return {name, "net", 4096, 0, 1, 1, bytes, [=](std::size_t n) {
-                const auto net = std::make_shared<Net>(net_of(rough(n)));
+                const auto net = std::make_shared<Net>(net_of_grid(rough(n)));
                 return making([=](const Context &context) { return function(*net, context); });
             }, true};
 }
@@ -71,13 +71,13 @@ void add_net_rows(std::vector<Row> &rows) {
                         });
                     }, true});
     rows.push_back({"net_grid_create", "quads", 4096, 0, 1, 1, 0, [](std::size_t n) {
-                        const auto mesh = std::make_shared<const gusset::NetMesh>(net_of(plane_grid(n)));
+                        const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)));
                         return making([=](const Context &context) { return gusset::NetGrid(mesh->mesh(), std::nullopt, context); });
                     }, true});
     rows.push_back({"net_triangle_grid_create", "triangles", 4096, 0, 1, 1, 0, [](std::size_t n) {
                         gusset::NetMeshOptions options;
                         options.faces = gusset::NetFaces::triangles_fixed;
-                        const auto mesh = std::make_shared<const gusset::NetMesh>(net_of(plane_grid(n)), options);
+                        const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)), options);
                         return making([=](const Context &context) { return gusset::NetGrid::of_triangles(mesh->mesh(), context); });
                     }, true});
     rows.push_back(on_net("net_clone_create", 0, [](const Net &net, const Context &) { return Net(net); }));
@@ -147,7 +147,7 @@ void add_joined_rows(std::vector<Row> &rows) {
         return concatenate(net, net, options);
     };
     rows.push_back({"net_settle", "bridge", 4096, 0, 1, 1, 0, [=](std::size_t n) {
-                        const auto net = std::make_shared<Net>(bridged(net_of(plane_grid(n)), n));
+                        const auto net = std::make_shared<Net>(bridged(net_of_grid(plane_grid(n)), n));
                         return making([=](const Context &context) {
                             gusset::SettleOptions options;
                             options.max_iterations = 3;
@@ -158,7 +158,7 @@ void add_joined_rows(std::vector<Row> &rows) {
         return gusset::Scene::unflatten(net, gusset::Direction::down, context);
     }));
     rows.push_back({"stream_decoder_push", "pieces", 4096, 0, 1, 1, 0, [](std::size_t n) {
-                        const auto stream = std::make_shared<const gusset::Stream>(net_of(rough(n)));
+                        const auto stream = std::make_shared<const gusset::Stream>(net_of_grid(rough(n)));
                         return making([=](const Context &context) {
                             gusset::StreamDecoder decoder(0, context);
                             const auto bytes = stream->bytes();

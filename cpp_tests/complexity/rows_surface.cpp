@@ -10,7 +10,7 @@ using gusset::Sheet;
 using gusset::Surface;
 
 template <class Family, class Function>
-std::function<Call(std::size_t)> on(Family family, Function function) {
+std::function<Call(std::size_t)> on_surface(Family family, Function function) {
     return [=](std::size_t n) {
         const auto surface = std::make_shared<const Surface>(sheet_of(family(n)));
         return making([=](const Context &context) { return function(*surface, context); });
@@ -76,23 +76,23 @@ std::vector<Row> surface_rows() {
     return {
         {"surface_create", "rough", 1024, 1000000, 1, 1, 0, index(rough)},
         {"surface_create", "points in one", 1024, 1000000, 1, 1, 0, index(one)},
-        {"surface_nearest", "focal point", 64, 1000000, 1, 1, 0, on(round, nearest)},
-        {"surface_nearest", "rough", 256, 1000000, 1, 1, 0, on(rough, nearest)},
-        {"surface_nearest", "points in one", 64, 1000000, 1, 1, 0, on(one, nearest)},
-        {"surface_minima_create", "rough", 64, 10000, 1, 1, 0, on(rough, minima)},
-        {"surface_minima_create", "focal point", 16, 10000, 1, 1, 0, on(round, minima), true},
-        {"surface_section_create", "rough", 16, 100000, 1, 1, 0, on(rough, section)},
-        {"surface_section_create", "in its plane", 64, 100000, 1, 1, 0, on(flat, section)},
-        {"surface_isophotes_create", "rough", 16, 40000, 2, 1, 0, on(rough, isophotes), true},
-        {"surface_line_hits_create", "rough", 256, 1000000, 1, 1, 0, on(rough, hits)},
+        {"surface_nearest", "focal point", 64, 1000000, 1, 1, 0, on_surface(round, nearest)},
+        {"surface_nearest", "rough", 256, 1000000, 1, 1, 0, on_surface(rough, nearest)},
+        {"surface_nearest", "points in one", 64, 1000000, 1, 1, 0, on_surface(one, nearest)},
+        {"surface_minima_create", "rough", 64, 10000, 1, 1, 0, on_surface(rough, minima)},
+        {"surface_minima_create", "focal point", 16, 10000, 1, 1, 0, on_surface(round, minima), true},
+        {"surface_section_create", "rough", 16, 100000, 1, 1, 0, on_surface(rough, section)},
+        {"surface_section_create", "in its plane", 64, 100000, 1, 1, 0, on_surface(flat, section)},
+        {"surface_isophotes_create", "rough", 16, 40000, 2, 1, 0, on_surface(rough, isophotes), true},
+        {"surface_line_hits_create", "rough", 256, 1000000, 1, 1, 0, on_surface(rough, hits)},
         {"surface_surface_distance", "parallel planes", 64, 100000, 2, 2, 0, on_two(flat, above, apart)},
         {"surface_intersection_create", "rough", 4, 256, 2, 2, 0, on_two(rough, other, intersect), true},
         {"surface_intersection_create", "equal copies", 4, 256, 2, 2, 0, on_two(rough, rough, intersect), true},
         // n cells have (3 sqrt n - 2)^2 pairs that touch, which grow faster than n while n is small, and room doubles.
         {"surface_intersection_create", "equal planes", 36, 256, 1.2, 1.2, 0, on_two(flat, flat, intersect)},
         {"surface_intersection_create", "points in one", 4, 256, 2, 2, 0, on_two(one, one, intersect), true},
-        {"surface_self_intersection_create", "rough", 4, 256, 2, 2, 0, on(rough, itself), true},
-        {"surface_self_intersection_create", "points in one", 4, 256, 2, 2, 0, on(one, itself), true},
+        {"surface_self_intersection_create", "rough", 4, 256, 2, 2, 0, on_surface(rough, itself), true},
+        {"surface_self_intersection_create", "points in one", 4, 256, 2, 2, 0, on_surface(one, itself), true},
         {"sheet_mesh_create", "rough", 256, 1000000, 1, 1, 0, mesh(rough)},
     };
 }

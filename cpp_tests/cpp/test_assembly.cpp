@@ -12,6 +12,8 @@
 #include <map>
 #include <set>
 
+namespace assembly_tests {
+
 namespace {
 using Lengths = std::vector<std::size_t>;
 using Point = std::array<double, 3>;
@@ -463,3 +465,5 @@ TEST_CASE("cuts of real strips are those that CGAL finds") {
 }
 
 TEST_SUITE_END();
+
+} // namespace assembly_tests

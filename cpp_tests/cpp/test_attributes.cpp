@@ -8,6 +8,8 @@
 #include <cmath>
 #include <random>
 
+namespace attributes_tests {
+
 namespace {
 using gusset::Domain;
 using gusset::Rule;
@@ -207,3 +209,5 @@ TEST_CASE("linear fields on real meshes") {
 }
 
 TEST_SUITE_END();
+
+} // namespace attributes_tests

@@ -14,6 +14,8 @@
 #include <numeric>
 #include <set>
 
+namespace boundary_tests {
+
 namespace {
 std::vector<uint32_t> from_smallest(std::vector<uint32_t> cycle) {
     std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
@@ -218,3 +220,5 @@ TEST_CASE("faces that the host has deleted are not there") {
     mesh.set_point(v[12], {NAN, NAN, NAN});
     CHECK(gusset::Boundary(gusset::openmesh::Input(mesh).view()).size() == 2);
 }
+
+} // namespace boundary_tests

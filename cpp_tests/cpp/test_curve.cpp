@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+namespace curve_tests {
+
 namespace {
 using Point2 = std::array<double, 2>;
 constexpr double pi = 3.14159265358979323846;
@@ -121,3 +123,5 @@ TEST_CASE("other forms") {
     CHECK(spline.text().data() == nullptr);
     CHECK(contour.knots().data() == nullptr);
 }
+
+} // namespace curve_tests

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace development_tests {
+
 namespace {
 using gusset::Point3;
 
@@ -93,3 +95,5 @@ TEST_CASE("nets and sheets") {
     const double slant = std::sqrt(5.0), area = 0.5 * slant * (1.8 * 1.8 - 1.0) * 4.8;
     CHECK(by_sheet.charts()[0].flat_area == doctest::Approx(area).epsilon(1e-3));
 }
+
+} // namespace development_tests

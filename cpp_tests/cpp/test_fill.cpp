@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace fill_tests {
+
 namespace {
 const gusset::FillOptions fair = [] {
     gusset::FillOptions options;
@@ -221,3 +223,5 @@ TEST_CASE("holes of real meshes, beside CGAL's filling of them") {
 }
 
 TEST_SUITE_END();
+
+} // namespace fill_tests

@@ -7,6 +7,8 @@
 #include <random>
 #include <thread>
 
+namespace gluing_tests {
+
 namespace {
 using gusset::NetComplex;
 using gusset::Gluing;
@@ -251,3 +253,5 @@ TEST_CASE("nets glued by chance") {
         REQUIRE(identical(second, torus));
     }
 }
+
+} // namespace gluing_tests

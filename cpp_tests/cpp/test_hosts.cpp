@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace hosts_tests {
+
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -319,3 +321,5 @@ TEST_CASE("the strip goes into the hosts' own meshes, new vertices too") {
     CHECK(openmesh->n_vertices() == cgal.number_of_vertices());
     CHECK(walks(*openmesh).size() == 2);
 }
+
+} // namespace hosts_tests

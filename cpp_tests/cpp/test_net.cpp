@@ -24,6 +24,8 @@
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
+namespace net_tests {
+
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -365,3 +367,5 @@ TEST_SUITE("real meshes") {
         CHECK(judge(small_mesh.mesh(), false).euler == 1);
     }
 }
+
+} // namespace net_tests

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+namespace net_stream_tests {
+
 namespace {
 using gusset::Net;
 using gusset::Primitive;
@@ -80,3 +82,5 @@ TEST_CASE("streams that arrive in pieces, and damaged ones") {
     gusset::StreamDecoder careful(1000);
     CHECK_THROWS_AS(careful.push(bytes), gusset::Error);
 }
+
+} // namespace net_stream_tests

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace outline_tests {
+
 namespace {
 constexpr double turn = 2 * 3.14159265358979323846;
 using Plane = std::array<double, 2>;
@@ -162,3 +164,5 @@ TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures")
     CHECK_THROWS_AS(gusset::Frame(gusset::Outlines(points, true).offsets(offsets)), gusset::Error);
     CHECK_THROWS_AS(frame.across(9), gusset::Error);
 }
+
+} // namespace outline_tests

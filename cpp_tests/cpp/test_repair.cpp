@@ -25,6 +25,8 @@
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
+namespace repair_tests {
+
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Lengths = std::vector<std::size_t>;
@@ -432,3 +434,5 @@ TEST_CASE("every mesh as a triangle soup: as many vertices as points, as CGAL co
 }
 
 TEST_SUITE_END();
+
+} // namespace repair_tests

@@ -12,6 +12,8 @@
 #include <set>
 #include <vector>
 
+namespace scans_tests {
+
 namespace {
 using Point = gusset::Point3;
 
@@ -344,3 +346,5 @@ TEST_CASE("mistakes are errors") {
     assembly.trim = viewpoints;
     CHECK(status([&] { gusset::Assembly(views(pieces), assembly); }) == GUSSET_ERROR_NOT_FINITE);
 }
+
+} // namespace scans_tests

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace scene_tests {
+
 namespace {
 using gusset::Axis;
 using gusset::BridgeMode;
@@ -490,3 +492,5 @@ TEST_CASE("scenes") {
     const NetMesh whole_mesh(whole);
     CHECK(judge(whole_mesh.mesh()).bounds_a_volume);
 }
+
+} // namespace scene_tests

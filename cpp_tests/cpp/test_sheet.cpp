@@ -8,6 +8,8 @@
 #include <limits>
 #include <type_traits>
 
+namespace sheet_tests {
+
 namespace {
 using gusset::Surface;
 using gusset::Curve;
@@ -434,3 +436,5 @@ TEST_CASE("bad sheets say what is bad") {
         CHECK(error.status() == GUSSET_ERROR_BAD_KNOTS);
     }
 }
+
+} // namespace sheet_tests

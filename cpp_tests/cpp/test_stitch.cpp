@@ -10,6 +10,8 @@
 #include <iostream>
 #include <set>
 
+namespace stitch_tests {
+
 namespace {
 using Lengths = std::vector<std::size_t>;
 
@@ -192,3 +194,5 @@ TEST_CASE("body_hand: a coarse wrist of 6 and a fine one of 52") {
 }
 
 TEST_SUITE_END();
+
+} // namespace stitch_tests

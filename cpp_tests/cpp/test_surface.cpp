@@ -16,6 +16,8 @@
 #include <thread>
 #include <type_traits>
 
+namespace surface_tests {
+
 namespace {
 using gusset::Surface;
 using gusset::Line;
@@ -618,3 +620,5 @@ TEST_SUITE("real meshes") {
         }
     }
 }
+
+} // namespace surface_tests

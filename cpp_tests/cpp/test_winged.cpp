@@ -8,6 +8,8 @@
 #include <iostream>
 #include <set>
 
+namespace winged_tests {
+
 namespace {
 constexpr uint32_t null = UINT32_MAX;
 
@@ -169,3 +171,5 @@ TEST_CASE("Euler's formula before and after a stitch") {
 }
 
 TEST_SUITE_END();
+
+} // namespace winged_tests

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
+namespace wrapper_tests {
+
 namespace {
 Soup square() {
     Soup soup;
@@ -330,3 +332,5 @@ TEST_CASE("views of any point type") {
     const std::vector<uint32_t> wrong_offsets{0, 4};
     CHECK_THROWS_AS(gusset::MeshView::polygons(points, wrong_offsets, corners), std::invalid_argument);
 }
+
+} // namespace wrapper_tests

@@ -1,6 +1,8 @@
 /* An example of the reference in many threads at once, and then once more alone: each checks its own answers. Afterwards the process is
- * as it was, and the thread of each caller has its own floating-point mode and mask of signals back. */
+ * as it was, and the thread of each caller has its own floating-point mode and mask of signals back.
+ *     together NAME */
 #include "process_state.h"
+#include "programs.h"
 
 #include <pthread.h>
 #include <stdio.h>
@@ -8,7 +10,7 @@
 
 enum { THREADS = 6 };
 
-int example_main(void);
+static program_main *example_main;
 
 static void *run(void *failed) {
     const process_state before = process_state_now();
@@ -19,8 +21,9 @@ static void *run(void *failed) {
     return NULL;
 }
 
-#undef main
-int main(void) {
+int main(int argc, char **argv) {
+    example_main = argc == 2 ? find_program(argv[1]) : NULL;
+    if (example_main == NULL) return 2;
     pthread_t threads[THREADS];
     int failed[THREADS], failures = 0;
     /* What a first thread makes the C library keep is not what is looked for. */

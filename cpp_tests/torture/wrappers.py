@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Writes, from gusset.h, a header that puts a wrapper before each function: `wrappers.py gusset.h > wrappers.h`.
+"""Writes, from gusset.h, a wrapper for each function: `wrappers.py gusset.h source > wrappers.c`, and `header` in place of `source` for a
+header that puts the wrappers in place of the functions.
 
-A program that is compiled with `-include wrappers.h` does what it did; but before each of its calls the wrapper makes that call
+A file that is compiled with `-include wrappers.h` does what it did; but before each of its calls the wrapper makes that call
 again and again in another process, each time with one number, pointer or size of the arguments replaced by a hostile one. What is
 reached from the arguments is found from the declarations: fields of structs, elements of arrays, options within options. So the
 examples of the reference, of which there is one for each function, are the rows of the table, and no function can be forgotten.
@@ -204,7 +205,7 @@ def wrapper(header, result, name, given, declaration):
     cleared = [one for at, one in enumerate(given)
                if fallible and one.stars == 1 and not one.constant and (one.type in header.names or one.type in header.structs)
                and count_after(given, at, "") == "1" and not one.name in UNSPECIFIED]
-    lines = [f"static {result} torture_{declaration} {{"]
+    lines = [f"{result} torture_{declaration} {{"]
     if given and not name.endswith("_destroy"):
         promise = "NO_CONTEXT" if not context else "CONSTANT" if name in header.constant else "ASKS"
         lines.append(f'    if (torture_enter("{name}", TORTURE_{promise})) {{')
@@ -295,8 +296,8 @@ def wrapper(header, result, name, given, declaration):
     return "\n".join(line for line in lines if line)
 
 
-def main():
-    header = Header(open(sys.argv[1]).read())
+def write_source(header):
+    """Prints the file that is compiled: the wrappers, and what they need."""
     print("/* Written by wrappers.py from gusset.h. */\n#include \"torture.h\"\n")
     for name in header.structs:
         print(f"static void visit_{name}(struct {name} *s, const char *path);")
@@ -312,10 +313,23 @@ def main():
         print(f"\nstatic uint64_t finite_{handle}(const struct {handle} *made) {{\n    uint64_t hash = 1;\n{body}\n    return hash;\n}}")
     for function in header.functions:
         print("\n" + wrapper(header, *function))
+
+
+def write_header(header):
+    """Prints the file that examples include: the wrappers in place of the functions of gusset.h."""
+    print("/* Written by wrappers.py from gusset.h. */\n#ifndef WRAPPERS_H\n#define WRAPPERS_H\n#include <gusset.h>\n")
+    for result, _, _, declaration in header.functions:
+        print(f"{result} torture_{declaration};")
     print()
     for _, name, given, _ in header.functions:
         if given:
             print(f"#define {name}(...) torture_{name}(__VA_ARGS__)")
+    print("#endif")
+
+
+def main():
+    header = Header(open(sys.argv[1]).read())
+    {"source": write_source, "header": write_header}[sys.argv[2]](header)
 
 
 if __name__ == "__main__":

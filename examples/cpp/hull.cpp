@@ -59,6 +59,7 @@ int main(int argc, char **argv) try {
     if (!plan_file.flush() || !picture_file.flush()) {
         throw std::runtime_error("cannot write " + plan + " or " + picture);
     }
+    return 0;
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;

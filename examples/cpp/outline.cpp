@@ -32,14 +32,14 @@ const Style styles[] = {
     {"cubic spline", "#777777", gusset::CurveKind::cubic_c2, gusset::SectionMethod::bisector},
 };
 
-struct Drawn {
+struct DrawnOutline {
     Style style;
     gusset::Curve curve;
     gusset_outline_report report;
     std::vector<gusset::Point3> polygon;
 };
 
-std::vector<Point> read(const std::string &path, const std::string &x, const std::string &y) {
+std::vector<Point> read_points(const std::string &path, const std::string &x, const std::string &y) {
     io::CSVReader<2> rows(path);
     rows.read_header(io::ignore_extra_column, x, y);
     std::vector<Point> points;
@@ -50,7 +50,7 @@ std::vector<Point> read(const std::string &path, const std::string &x, const std
 }
 
 /// 12 points, closer together where the outline bends more.
-std::vector<Point> formula() {
+std::vector<Point> outline_by_formula() {
     std::vector<Point> points;
     for (int i = 0; i < 12; ++i) {
         const double t = 2 * std::acos(-1.0) * (i + 0.45 * std::sin(2 * std::acos(-1.0) * i / 6)) / 12;
@@ -61,12 +61,12 @@ std::vector<Point> formula() {
     return points;
 }
 
-Drawn draw(const Style &style, const std::vector<Point> &points, bool closed) {
+DrawnOutline draw(const Style &style, const std::vector<Point> &points, bool closed) {
     gusset::OutlineOptions options;
     options.curve = style.kind;
     options.method = style.method;
     const gusset::Outline outline(gusset::Outlines(points, closed), options);
-    Drawn drawn{style, outline.curve_copy(), outline.report(), {}};
+    DrawnOutline drawn{style, outline.curve_copy(), outline.report(), {}};
     const gusset::OutlineCurve curve = outline.curve();
     for (std::size_t k = 0; k < curve.size(); ++k) {
         drawn.polygon.push_back(curve.segment(k)[1]);
@@ -85,10 +85,10 @@ std::vector<double> differences(const gusset::Curve &reference, const gusset::Cu
     return found;
 }
 
-void write(std::ostream &svg, const std::vector<Point> &points, const std::vector<Drawn> &all, bool closed) {
+void write(std::ostream &svg, const std::vector<Point> &points, const std::vector<DrawnOutline> &all, bool closed) {
     const double width = 900, margin = 40, graph = 180;
     gusset::Bounds box = all[0].curve.bounds();
-    for (const Drawn &drawn : all) {
+    for (const DrawnOutline &drawn : all) {
         const gusset::Bounds other = drawn.curve.bounds();
         for (int k = 0; k < 2; ++k) {
             box.low[k] = std::min(box.low[k], other.low[k]);
@@ -148,7 +148,7 @@ void write(std::ostream &svg, const std::vector<Point> &points, const std::vecto
     svg << "<text x='" << margin << "' y='" << top + margin - 12 << "'>distance from the bisector's curve along it, up to "
         << std::setprecision(2) << 100 * largest / size << " % of the size</text>\n";
     double x = margin;
-    for (const Drawn &drawn : all) {
+    for (const DrawnOutline &drawn : all) {
         svg << "<text x='" << x << "' y='" << height - 14 << "' fill='" << drawn.style.colour << "'>" << drawn.style.name
             << "</text>\n";
         x += 24 + 8.0 * static_cast<double>(std::string(drawn.style.name).size());
@@ -169,11 +169,11 @@ int main(int argc, char **argv) try {
 
     const std::size_t comma = columns.find(',');
     const std::string x = columns.substr(0, comma), y = comma == std::string::npos ? "y" : columns.substr(comma + 1);
-    const std::vector<Point> points = input == "-" ? formula() : read(input, x, y);
-    std::vector<Drawn> all;
+    const std::vector<Point> points = input == "-" ? outline_by_formula() : read_points(input, x, y);
+    std::vector<DrawnOutline> all;
     for (const Style &style : styles) {
         all.push_back(draw(style, points, !open));
-        const Drawn &drawn = all.back();
+        const DrawnOutline &drawn = all.back();
         if (drawn.curve.segment_count() == 0) {
             throw std::runtime_error("too few points for a curve");
         }
@@ -186,6 +186,7 @@ int main(int argc, char **argv) try {
     if (!svg.flush()) {
         throw std::runtime_error("cannot write " + output);
     }
+    return 0;
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -108,13 +108,13 @@ void print(const std::string &name, const Net &net) {
     }
 }
 
-struct Drawn {
+struct DrawnFace {
     double depth;
     std::string path;
 };
 
 /// The faces of a net, projected from the eye onto the plane through `aim`, farthest first.
-void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::vector<Drawn> &out) {
+void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::vector<DrawnFace> &out) {
     const Point3 view = unit(minus(eye, aim)), right = unit(cross({0, 0, 1}, view)), up = cross(view, right);
     const Point3 light = unit({-1.0, -1.6, 2.2});
     const bool closed = gusset::NetComplex(net).is_closed();
@@ -153,20 +153,20 @@ void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::
 bool write_picture(const std::string &file, const std::vector<Part> &all) {
     const Point3 eye{1.2, -7.5, 3.6}, aim{0, 0, 0.7};
     // The last part is the ground, which all others stand on: it is drawn first.
-    std::vector<Drawn> ground, faces;
+    std::vector<DrawnFace> ground, faces;
     for (const Part &part : all) {
         Net net = part.net;
         net.transform(Operation::translate(part.place));
         draw(part, std::move(net), eye, aim, &part == &all.back() ? ground : faces);
     }
-    const auto farther = [](const Drawn &a, const Drawn &b) { return a.depth > b.depth; };
+    const auto farther = [](const DrawnFace &a, const DrawnFace &b) { return a.depth > b.depth; };
     std::stable_sort(ground.begin(), ground.end(), farther);
     std::stable_sort(faces.begin(), faces.end(), farther);
     std::ofstream out(file);
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 480\" stroke=\"#fff\" stroke-width=\"0.4\" "
            "stroke-linejoin=\"round\">\n<rect width=\"100%\" height=\"100%\" rx=\"8\" stroke=\"none\" fill=\"#f6f4ee\"/>\n";
     for (const auto *drawn : {&ground, &faces}) {
-        for (const Drawn &face : *drawn) {
+        for (const DrawnFace &face : *drawn) {
             out << face.path;
         }
     }

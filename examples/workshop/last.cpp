@@ -23,7 +23,7 @@ struct Sections {
     void end() { offsets.push_back(static_cast<uint32_t>(points.size())); }
 };
 
-Sections read(const std::string &file) {
+Sections read_sections(const std::string &file) {
     std::ifstream in(file);
     const nlohmann::json all = nlohmann::json::parse(in);
     Sections made;
@@ -37,7 +37,7 @@ Sections read(const std::string &file) {
 }
 
 /// A foot of 2.5 dm: each section with its own number of points and its own first one, as scans have them.
-Sections formula() {
+Sections foot_by_formula() {
     const auto step = [](double t, double from, double to) {
         const double s = std::clamp((t - from) / (to - from), 0.0, 1.0);
         return s * s * (3 - 2 * s);
@@ -306,7 +306,7 @@ int main(int argc, char **argv) try {
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
-    const Sections foot = without_toes(input == "-" ? formula() : read(input));
+    const Sections foot = without_toes(input == "-" ? foot_by_formula() : read_sections(input));
     const double heel = foot.points.front()[0], toes = foot.points.back()[0];
     // A curve of girth L that moves outwards by d in its plane gets the girth L + 2 pi d, whatever its shape (Steiner).
     const gusset::Outline drawn(gusset::Outlines(foot.points, true).offsets(foot.offsets));

@@ -62,7 +62,7 @@ bool on_block(double x, double y) {
 }
 bool on_drum(double x, double y) { return std::hypot(x - 46, y - 20) < 8.3; }
 
-Image formula() {
+Image heights_by_formula() {
     Image image{46, 66, 1, 0.05, {}, {}};
     image.truth = [](double x, double y) {
         return on_block(x, y)  ? 12 + 0.1 * (x - 18)
@@ -91,7 +91,7 @@ Image formula() {
     return image;
 }
 
-Image read(const std::string &file, double spacing) {
+Image read_heights(const std::string &file, double spacing) {
     std::ifstream in(file);
     Image image;
     image.spacing = spacing;
@@ -218,7 +218,7 @@ int main(int argc, char **argv) try {
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
-    const Image image = input == "-" ? formula() : read(input, spacing);
+    const Image image = input == "-" ? heights_by_formula() : read_heights(input, spacing);
     //! [relief]
     gusset::HeightOptions grid;
     grid.spacing = {image.spacing, image.spacing};

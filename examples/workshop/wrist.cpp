@@ -16,7 +16,7 @@ namespace {
 using namespace workshop;
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
-Mesh read(const std::string &file) {
+Mesh read_mesh(const std::string &file) {
     Mesh mesh;
     if (!OpenMesh::IO::read_mesh(mesh, file)) {
         throw std::runtime_error("cannot read " + file);
@@ -235,7 +235,7 @@ int main(int argc, char **argv) try {
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
-    const Mesh body = first == "-" ? head_with_arm() : read(first), hand = first == "-" ? mitten() : read(second);
+    const Mesh body = first == "-" ? head_with_arm() : read_mesh(first), hand = first == "-" ? mitten() : read_mesh(second);
     //! [wrist]
     const gusset::openmesh::Input a(body), b(hand); // positions are read where OpenMesh keeps them
     const std::vector<MeshView> pieces{a.view(), b.view()};
