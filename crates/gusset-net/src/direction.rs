@@ -14,6 +14,7 @@ pub enum Direction {
 impl Direction {
     /// Rows and columns exchanged.
     #[must_use]
+    #[inline]
     pub fn transposed(self) -> Self {
         match self {
             Direction::Right => Direction::Down,

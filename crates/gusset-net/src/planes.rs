@@ -52,6 +52,7 @@ impl<'a, T: Real> Planes<'a, T> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
+    #[inline]
     pub fn zeroed(shape: Shape) -> Result<Self> {
         let each = shape.node_count().saturating_mul(size_of::<T>()).div_ceil(CACHE_LINE) * CHUNKS_PER_LINE;
         let chunks: Vec<AlignedChunk> = alloc::zeroed(CHUNKS_PER_LINE - 1 + 3 * each)?;
@@ -127,16 +128,19 @@ impl<'a, T: Real> Planes<'a, T> {
     }
 
     /// The size of the matrices.
+    #[inline]
     pub fn shape(&self) -> Shape {
         self.shape
     }
 
     /// Numbers from row to row.
+    #[inline]
     pub fn stride(&self) -> usize {
         self.stride
     }
 
     /// True for borrowed memory.
+    #[inline]
     pub fn is_borrowed(&self) -> bool {
         matches!(self.store, Store::Borrowed(_))
     }
@@ -167,12 +171,14 @@ impl<'a, T: Real> Planes<'a, T> {
     }
 
     /// Row i of X, Y and Z.
+    #[inline]
     pub fn row(&self, i: usize) -> [&[T]; 3] {
         let start = i * self.stride;
         self.matrices().map(|matrix| &matrix[start..start + self.shape.columns()])
     }
 
     /// [`Planes::row`], mutable.
+    #[inline]
     pub fn row_mut(&mut self, i: usize) -> [&mut [T]; 3] {
         let (start, columns) = (i * self.stride, self.shape.columns());
         self.matrices_mut().map(|matrix| &mut matrix[start..start + columns])
@@ -204,6 +210,7 @@ impl<'a, T: Real> Planes<'a, T> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
+    #[inline]
     pub fn copied(&self) -> Result<Planes<'static, T>> {
         self.converted(<[T]>::copy_from_slice)
     }

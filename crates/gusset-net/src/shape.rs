@@ -36,58 +36,69 @@ impl Shape {
     }
 
     /// The number of rows, H.
+    #[inline]
     pub fn rows(self) -> usize {
         self.rows as usize
     }
 
     /// The number of columns, W.
+    #[inline]
     pub fn columns(self) -> usize {
         self.columns as usize
     }
 
     /// H x W.
+    #[inline]
     pub fn node_count(self) -> usize {
         self.rows() * self.columns()
     }
 
     /// (H - 1) x (W - 1).
+    #[inline]
     pub fn cell_count(self) -> usize {
         (self.rows() - 1) * (self.columns() - 1)
     }
 
     /// Node (i, j).
+    #[inline]
     pub fn node(self, i: usize, j: usize) -> u32 {
         (i * self.columns() + j) as u32
     }
 
     /// Row and column of a node.
+    #[inline]
     pub fn place(self, node: u32) -> (usize, usize) {
         ((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
     /// Cell (i, j).
+    #[inline]
     pub fn cell(self, i: usize, j: usize) -> u32 {
         (i * (self.columns() - 1) + j) as u32
     }
 
     /// Row and column of the first corner of a cell.
+    #[inline]
     pub fn cell_place(self, cell: u32) -> (usize, usize) {
         let columns = self.columns - 1;
         ((cell / columns) as usize, (cell % columns) as usize)
     }
 
     /// The corners of the cell at (i, j): the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j).
+    #[inline]
     pub fn corners(self, i: usize, j: usize) -> [u32; 4] {
         let a = self.node(i, j);
         [a, a + 1, a + self.columns + 1, a + self.columns]
     }
 
     /// The link from node (i, j) to the next node of its row.
+    #[inline]
     pub fn horizontal_link(self, i: usize, j: usize) -> u32 {
         2 * self.node(i, j)
     }
 
     /// The link from node (i, j) to the next node of its column.
+    #[inline]
     pub fn vertical_link(self, i: usize, j: usize) -> u32 {
         2 * self.node(i, j) + 1
     }
@@ -114,6 +125,7 @@ impl Shape {
     }
 
     /// True for a link between neighbours, false for a closing link.
+    #[inline]
     pub fn is_inner(self, link: u32) -> bool {
         let (i, j) = self.place(link / 2);
         if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
@@ -121,6 +133,7 @@ impl Shape {
 
     /// Rows and columns exchanged.
     #[must_use]
+    #[inline]
     pub fn transposed(self) -> Self {
         Shape { rows: self.columns, columns: self.rows }
     }

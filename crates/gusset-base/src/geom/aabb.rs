@@ -62,10 +62,12 @@ impl Aabb {
     }
 
     /// The length from corner to corner.
+    #[inline]
     pub fn diagonal(&self) -> f64 {
         self.low.distance(self.high)
     }
 
+    #[inline]
     pub fn centre(&self) -> DVec3 {
         self.low.midpoint(self.high)
     }

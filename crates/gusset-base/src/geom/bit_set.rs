@@ -11,6 +11,7 @@ pub struct BitSet {
 
 impl BitSet {
     /// The empty set of numbers below `limit`.
+    #[inline]
     pub fn new(limit: usize) -> Result<Self> {
         Ok(BitSet { words: alloc::zeroed(limit.div_ceil(64))? })
     }

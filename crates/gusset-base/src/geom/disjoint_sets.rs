@@ -18,6 +18,7 @@ pub struct DisjointSets {
 
 impl DisjointSets {
     /// `count` sets of one element each.
+    #[inline]
     pub fn new(count: usize) -> Result<Self> {
         let mut sets = DisjointSets::default();
         sets.reset(count)?;
@@ -25,12 +26,14 @@ impl DisjointSets {
     }
 
     /// Sets in which every element is a child of its entry, which is not greater, or a root.
+    #[inline]
     pub fn from_parents(parents: Vec<u32>) -> Self {
         debug_assert!(parents.iter().zip(0..).all(|(&parent, child)| parent <= child));
         DisjointSets { parents }
     }
 
     /// Starts again with `count` sets of one element each, in the same memory.
+    #[inline]
     pub fn reset(&mut self, count: usize) -> Result<()> {
         self.parents.clear();
         alloc::reserve(&mut self.parents, count)?;
@@ -96,6 +99,7 @@ pub struct ParitySets {
 
 impl ParitySets {
     /// `count` sets of one element each, fewer than 2^31.
+    #[inline]
     pub fn new(count: usize) -> Result<Self> {
         Ok(ParitySets { parents: alloc::collect((0..count).map(|i| 2 * i as u32))? })
     }

@@ -70,6 +70,7 @@ impl<'a> KdTree<'a> {
 
     /// A tree for queries that are far away from points which are close together, such as those of
     /// a curve: what cells do not tell apart, boxes that fit do. 10 bytes a point more.
+    #[inline]
     pub fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
         let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_MIDDLE_DISTANCE))?;
@@ -79,6 +80,7 @@ impl<'a> KdTree<'a> {
     }
 
     /// The points' indices in the order of the tree: neighbours are near each other.
+    #[inline]
     pub fn order(&self) -> &[u32] {
         &self.order
     }
@@ -272,12 +274,14 @@ pub struct Radius {
 
 impl Radius {
     /// `distance` is finite and positive.
+    #[inline]
     pub fn new(distance: f64) -> Self {
         let unit = common_unit(&[DVec3::splat(distance)]);
         Radius { unit, limit: (distance / unit) * (distance / unit) }
     }
 
     /// True if a difference of points is no longer.
+    #[inline]
     pub fn contains(self, difference: DVec3) -> bool {
         self.squared(difference) <= self.limit
     }

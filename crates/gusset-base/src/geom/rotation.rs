@@ -22,6 +22,7 @@ pub fn best_rotation(m: DMat3) -> DQuat {
 
 /// The part `t` of a rotation about its axis, of length 1: glam's own would take the functions of
 /// the system.
+#[inline]
 pub fn part_of(turn: DQuat, t: f64) -> DQuat {
     let axis = DVec3::new(turn.x, turn.y, turn.z);
     let length = axis.length();

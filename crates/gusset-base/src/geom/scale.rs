@@ -16,12 +16,14 @@ pub fn common_unit<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f64 {
 }
 
 /// The largest power of two that does not exceed a number above 0, kept within 2^-900 .. 2^900.
+#[inline]
 pub fn floor_to_power_of_two(x: f64) -> f64 {
     let exponent = ((x.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
     f64::from_bits(exponent << 52)
 }
 
 /// The distance of two points, whatever their magnitude.
+#[inline]
 pub fn distance(p: DVec3, q: DVec3) -> f64 {
     let unit = common_unit(&[p, q]);
     (p / unit).distance(q / unit) * unit

@@ -128,6 +128,7 @@ const BOXES_PER_REPORT: usize = 1 << 11;
 const GROWTH: f64 = 1.000_001;
 
 impl UnresolvedBox {
+    #[inline]
     pub fn touches(&self, other: &UnresolvedBox) -> bool {
         let gap = (self.middle - other.middle).abs() - GROWTH * (self.half + other.half);
         gap.max_element() <= 0.0

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 /// Twice the area of the triangle a, b, c: |(b - a) x (c - a)|.
+#[inline]
 pub fn double_area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     (b - a).cross(c - a).length()
 }

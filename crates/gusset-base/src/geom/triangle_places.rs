@@ -31,6 +31,7 @@ pub struct TriangleTree<'a> {
 
 impl<'a> TriangleTree<'a> {
     /// O(n log n).
+    #[inline]
     pub fn new(points: &'a [DVec3], triangles: &'a [[u32; 3]], stage: &'static str, job: &Job<'_>) -> Result<Self> {
         let boxes = triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize])));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), stage)?;
@@ -41,6 +42,7 @@ impl<'a> TriangleTree<'a> {
 
     /// The place nearest to a point, among those nearer than `limit` (squared); of equally near
     /// ones that which is met first.
+    #[inline]
     pub fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
         self.nearest_beside(p, limit, None)
     }

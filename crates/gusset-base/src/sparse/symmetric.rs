@@ -13,16 +13,19 @@ pub struct Symmetric {
 
 impl Symmetric {
     /// How many rows it has.
+    #[inline]
     pub fn len(&self) -> usize {
         self.diagonal.len()
     }
 
     /// The entries of column `k` above the diagonal: those of row `k` before it.
+    #[inline]
     pub fn column(&self, k: usize) -> &[(u32, f64)] {
         &self.entries[self.start[k]..self.start[k + 1]]
     }
 
     /// What is below the diagonal, column by column. 16 bytes an entry.
+    #[inline]
     pub fn below(&self, job: &Job<'_>) -> Result<Buckets<(u32, f64)>> {
         let columns = (0..self.len()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));
         let items = columns.map(|(k, i, value)| (i as usize, (k as u32, value)));

@@ -21,6 +21,7 @@ pub enum PositionBuffer {
 
 impl PositionBuffer {
     /// Creates an empty buffer with room for `capacity` positions.
+    #[inline]
     pub fn with_capacity(scalar: Scalar, capacity: usize) -> Result<Self> {
         Ok(match scalar {
             Scalar::F32 => PositionBuffer::F32(alloc::with_capacity(capacity)?),
@@ -30,6 +31,7 @@ impl PositionBuffer {
 
     /// Appends positions `range` of `from`: the same bits where the types agree, exact where `f32`
     /// becomes `f64`.
+    #[inline]
     pub fn append(&mut self, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
         match self {
             PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from, range),
@@ -60,16 +62,19 @@ impl PositionBuffer {
     }
 
     /// The number of positions.
+    #[inline]
     pub fn len(&self) -> usize {
         self.view().len()
     }
 
     /// True if there are none.
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// A view of them.
+    #[inline]
     pub fn view(&self) -> Positions<'_> {
         match self {
             PositionBuffer::F32(p) => Positions::from(p.as_slice()),
@@ -78,6 +83,7 @@ impl PositionBuffer {
     }
 
     /// Position `v` in double precision.
+    #[inline]
     pub fn get(&self, v: u32) -> DVec3 {
         self.view().get(v)
     }
@@ -115,22 +121,26 @@ pub struct Mesh {
 
 impl Mesh {
     /// A mesh none of whose vertices is one with another.
+    #[inline]
     pub fn new(positions: PositionBuffer, face_offsets: Vec<u32>, face_corners: Vec<u32>) -> Mesh {
         Mesh { positions, face_offsets, face_corners, merge: Vec::new() }
     }
 
     /// The vertex at a corner, as the one that it is one with.
+    #[inline]
     pub fn corner(&self, corner: usize) -> u32 {
         let v = self.face_corners[corner];
         self.merge.get(v as usize).copied().unwrap_or(v)
     }
 
     /// The face that a corner belongs to, by bisection.
+    #[inline]
     pub fn face_of(&self, corner: u32) -> usize {
         self.face_offsets.partition_point(|&start| start <= corner) - 1
     }
 
     /// The number of faces.
+    #[inline]
     pub fn face_count(&self) -> usize {
         self.face_offsets.len() - 1
     }
@@ -160,6 +170,7 @@ impl Mesh {
 
     /// A validated view, in which no vertex is one with another; see [`MeshView::new`] for the
     /// errors.
+    #[inline]
     pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
         MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)
     }

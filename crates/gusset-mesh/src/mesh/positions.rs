@@ -19,6 +19,7 @@ pub enum Scalar {
 
 impl Scalar {
     /// Bytes of one position: three coordinates.
+    #[inline]
     pub fn position_size(self) -> usize {
         match self {
             Scalar::F32 => 12,
@@ -42,6 +43,7 @@ impl<'a> Positions<'a> {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
     /// [`Error::ArrayTooShort`].
+    #[inline]
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, scalar: Scalar) -> Result<Self> {
         check_size(count as u64, 0)?;
         Ok(Positions { points: Strided::new(bytes, count, stride, scalar.position_size(), "positions")?, scalar })
@@ -51,22 +53,26 @@ impl<'a> Positions<'a> {
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
+    #[inline]
     pub fn bytes_needed(stride: usize, count: usize, scalar: Scalar) -> Result<usize> {
         check_size(count as u64, 0)?;
         Strided::span(count, stride, scalar.position_size(), "positions")
     }
 
     /// The number of positions.
+    #[inline]
     pub fn len(&self) -> usize {
         self.points.len()
     }
 
     /// True if there are none.
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// The type of the coordinates.
+    #[inline]
     pub fn scalar(&self) -> Scalar {
         self.scalar
     }

@@ -25,6 +25,7 @@ pub enum Across {
 
 impl Topology {
     /// What lies across half-edge `h`, which must not be an ignored one.
+    #[inline]
     pub fn across(&self, h: u32) -> Across {
         match self.mate[h as usize] {
             FREE => Across::Free,
@@ -34,6 +35,7 @@ impl Topology {
     }
 
     /// True if `h` takes no part: it has no length, or its face is degenerate.
+    #[inline]
     pub fn is_ignored(&self, h: u32) -> bool {
         self.mate[h as usize] == h
     }
@@ -56,6 +58,7 @@ impl Topology {
     }
 
     /// The degenerate faces, orientation conflicts and non-manifold edges, in this order.
+    #[inline]
     pub fn defects(&self) -> &[Defect] {
         &self.defects
     }
@@ -76,6 +79,7 @@ impl Topology {
 }
 
 /// The ends of an edge in one word, whatever their order.
+#[inline]
 pub fn unordered([u, v]: [u32; 2]) -> u64 {
     u64::from(u.min(v)) << 32 | u64::from(u.max(v))
 }

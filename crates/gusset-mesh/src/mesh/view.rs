@@ -109,11 +109,13 @@ impl<'a> Faces<'a> {
     }
 
     /// True if some vertices may be one with others.
+    #[inline]
     pub fn is_merged(&self) -> bool {
         self.split.is_some()
     }
 
     /// The vertex that one is one with; itself if it is beyond all.
+    #[inline]
     pub fn merge_of(&self, v: u32) -> u32 {
         match self.split {
             Some(split) if (v as usize) < split.merge.len() => split.merge.get(v as usize),
@@ -122,6 +124,7 @@ impl<'a> Faces<'a> {
     }
 
     /// The vertex at corner `h` before vertices are made one.
+    #[inline]
     pub fn split_corner(&self, h: u32) -> u32 {
         self.split.map_or(self.corners, |split| split.corners).get(h as usize)
     }
@@ -143,6 +146,7 @@ impl<'a> Faces<'a> {
     ///
     /// # Errors
     /// [`Error::TooLarge`].
+    #[inline]
     pub fn offset_count(count: usize) -> Result<usize> {
         Error::check_count("faces", count as u64, MAX_ELEMENTS)?;
         Ok(count + 1)
@@ -155,6 +159,7 @@ impl<'a> Faces<'a> {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`],
     /// [`Error::FaceTooSmall`].
+    #[inline]
     pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
         let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         offsets.check(job)?;
@@ -167,6 +172,7 @@ impl<'a> Faces<'a> {
     ///
     /// # Errors
     /// [`Error::TooLarge`].
+    #[inline]
     pub fn triangles(corners: &'a [[u32; 3]]) -> Result<Self> {
         Self::uniform(bytemuck::cast_slice(corners), 3, corners.len())
     }
@@ -175,22 +181,26 @@ impl<'a> Faces<'a> {
     ///
     /// # Errors
     /// [`Error::BadOffsets`] for empty offsets, and as there.
+    #[inline]
     pub fn polygons(offsets: &'a [u32], corners: &'a [u32]) -> Result<Self> {
         let count = offsets.len().checked_sub(1).ok_or(Error::BadOffsets { entry: 0, value: 0 })?;
         Self::with_offsets(bytemuck::cast_slice(offsets), bytemuck::cast_slice(corners), count)
     }
 
     /// The number of faces.
+    #[inline]
     pub fn len(&self) -> usize {
         self.count
     }
 
     /// True if there are none.
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
     /// The range of corners (half-edges) of face `f`.
+    #[inline]
     pub fn range(&self, f: usize) -> Range<usize> {
         match self.layout {
             Layout::Uniform(n) => f * n as usize..(f + 1) * n as usize,
@@ -215,12 +225,14 @@ impl<'a> Faces<'a> {
     }
 
     /// The half-edge that follows `h` in its face.
+    #[inline]
     pub fn next(&self, h: u32) -> u32 {
         let range = self.range(self.face_of(h) as usize);
         if h as usize + 1 == range.end { range.start as u32 } else { h + 1 }
     }
 
     /// The vertex at corner `h`, where half-edge `h` starts.
+    #[inline]
     pub fn corner(&self, h: u32) -> u32 {
         self.corners.get(h as usize)
     }
@@ -260,6 +272,7 @@ impl<'a> Faces<'a> {
     }
 
     /// The number of corners, which is the number of half-edges.
+    #[inline]
     pub fn half_edge_count(&self) -> usize {
         self.corners.len()
     }
@@ -329,11 +342,13 @@ impl<'a> MeshView<'a> {
     }
 
     /// The positions.
+    #[inline]
     pub fn positions(&self) -> &Positions<'a> {
         &self.positions
     }
 
     /// The faces.
+    #[inline]
     pub fn faces(&self) -> &Faces<'a> {
         &self.faces
     }
@@ -367,6 +382,7 @@ impl<'a> MeshView<'a> {
     /// The mesh whose faces have these [`merged_corners`](MeshView::merged_corners) by `merge`; its
     /// own are kept beside them.
     #[must_use]
+    #[inline]
     pub fn merged<'b>(&self, merge: &'b [u8], corners: &'b [u32]) -> MeshView<'b>
     where
         'a: 'b,

@@ -70,11 +70,13 @@ pub fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
 }
 
 /// The integral over 0 to 1: the mean of the coefficients.
+#[inline]
 pub fn integral(c: &[f64]) -> f64 {
     c.iter().sum::<f64>() / c.len() as f64
 }
 
 /// The integral over 0 to 1 of a product.
+#[inline]
 pub fn integral_of_product(f: &[f64], g: &[f64]) -> f64 {
     let mut product = [0.0; 4 * MAX_DEGREE + 1];
     let product = &mut product[..f.len() + g.len() - 1];

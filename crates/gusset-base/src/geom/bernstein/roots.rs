@@ -26,10 +26,12 @@ pub struct Roots {
 }
 
 impl Roots {
+    #[inline]
     pub fn new() -> Self {
         Roots { at: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
     }
 
+    #[inline]
     pub fn as_slice(&self) -> &[f64] {
         &self.at[..self.len]
     }

@@ -19,6 +19,7 @@ pub struct Banded<const W: usize> {
 
 impl<const W: usize> Banded<W> {
     /// No rows, and room for `count`.
+    #[inline]
     pub fn begin(&mut self, count: usize) -> Result<()> {
         self.rows.clear();
         self.right.clear();

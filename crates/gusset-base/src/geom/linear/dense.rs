@@ -16,12 +16,14 @@ pub struct Dense {
 
 impl Dense {
     /// Zeros in `n` rows.
+    #[inline]
     pub fn resize(&mut self, n: usize) -> Result<()> {
         self.size = n;
         alloc::reset(&mut self.entries, n * n, 0.0)?;
         alloc::reset(&mut self.pivots, n, 0)
     }
 
+    #[inline]
     pub fn row(&mut self, r: usize) -> &mut [f64] {
         &mut self.entries[r * self.size..(r + 1) * self.size]
     }
