@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -23,6 +24,8 @@ Kernel::Vector_3 vector(const gusset::Point3 &p) { return {p[0], p[1], p[2]}; }
 struct Oracle::Parts {
     Mesh mesh;
     Tree tree;
+    /// Made for the first section, since it sorts all edges.
+    std::optional<CGAL::Polygon_mesh_slicer<Mesh, Kernel>> slicer;
 };
 
 Oracle::Oracle(const gusset::MeshView &mesh) : parts_(std::make_unique<Parts>()) {
@@ -61,9 +64,11 @@ std::vector<double> Oracle::crossings(const gusset::Point3 &origin, const gusset
 }
 
 std::vector<Slice> Oracle::slices(const gusset::Point3 &at, const gusset::Point3 &normal) const {
-    CGAL::Polygon_mesh_slicer<Mesh, Kernel> slicer(parts_->mesh);
+    if (!parts_->slicer) {
+        parts_->slicer.emplace(parts_->mesh);
+    }
     std::vector<std::vector<Point>> lines;
-    slicer(Kernel::Plane_3(point(at), vector(normal)), std::back_inserter(lines));
+    (*parts_->slicer)(Kernel::Plane_3(point(at), vector(normal)), std::back_inserter(lines));
     std::vector<Slice> found;
     for (const std::vector<Point> &line : lines) {
         Slice slice{line.front() == line.back(), 0};

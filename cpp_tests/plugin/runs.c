@@ -1,4 +1,4 @@
-/* Every filter run as a host runs it: runs LIBRARY */
+/* Every filter run as a host runs it: runs LIBRARY [MOST], cancelled at MOST of its calls of the callback, 60 unless told */
 #include "loaded.h"
 
 #include <math.h>
@@ -6,9 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE = 8, MOST_CALLS = 60 };
+enum { SIZE = 8 };
 
 static const gusset_plugin *plugin;
+static uint32_t most_calls = 60;
 
 static void check_mesh(const char *of, const gusset_outputs *outputs, uint32_t index) {
     gusset_plugin_mesh mesh = {0};
@@ -139,7 +140,7 @@ static gusset_host host_of(follower *self, const char *of, uint32_t stop_at, uin
 
 /* Whichever call asks to stop, that is the last one, and the run was cancelled. */
 static void check_cancel(const gusset_filter *filter, const shapes *made, uint32_t calls) {
-    const uint32_t step = calls / MOST_CALLS + 1;
+    const uint32_t step = calls / most_calls + 1;
     for (uint32_t k = 1; k <= calls; k += step) {
         follower self;
         const gusset_host host = host_of(&self, filter->id, k, 1);
@@ -203,9 +204,10 @@ static void check_odd_arrays(const gusset_filter *filter, const shapes *made, co
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
+    if (argc != 2 && argc != 3) {
         return 2;
     }
+    most_calls = argc == 3 ? (uint32_t)atoi(argv[2]) : most_calls;
     void *library = open_library(argv[1]);
     plugin = entry_of(library)(GUSSET_PLUGIN_ABI);
     if (plugin == NULL) {
