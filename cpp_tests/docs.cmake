@@ -40,7 +40,7 @@ foreach(name c cpp openmesh cgal plugin)
   set_property(TEST guides/${name} APPEND PROPERTY FIXTURES_REQUIRED guide_programs)
 endforeach()
 
-# With the program that `make cli` built.
+# With the program that is tested.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/cli_guide)
 foreach(side left right)
   file(CREATE_LINK ${CMAKE_BINARY_DIR}/generated/${side}.obj ${CMAKE_BINARY_DIR}/cli_guide/${side}.obj SYMBOLIC)

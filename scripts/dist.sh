@@ -1,22 +1,30 @@
 #!/usr/bin/env bash
 # make dist: packs an installation into the archive $1, the same bytes wherever the same sources are built by the same compiler, with
-# its checksum; and beside it, in conan and vcpkg, the recipes of packaging/ for that archive, as it will be found under the URL $2.
+# its checksum; and beside it, in conan and vcpkg, the recipes of packaging/ for that archive, as it will be found under the URL $2. $3: where
+# the program is built. An archive of the same files is not packed again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-archive=$1 url=${2%/}
+archive=$1 url=${2%/} program=$3
 out=${archive%/*} file=${archive##*/}
 name=${file%.tar.gz}
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 
-rm -rf "$out"
 mkdir -p "$out"
-env -u MAKELEVEL -u MAKEFLAGS make --no-print-directory -s install PREFIX="$out/$name" DESTDIR=
+rm -rf "${out:?}/$name" "$out/conan" "$out/vcpkg"
+env -u MAKELEVEL -u MAKEFLAGS make --no-print-directory -s install PREFIX="$out/$name" DESTDIR= program="$program"
 cp packaging/archive/CMakeLists.txt "$out/$name"
 
 # The time of the last commit; of sources without a history, the beginning of 1980, before which some archives know no time.
 epoch=${SOURCE_DATE_EPOCH:-$([ ! -e .git ] || git log -1 --format=%ct)}
-tar --sort=name --format=gnu --mtime="@${epoch:-315532800}" --owner=0 --group=0 --numeric-owner --mode='u=rwX,go=rX' \
-  -C "$out" -c "$name" | gzip -9n >"$archive"
+pack() {
+  tar --sort=name --format=gnu --mtime="@${epoch:-315532800}" --owner=0 --group=0 --numeric-owner --mode='u=rwX,go=rX' -C "$out" -c "$name"
+}
+packed=$(pack | sha256sum)
+if [ ! -f "$archive" ] || [ "$packed" != "$(cat "$out/packed" 2>/dev/null)" ]; then
+  rm -f "$out/packed"
+  pack | gzip -9n >"$archive"
+  echo "$packed" >"$out/packed"
+fi
 (cd "$out" && sha256sum "$file" | tee "$file.sha256")
 sha512=$(sha512sum "$archive" | cut -d' ' -f1)
 
@@ -34,4 +42,4 @@ find "$out/conan" "$out/vcpkg" -name '*.in' -delete
 for template in conan/conandata.yml vcpkg/gusset/vcpkg.json vcpkg/gusset/portfile.cmake; do fill "$template"; done
 
 glibc=$(find "$out/$name" -type f \( -name '*.so*' -o -path '*/bin/*' \) -exec objdump -T {} + | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n 1)
-echo "build/dist/$file: $(du -h "$archive" | cut -f1), needs ${glibc/_/ } or later"
+echo "${archive#"$PWD/"}: $(du -h "$archive" | cut -f1), needs ${glibc/_/ } or later"

@@ -45,7 +45,7 @@ void announce_colours(Writer &out, const std::vector<Colour> &colours, bool opaq
     }
 }
 
-void write_colour(Writer &out, const Colour &colour, bool opaque, bool text) {
+void write_ply_colour(Writer &out, const Colour &colour, bool opaque, bool text) {
     for (std::size_t k = 0; k < (opaque ? 3 : 4); ++k) {
         if (text) {
             out << ' ' << uint32_t{step_of(colour[k])};
@@ -177,7 +177,7 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
             directions.write((*normals)[v][k]);
         }
         if (!mesh.vertex_colours.empty()) {
-            write_colour(out, mesh.vertex_colours[v], opaque, text);
+            write_ply_colour(out, mesh.vertex_colours[v], opaque, text);
         }
         for (std::size_t k = 0; texcoords && k < 2; ++k) {
             textures.write((*texcoords)[v][k]);
@@ -191,7 +191,7 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
             write_whole(out, mesh.corners[c], text);
         }
         if (!mesh.face_colours.empty()) {
-            write_colour(out, mesh.face_colours[f], opaque_faces, text);
+            write_ply_colour(out, mesh.face_colours[f], opaque_faces, text);
         }
         if (at_faces) {
             const auto *first = mesh.texcoords.values.data() + mesh.offsets[f];
