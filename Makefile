@@ -50,8 +50,9 @@ help:
 	@echo 'make demo                         stitch two halves of a real mesh, with a page to turn it and pictures, into build/demo'
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, header drift, C and C++'
-	@echo 'make test-vtk                     those that need VTK and MPI, which `make test` skips where they are not'
-	@echo 'make lint                         formatting, lints and the Rust documentation; spelling and licences, if typos and cargo-deny are there'
+	@echo 'make test-hosts-all               those that need VTK, MPI, PyVista or Dask, half a gigabyte that `make test` does without'
+	@echo 'make lint                         formatting, lints, both documentations, headers and examples by themselves; spelling and licences, if'
+	@echo '                                  typos and cargo-deny are there'
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make differential [CASES=1000] [FAMILY=loops] [SEED=1]  random campaigns against CGAL, OpenMesh and brute force, with a table; minutes'
@@ -96,12 +97,13 @@ build:
 	$(CARGO) build -p gusset $(features) --profile $(PROFILE) --locked $(released)
 
 # All that a change must pass, the hosts' side apart.
-check: lint test-rust
+check: lint-rust test-rust
 
 test-rust: test-units test-programs
 
 # The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
 lint: lint-rust lint-hosts
+# The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
 
 lint-rust:
 	$(CARGO) fmt --all --check
@@ -110,6 +112,12 @@ lint-rust:
 	@if command -v typos > /dev/null; then typos; else echo 'Skipped, as it is not installed: typos (cargo install typos-cli)'; fi
 	@if command -v cargo-deny > /dev/null; then $(CARGO) deny --workspace --locked --offline check bans licenses sources; \
 	else echo 'Skipped, as it is not installed: cargo-deny (cargo install cargo-deny)'; fi
+# The site of the C and C++ interface without a warning or a broken link; each header and each example compiled by itself. Needs no library.
+lint-hosts: docs
+	@scripts/install-packages.sh $(test_packages)
+	@$(MAKE) --no-print-directory -s install-data PREFIX='$(CURDIR)/build/lint' DESTDIR=
+	scripts/lint-hosts.sh build/lint
+
 
 # The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
 units := --workspace --exclude gusset-tests --exclude gusset-fuzz

@@ -1,4 +1,5 @@
-# The documentation is compiled, run and complete: the examples of the reference and of the guides, the reference itself, the site.
+# The documentation is compiled, run and complete: the examples of the reference and of the guides, and the reference itself. `make lint`
+# builds the site.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Once for all who run them: here as they are, in cpp_tests/threads in many threads at once.
