@@ -101,10 +101,9 @@ check: lint-rust test-rust
 
 test-rust: test-units test-programs
 
-# The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
 lint: lint-rust lint-hosts
-# The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
 
+# The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
 lint-rust:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
@@ -112,12 +111,12 @@ lint-rust:
 	@if command -v typos > /dev/null; then typos; else echo 'Skipped, as it is not installed: typos (cargo install typos-cli)'; fi
 	@if command -v cargo-deny > /dev/null; then $(CARGO) deny --workspace --locked --offline check bans licenses sources; \
 	else echo 'Skipped, as it is not installed: cargo-deny (cargo install cargo-deny)'; fi
+
 # The site of the C and C++ interface without a warning or a broken link; each header and each example compiled by itself. Needs no library.
 lint-hosts: docs
 	@scripts/install-packages.sh $(test_packages)
 	@$(MAKE) --no-print-directory -s install-data PREFIX='$(CURDIR)/build/lint' DESTDIR=
 	scripts/lint-hosts.sh build/lint
-
 
 # The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
 units := --workspace --exclude gusset-tests --exclude gusset-fuzz
@@ -153,12 +152,12 @@ test-hosts: openmfx
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2 || \
 	    { echo 'FAILED. The same tests once more, to see whether they fail again:'; ctest --test-dir build/cpp --rerun-failed --output-on-failure; exit 1; }
 
-# Of VTK's packages, half a gigabyte, `make test` does without: what needs them is skipped there, and run here.
-test-vtk: stage
+# What needs VTK, MPI, PyVista or Dask.
+test-hosts-all: stage
 	@scripts/install-packages.sh $(test_packages) libopenmpi-dev libvtk9-dev openmpi-bin
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
-	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
-	ctest --test-dir build/cpp -R '^(vtk|tiles)' --output-on-failure --no-tests=error
+	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_ALL_HOSTS=ON
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp-all --parallel 2 --target all_hosts
+	ctest --test-dir build/cpp-all -R '^(vtk|tiles|python)' --output-on-failure --no-tests=error --parallel 2
 
 # `cmake --install build/cli --prefix PREFIX` installs it.
 cli: stage
@@ -295,7 +294,7 @@ deb:
 check-deb:
 	@scripts/check-deb.sh autopkgtest
 
-# An installation of its own for tests and demo.
+# An installation of its own for tests and demo. What is the same as before keeps its time; what is no longer installed goes.
 stage:
 	@rm -rf '$(stage).new'
 	@$(MAKE) --no-print-directory -s install PREFIX='$(stage).new' DESTDIR= cli=

@@ -35,8 +35,8 @@ def wanted(only):
 
 
 def run(library, report, tools, only):
-    venv, package = ROOT / "build/python", ROOT / "python"
-    subprocess.run([ROOT / "scripts/venv.sh", venv, package / "requirements.txt"], check=True)
+    venv, package = ROOT / "build/python-hosts", ROOT / "python"
+    subprocess.run([ROOT / "scripts/venv.sh", venv, package / "requirements.txt", package / "requirements-hosts.txt"], check=True)
     python, native = venv / "bin/python", [library / "lib/libgusset.so", "gusset_mesh"]
     subprocess.run([python, "-B", "build_backend.py", *native], cwd=package, check=True)
     environment = {**os.environ, "PYTHONPATH": str(package)}
@@ -68,7 +68,7 @@ def in_tiles(library, report):
     folder = ROOT / "build/tiles"
     made = [["cmake", "-S", ROOT / "examples/tiles", "-B", folder, f"-DGUSSET_PREFIX={library}"], ["cmake", "--build", folder, "--parallel", "2"]]
     if not shutil.which("mpirun") or any(subprocess.run(command, capture_output=True).returncode for command in made):
-        print("SKIPPED: tiles: there is no MPI, or no DIY: make test-vtk installs both")
+        print("SKIPPED: tiles: there is no MPI, or no DIY: make test-hosts-all installs both")
         return
     with tempfile.TemporaryDirectory() as scratch:
         said = subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", folder / "tiles", "--tiles", "16", "16", "--cells", "158", "--gap",

@@ -8,7 +8,7 @@ python3 -m venv "$venv/env"
 pip() { "$venv/env/bin/pip" install -q --disable-pip-version-check --only-binary :all: "$@"; }
 PATH=/usr/bin:/bin pip target/wheels/*.whl
 PATH=/usr/bin:/bin "$venv/env/bin/python" -B examples/python/first.py
-pip -c python/requirements.txt pytest trimesh pyvista vtk
+pip -c python/requirements.txt -c python/requirements-hosts.txt pytest trimesh pyvista vtk
 # PyVista finds the accessor by itself.
 "$venv/env/bin/python" -B examples/python/pieces.py
 cp -r python/tests "$venv/tests"

@@ -23,7 +23,7 @@ scripts/demo.sh "$stage" '' '' "$@"
 build/pictures/showcases build/pictures/gallery
 python3 -B scripts/page.py "gusset: showcases" docs/showcases.html build/demo/showcase build/pictures/gallery \
   build/workshop/{last,ship,wrist,relief}.page
-scripts/venv.sh build/python python/requirements.txt
-(cd python && ../build/python/bin/python -B build_backend.py "$stage/lib/libgusset.so" gusset_mesh)
-PYTHONPATH=python build/python/bin/python -B -c 'import gusset_mesh.pyvista, runpy, sys; sys.argv = ["pieces.py", "docs"]; runpy.run_path("examples/python/pieces.py")' >build/python.log 2>&1 || { cat build/python.log; exit 1; }
+scripts/venv.sh build/python-hosts python/requirements.txt python/requirements-hosts.txt
+(cd python && ../build/python-hosts/bin/python -B build_backend.py "$stage/lib/libgusset.so" gusset_mesh)
+PYTHONPATH=python build/python-hosts/bin/python -B -c 'import gusset_mesh.pyvista, runpy, sys; sys.argv = ["pieces.py", "docs"]; runpy.run_path("examples/python/pieces.py")' >build/python.log 2>&1 || { cat build/python.log; exit 1; }
 /usr/bin/python3 -B scripts/photograph.py docs/showcases.html 1600 720 docs/joined.jpg "show=demo&plain=1&named=1&theme=light&side=1"
