@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 extern char **environ;
@@ -42,6 +41,16 @@ static uint64_t entries(const char *path, int targets, uint64_t *count) {
     return hash;
 }
 
+/* The mask of new files as the kernel tells it: umask() would have to set another one for a moment, which other threads would see. */
+static uint64_t mask_of_new_files(void) {
+    char line[200];
+    unsigned mask = 0;
+    FILE *const status = fopen("/proc/self/status", "r");
+    while (status && fgets(line, sizeof line, status) && sscanf(line, "Umask: %o", &mask) != 1) {}
+    if (status) fclose(status);
+    return mask;
+}
+
 process_state process_state_now(void) {
     process_state now = {0};
     char folder[4096];
@@ -69,8 +78,7 @@ process_state process_state_now(void) {
     now.descriptors = entries("/proc/self/fd", 1, &count);
     entries("/proc/self/task", 0, &now.threads);
     now.folder = text(0, getcwd(folder, sizeof folder));
-    now.file_mask = umask(0);
-    umask((mode_t)now.file_mask);
+    now.file_mask = mask_of_new_files();
     for (int resource = 0; resource < RLIM_NLIMITS; ++resource) {
         struct rlimit limit = {0, 0};
         getrlimit((__rlimit_resource_t)resource, &limit);
