@@ -67,11 +67,13 @@ impl Coordinates<'_> {
     }
 
     /// Node (i, j) in double precision, which is exact.
+    #[inline]
     pub fn get(&self, i: usize, j: usize) -> DVec3 {
         each!(self, planes => planes.get(i, j))
     }
 
     /// Moves node (i, j), rounding to the type of the coordinates.
+    #[inline]
     pub fn set(&mut self, i: usize, j: usize, position: DVec3) {
         each!(self, planes => planes.set(i, j, position));
     }
@@ -171,11 +173,13 @@ impl<'a> Net<'a> {
     }
 
     /// Node (i, j) in double precision.
+    #[inline]
     pub fn get(&self, i: usize, j: usize) -> DVec3 {
         self.coordinates.get(i, j)
     }
 
     /// The position of a node in double precision.
+    #[inline]
     pub(crate) fn position(&self, node: u32) -> DVec3 {
         let (i, j) = self.shape().place(node);
         self.get(i, j)

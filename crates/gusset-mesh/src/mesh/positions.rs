@@ -78,6 +78,7 @@ impl<'a> Positions<'a> {
     }
 
     /// Position `v` in double precision, which is exact.
+    #[inline]
     pub fn get(&self, v: u32) -> DVec3 {
         match self.scalar {
             Scalar::F32 => {

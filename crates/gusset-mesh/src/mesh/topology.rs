@@ -64,6 +64,7 @@ impl Topology {
     }
 
     /// The half-edge of the same face that follows `h`, those without length left out.
+    #[inline]
     pub(crate) fn next(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
         let (before, after) = (range.start as u32..h, h + 1..range.end as u32);

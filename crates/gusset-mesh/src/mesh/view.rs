@@ -15,6 +15,7 @@ const CHUNK: usize = 1 << 16;
 struct Indices<'a>(&'a [u8]);
 
 impl<'a> Indices<'a> {
+    #[inline]
     fn get(&self, i: usize) -> u32 {
         bytemuck::pod_read_unaligned(&self.0[4 * i..4 * i + 4])
     }
@@ -23,6 +24,7 @@ impl<'a> Indices<'a> {
         self.0[4 * range.start..4 * range.end].chunks_exact(4).map(bytemuck::pod_read_unaligned)
     }
 
+    #[inline]
     fn len(&self) -> usize {
         self.0.len() / 4
     }
@@ -210,6 +212,7 @@ impl<'a> Faces<'a> {
 
     /// The face that corner (half-edge) `h` belongs to: at once for uniform faces, else by
     /// bisection.
+    #[inline]
     pub fn face_of(&self, h: u32) -> u32 {
         match self.layout {
             Layout::Uniform(n) => h / n,
