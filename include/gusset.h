@@ -469,42 +469,6 @@
 #define GUSSET_ALIGNED_TRUSTED_BY_NONE 6
 
 /**
- * Coincident borders are sewn, by default up to what rounding can have done; see
- * gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
- */
-#define GUSSET_ASSEMBLY_WELD 0
-
-/**
- * Nothing is welded.
- */
-#define GUSSET_ASSEMBLY_NO_WELD 1
-
-/**
- * Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
- */
-#define GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE 2
-
-/**
- * Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
- * size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
- * from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
- * is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
- * the loop with the longer ones. The width is the mean distance from each loop to the nearest
- * points of the other, the larger of the two. Loops must look at each other, or lie round each
- * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
- * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
- * may be a hole that the seam crosses.
- * Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
- * coarsest wide, or four where a part would be left alone.
- */
-#define GUSSET_GAP_AUTO 0
-
-/**
- * Gaps are closed up to max_gap.
- */
-#define GUSSET_GAP_GIVEN 1
-
-/**
  * A strip joins them.
  */
 #define GUSSET_JOINT_JOINED 0
@@ -529,17 +493,6 @@
  * part of a hole then.
  */
 #define GUSSET_JOINT_WOULD_CUT 4
-
-/**
- * Pieces that overlap stay as they are.
- */
-#define GUSSET_OVERLAPS_KEEP 0
-
-/**
- * Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
- * are closed as others are. Strips that would cut other faces are left to the holes.
- */
-#define GUSSET_OVERLAPS_TRIM 1
 
 /**
  * There is no other loop.
@@ -586,6 +539,53 @@
  * It is not to be joined with the nearest loop.
  */
 #define GUSSET_LEFT_EXCLUDED 8
+
+/**
+ * Coincident borders are sewn, by default up to what rounding can have done; see
+ * gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
+ */
+#define GUSSET_ASSEMBLY_WELD 0
+
+/**
+ * Nothing is welded.
+ */
+#define GUSSET_ASSEMBLY_NO_WELD 1
+
+/**
+ * Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
+ */
+#define GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE 2
+
+/**
+ * Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
+ * size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
+ * from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
+ * is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
+ * the loop with the longer ones. The width is the mean distance from each loop to the nearest
+ * points of the other, the larger of the two. Loops must look at each other, or lie round each
+ * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
+ * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
+ * may be a hole that the seam crosses.
+ * Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
+ * coarsest wide, or four where a part would be left alone.
+ */
+#define GUSSET_GAP_AUTO 0
+
+/**
+ * Gaps are closed up to max_gap.
+ */
+#define GUSSET_GAP_GIVEN 1
+
+/**
+ * Pieces that overlap stay as they are.
+ */
+#define GUSSET_OVERLAPS_KEEP 0
+
+/**
+ * Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
+ * are closed as others are. Strips that would cut other faces are left to the holes.
+ */
+#define GUSSET_OVERLAPS_TRIM 1
 
 /**
  * At an edge with three or more faces each face has a border of its own; loops run along it and
@@ -8288,7 +8288,7 @@ gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
  *     group; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is
  *     from, 1 is to), OUT_OF_RANGE (an open curve, and to before from), UNKNOWN_VALUE, TOO_LARGE,
- *     OUT_OF_MEMORY.
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
@@ -8326,7 +8326,7 @@ gusset_status gusset_curve_split_create(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param[out] reversed receives the result, for gusset_curve_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
@@ -8346,7 +8346,7 @@ gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
  * @param to if `by` is 0: the degree, 1 to 64.
  * @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
- *     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY.
+ *     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(degree) for each new control point.
  * @since 0.1
  */
@@ -8370,7 +8370,7 @@ gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
  *     kept one what it would have been; NULL if it is not wanted.
  * @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
- *     tolerance), OUT_OF_MEMORY.
+ *     tolerance), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(degree^3) a segment.
  * @since 0.1
  */
@@ -8397,7 +8397,7 @@ gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
  * @param[out] offset receives the result, for gusset_curve_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree),
- *     TOO_LARGE, OUT_OF_MEMORY.
+ *     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(degree) for each of the places measured.
  * @since 0.1
  */
@@ -8419,7 +8419,7 @@ gusset_status gusset_curve_offset_create(const struct gusset_context *context,
  * @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
  *     this group; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
- *     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY.
+ *     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
@@ -8439,7 +8439,8 @@ gusset_status gusset_curve_svg_create(const struct gusset_context *context,
  *     points; rounding always does.
  * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
- *     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY.
+ *     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY,
+ *     CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
@@ -8459,7 +8460,7 @@ gusset_status gusset_curve_contour_create(const struct gusset_context *context,
  * @param curve the curve.
  * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
- *     (other degrees), OUT_OF_MEMORY.
+ *     (other degrees), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
@@ -8642,7 +8643,7 @@ gusset_status gusset_outline_measure(const struct gusset_outline *outline,
  * @param[out] places receives the result, for gusset_places_destroy, as for all functions of this
  *     group; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal),
- *     NOT_FINITE, OUT_OF_MEMORY.
+ *     NOT_FINITE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points), and O(degree^2) a crossing.
  * @since 0.1
  */
@@ -8710,7 +8711,7 @@ gusset_status gusset_curve_intersect_create(const struct gusset_context *context
  * @param[out] places receives the places; overlaps are parts all of whose tangents make the angle,
  *     as those of straight segments: where each begins and ends, twice. NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (direction,
- *     angle), NOT_FINITE (direction), OUT_OF_MEMORY.
+ *     angle), NOT_FINITE (direction), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points), and O(degree^2) for each place.
  * @source Leus, "Carcasses on smooth surfaces", task b, for curves.
  * @since 0.1
@@ -8732,7 +8733,7 @@ gusset_status gusset_curve_tangent_angle_create(const struct gusset_context *con
  * @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
  * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
- *     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY.
+ *     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points, and samples).
  * @since 0.1
  */
@@ -8777,7 +8778,7 @@ gusset_status gusset_places_get_view(const struct gusset_places *places,
  * @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
  *     of the first derivative by t, and so on; 0 beyond the degree.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
- *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY.
+ *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(degree^2) a place.
  * @since 0.1
  */
@@ -8857,7 +8858,7 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param[out] length receives it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points); to 1e-13, in closed form up to degree 2.
  * @since 0.1
  */
@@ -8896,7 +8897,7 @@ gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
  * @param count see lengths.
  * @param[out] out receives count places.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
- *     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+ *     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points + count log segments).
  * @since 0.1
  */
@@ -8914,7 +8915,7 @@ gusset_status gusset_curve_places_at(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param[out] bounds receives the least x, y, z and the greatest x, y, z.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, CANCELLED.
  * @complexity O(points); exact but for rounding.
  * @since 0.1
  */
@@ -8932,7 +8933,7 @@ gusset_status gusset_curve_bounds(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param[out] area receives x, y, z.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CANCELLED.
  * @complexity O(sum of degree^2); exact but for rounding.
  * @since 0.1
  */
@@ -8949,7 +8950,7 @@ gusset_status gusset_curve_area_vector(const struct gusset_context *context,
  * @param curve the curve.
  * @param[out] moments receives the moments; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     CURVE_NOT_PLANE, EMPTY_CURVE.
+ *     CURVE_NOT_PLANE, EMPTY_CURVE, CANCELLED.
  * @complexity O(sum of degree^2); exact but for rounding.
  * @since 0.1
  */
@@ -10559,7 +10560,7 @@ gusset_status gusset_net_edit(const struct gusset_context *context,
  * @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
  *     type: double to float is rounded.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
- *     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW.
+ *     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, CANCELLED.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -10650,7 +10651,7 @@ GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis
  * @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
  * @param count see links.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
- *     CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+ *     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED; the net is unchanged then.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -11002,7 +11003,7 @@ gusset_status gusset_net_unglue(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] net the net.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -11020,7 +11021,7 @@ gusset_status gusset_net_saturate(const struct gusset_context *context,
  * @param capacity see classes.
  * @param[out] written receives that number. NULL and 0 ask for it.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
- *     written but the number), OUT_OF_MEMORY.
+ *     written but the number), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes); 4 bytes a node.
  * @since 0.1
  */
@@ -11038,7 +11039,7 @@ gusset_status gusset_net_classes(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
  * @param[out] groups receives the result, for gusset_net_groups_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
  *     the glued nodes.
  * @since 0.1
@@ -11085,7 +11086,7 @@ GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
  * @param cyclic 0, or 1 to count links that lead back to the first row or column too.
  * @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
- *     NO_SUCH_ELEMENT, OUT_OF_MEMORY.
+ *     NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
  *     all.
  * @source Deryagin, Fig. 4.
@@ -11125,7 +11126,8 @@ gusset_status gusset_net_classify_cell(const struct gusset_context *context,
  * @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
  *     many cells have each type; NULL for what is not wanted.
  * @param[out] cells see nodes.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY,
+ *     CANCELLED.
  * @complexity O(nodes); 4 bytes a node.
  * @since 0.1
  */
@@ -12315,7 +12317,7 @@ gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
  * @param decoder the decoder.
  * @param[out] net receives it.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL if there are
- *     fewer rows, OUT_OF_MEMORY.
+ *     fewer rows, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes).
  * @since 0.1
  */

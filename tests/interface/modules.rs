@@ -1,7 +1,8 @@
-//! A file that no module names is not compiled, and its tests do not run; nobody is told. Here they
-//! are.
+//! Files of modules: each is compiled, and its name tells it apart within its crate.
+//!
+//! A file that no module names is not compiled, and its tests do not run.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -35,11 +36,38 @@ fn named(all: &[(PathBuf, String)]) -> HashSet<PathBuf> {
     named
 }
 
-#[test]
-fn every_file_is_compiled() {
+/// The Rust files of some folders of the repository.
+fn files_of(folders: &[&str]) -> Vec<PathBuf> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).canonicalize().unwrap();
     let mut files = Vec::new();
-    ["src", "crates", "tests"].iter().for_each(|folder| rust_files(&root.join(folder), &mut files));
+    folders.iter().for_each(|folder| rust_files(&root.join(folder), &mut files));
+    files
+}
+
+/// Names that every crate may have in several folders.
+const COMMON_NAMES: [&str; 4] = ["lib.rs", "main.rs", "mod.rs", "tests.rs"];
+
+#[test]
+fn names_of_files_are_unique_within_a_crate() {
+    let is_root = |folder: &&Path| ["lib.rs", "main.rs"].iter().any(|root| folder.join(root).exists());
+    let mut named: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for file in files_of(&["src", "crates", "tests", "fuzz"]) {
+        let name = file.file_name().unwrap().to_owned();
+        // Files of the C interface are named after their groups in the reference, by folder and file.
+        let in_c_interface = file.iter().any(|folder| folder == "capi");
+        let Some(root) = file.ancestors().skip(1).find(is_root) else { continue };
+        if !in_c_interface && !COMMON_NAMES.iter().any(|common| name == *common) {
+            named.entry((root.to_owned(), name)).or_default().push(file);
+        }
+    }
+    assert!(named.len() > 500, "{}", named.len());
+    let shared: Vec<_> = named.values().filter(|files| files.len() > 1).collect();
+    assert!(shared.is_empty(), "files of one crate share a name: {shared:#?}");
+}
+
+#[test]
+fn every_file_is_compiled() {
+    let files = files_of(&["src", "crates", "tests"]);
     let all: Vec<_> = files.into_iter().map(|file| (file.clone(), fs::read_to_string(file).unwrap())).collect();
     assert!(all.len() > 300, "{}", all.len());
     let is_root =

@@ -4,7 +4,7 @@
 //! two reflections carry a direction from one point of a curve to the next, so that it turns with
 //! the curve and not about it.
 
-use super::options::Axis;
+use super::frame_options::Axis;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};

@@ -5,7 +5,7 @@
 //! and than at the points beside it: so a smooth section of few points has none. Corners that all
 //! sections have are landmarks: each gets a node, and the curves across turn sharply there.
 
-use super::options::FrameOptions;
+use super::frame_options::FrameOptions;
 use crate::identify::{Constraint, Options, Outlines, PointConstraint};
 use glam::DVec3;
 use gusset_base::alloc;

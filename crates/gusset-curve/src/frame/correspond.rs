@@ -10,7 +10,7 @@ use crate::curve::{CurveView, Place};
 use super::align::{Ring, anchor, starts};
 use super::axis::places;
 use super::corners::{apportioned, constrained, corners, matched, sharp_nodes};
-use super::options::{Correspondence, FrameOptions};
+use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::Lengths;
 use glam::DVec3;

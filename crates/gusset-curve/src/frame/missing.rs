@@ -8,7 +8,7 @@
 //! nearest columns on either side that have all nodes of these sections, or if there are none, of
 //! all columns that have both nodes. O(points), and O(nearby columns) for each missing node.
 
-use super::options::{Correspondence, FrameOptions};
+use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::Outlines;
 use glam::DVec3;
 use gusset_base::alloc;

@@ -4,12 +4,12 @@
 //! another, and by curves along it. Both families pass the same nodes, so they meet there. From the
 //! curves along come cross sections at any plane.
 //!
-//! * options: [`Correspondence`] of points, and the options of the curves.
+//! * frame_options: [`Correspondence`] of points, and the options of the curves.
 //! * correspond: the nodes; which points of one section belong to which of the next.
 //! * align: where closed sections start, and by how much a body is wrung.
 //! * axis: the axis that angles are counted about.
 //! * missing: nodes that sections lack.
-//! * offset: the frame beside a frame.
+//! * frame_offset: the frame beside a frame.
 //! * corners: the corners of sections, and which of them belong together.
 //! * [`frame`](frame()): the curves through them.
 //! * slice: new sections, and girth and area along the body.
@@ -22,14 +22,14 @@ mod align;
 mod axis;
 mod corners;
 mod correspond;
+mod frame_offset;
+mod frame_options;
 mod missing;
-mod offset;
-mod options;
 mod slice;
 
-pub use offset::by_node;
-pub use offset::{OffsetDirection, offset};
-pub use options::{Axis, Correspondence, FrameOptions};
+pub use frame_offset::by_node;
+pub use frame_offset::{OffsetDirection, offset};
+pub use frame_options::{Axis, Correspondence, FrameOptions};
 pub use slice::{Measure, Slice, slice};
 
 use crate::identify::{Constraint, Fit, Options, Outlines, PointConstraint, Points, fit};

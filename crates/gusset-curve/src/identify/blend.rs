@@ -20,8 +20,8 @@
 //! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
+use super::identify_options::Mode;
 use super::method::{Method, through};
-use super::options::Mode;
 use super::report::PointStatus;
 use super::solution::Solution;
 use super::subcurve::{Output, Subcurve};

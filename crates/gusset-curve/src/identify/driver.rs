@@ -7,8 +7,8 @@
 use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
+use super::identify_options::{JointParameter, Mode, Options};
 use super::nodes::Nodes;
-use super::options::{JointParameter, Mode, Options};
 use super::outlines::{Constraint, Outlines};
 use super::report::{Account, FitStatus, PointStatus, Report};
 use super::single::{self, Collocation};

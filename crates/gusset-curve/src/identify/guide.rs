@@ -67,7 +67,7 @@ pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> Result
 
 #[cfg(test)]
 mod tests {
-    use super::super::options::Options;
+    use super::super::identify_options::Options;
     use super::*;
 
     #[test]

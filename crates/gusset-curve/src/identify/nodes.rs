@@ -1,7 +1,7 @@
 //! The nodes of an outline: its points near the origin, freed of repeats, and cut at corners and
 //! tangents. O(n log n).
 
-use super::options::{Ends, Options};
+use super::identify_options::{Ends, Options};
 use super::outlines::{Constraint, Outlines};
 use super::report::PointStatus;
 use super::subcurve::{PointResult, Subcurve};

@@ -1,9 +1,9 @@
 //! The sections of all points by themselves: the paper's methods before anything is joined. O(n).
 
+use super::identify_options::{Options, Solver};
 use super::method::{
     Method, Section, power, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through,
 };
-use super::options::{Options, Solver};
 use super::outlines::{Constraint, Outlines, Points};
 use super::report::PointStatus;
 use super::stepping::step_section;

@@ -8,8 +8,8 @@
 //!
 //! Source: Nadopta, points 4 to 6 of the method of the normal.
 
+use super::identify_options::Options;
 use super::method::{Method, Section};
-use super::options::Options;
 use super::report::PointStatus;
 use glam::DVec3;
 use gusset_base::error::Result;

@@ -2,7 +2,7 @@
 //! of equations sees it.
 
 use super::curve_builder::CurveBuilder;
-use super::options::Options;
+use super::identify_options::Options;
 use super::report::{Account, PointStatus};
 use crate::curve::Place;
 use glam::DVec3;

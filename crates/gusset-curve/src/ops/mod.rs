@@ -12,7 +12,7 @@
 //! * tangent_angle: the points whose tangents make an angle with a direction.
 //! * intersect, segment_intersection: common points of two plane curves, and of one with itself.
 //! * near_misses: where two curves in space come near to each other.
-//! * offset: the curve at a distance.
+//! * curve_offset: the curve at a distance.
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
 //!
@@ -26,6 +26,7 @@
 mod area;
 mod bounds;
 mod cubic;
+mod curve_offset;
 mod degree;
 mod evaluate;
 mod export;
@@ -35,7 +36,6 @@ mod length;
 mod near_miss_bounds;
 mod near_misses;
 mod nearest;
-mod offset;
 mod part;
 mod resample;
 mod segment_intersection;
@@ -44,6 +44,7 @@ mod tangent_angle;
 
 pub use area::Moments;
 pub use bounds::Bounds;
+pub use curve_offset::{Offset, OffsetOptions};
 pub use degree::Reduced;
 pub use export::{Contour, Spline};
 pub use intersect::{Intersection, Intersections, Overlap};
@@ -52,6 +53,5 @@ pub use length::Lengths;
 pub use near_misses::{NearMiss, NearMisses};
 pub use nearest::Nearest;
 pub use nearest::{CurveSearch, nearest_of_any};
-pub use offset::{Offset, OffsetOptions};
 pub use resample::{Samples, Spacing};
 pub use tangent_angle::TangentAngles;

@@ -1,7 +1,7 @@
 //! Which samples of a piece's rims lie along the rims of another one.
 
-use super::pairs::{Found, Met, Pair, Placed, SAMPLES_PER_REPORT, STAGE};
-use super::rim::{MIN_COSINE, Rim};
+use super::sample_pairs::{Found, Met, Pair, Placed, SAMPLES_PER_REPORT, STAGE};
+use super::sampled_rim::{MIN_COSINE, Rim};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;

@@ -1,7 +1,7 @@
 //! The directions in which overlaps do not hold a piece.
 
-use super::pairs::Found;
-use super::system::Six;
+use super::motion_system::Six;
+use super::sample_pairs::Found;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::linear::eigen::eigen;

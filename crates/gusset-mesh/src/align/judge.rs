@@ -1,9 +1,9 @@
 //! What can be trusted: pairs that fit, and the pieces that hang together by them.
 
+use super::align_request::{Overlap, Reason};
 use super::freedom::holds;
 use super::member::Member;
-use super::pairs::Found;
-use super::request::{Overlap, Reason};
+use super::sample_pairs::Found;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 

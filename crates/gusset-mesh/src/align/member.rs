@@ -1,6 +1,6 @@
 //! A piece among those that are aligned with each other, and what it looks for.
 
-use super::rim::Rim;
+use super::sampled_rim::Rim;
 use super::scan::Scan;
 use gusset_base::geom::kd_tree::KdTree;
 

@@ -20,43 +20,43 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | [`request`](self) | options, results, reasons |
+//! | [`align_request`](self) | options, results, reasons |
 //! | [`pose`](self) | a rotation and a translation |
 //! | [`scan`](self) | a piece made ready: points, smoothed normals, borders, samples |
-//! | [`rim`](self) | its rims at equal steps, with frames and signatures |
+//! | [`sampled_rim`](self) | its rims at equal steps, with frames and signatures |
 //! | [`member`](self) | a piece among others, and what it looks for |
-//! | [`pairs`](self) | which samples lie on which other piece, and their equations |
+//! | [`sample_pairs`](self) | which samples lie on which other piece, and their equations |
 //! | [`along`](self) | the same of rims |
 //! | [`scene`](self) | the pieces, and who is near whom |
-//! | [`system`](self) | the equations of all motions, solved by conjugate gradients |
+//! | [`motion_system`](self) | the equations of all motions, solved by conjugate gradients |
 //! | [`freedom`](self) | the directions in which overlaps do not hold a piece |
 //! | [`relax`](self) | the rounds |
 //! | [`axes`](self) | a start by principal axes |
-//! | [`rims`](self) | a start by features of rims |
+//! | [`rim_features`](self) | a start by features of rims |
 //! | [`judge`](self) | what can be trusted |
-//! | [`run`](self) | all of it in order |
+//! | [`align_run`](self) | all of it in order |
 //! | [`moved`](self) | the pieces where they lie in the end, in one mesh and apart |
 
+mod align_request;
+mod align_run;
 mod along;
 mod axes;
 mod freedom;
 mod judge;
 mod member;
+mod motion_system;
 mod moved;
-mod pairs;
 mod pose;
 mod relax;
-mod request;
-mod rim;
-mod rims;
-mod run;
+mod rim_features;
+mod sample_pairs;
+mod sampled_rim;
 mod scan;
 mod scene;
-mod system;
 
+pub use align_request::{Aligned, Alignment, Options, Overlap, Reason, Start};
+pub use align_run::align;
+pub(crate) use align_run::common_unit_of;
 pub use moved::views_of;
 pub use pose::Pose;
-pub use request::{Aligned, Alignment, Options, Overlap, Reason, Start};
-pub use run::align;
-pub(crate) use run::common_unit_of;
 pub(crate) use scan::Scan;

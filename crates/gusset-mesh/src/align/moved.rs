@@ -1,7 +1,7 @@
 //! The pieces where they lie in the end, in one mesh.
 
+use super::align_request::Alignment;
 use super::pose::Pose;
-use super::request::Alignment;
 use crate::mesh::{Mesh, MeshView, Piece, PositionBuffer, Positions, concatenate};
 use glam::DVec3;
 use gusset_base::alloc;

@@ -1,10 +1,10 @@
 //! The rounds: pairs are looked for, and the motions that fit them best are applied, until nothing
 //! moves.
 
-use super::pairs::Found;
+use super::motion_system::System;
 use super::pose::Pose;
+use super::sample_pairs::Found;
 use super::scene::{MIN_PAIRS, Scene};
-use super::system::System;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -2,8 +2,8 @@
 
 use super::along::look_along;
 use super::member::Member;
-use super::pairs::{Found, Placed, STAGE, look};
 use super::pose::Pose;
+use super::sample_pairs::{Found, Placed, STAGE, look};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;

@@ -1,9 +1,9 @@
 //! Components that face each other made to agree in orientation: union-find with parity.
 
+use super::assemble_request::{Assembly, Outcome};
 use super::base::Base;
 use super::candidates::Facing;
-use super::loops::Loops;
-use super::request::{Assembly, Outcome};
+use super::piece_loops::Loops;
 use crate::mesh::NONE;
 use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
 use gusset_base::alloc;

@@ -1,7 +1,7 @@
 //! The pieces put together: welded, oriented, and in the end filled and turned outwards.
 
+use super::assemble_request::{Assembly, Options};
 use super::history::History;
-use super::request::{Assembly, Options};
 use crate::boundary::{self, boundary_loops};
 use crate::fill::{self, Selection, fill_holes};
 use crate::mesh::{Defect, MeshView, NONE, concat};

@@ -1,7 +1,7 @@
 //! What is known of the loops among which those are looked for that face each other.
 
 use crate::stitch::facing::Arc;
-use crate::stitch::rim::Rim;
+use crate::stitch::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

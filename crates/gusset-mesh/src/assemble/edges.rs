@@ -1,6 +1,6 @@
 //! The edges that the mesh has between vertices of its loops: no strip may repeat one.
 
-use crate::stitch::rim::{Bridges, Rim};
+use crate::stitch::stitch_rim::{Bridges, Rim};
 use crate::stitch::strip::Strip;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -11,7 +11,7 @@ use super::candidates::{Facing, FacingSearch, Looks, LoopVertices, STAGE};
 use super::whole_loops::{Seen, add_shares, conormals};
 use crate::mesh::NONE;
 use crate::stitch::facing::{Arc, cyclic_runs};
-use crate::stitch::pairing::mean_gap;
+use crate::stitch::loop_pairing::mean_gap;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -1,6 +1,6 @@
 //! Pairs of loops that the caller names: what they name is looked up, or the fault is said.
 
-use super::request::Selector;
+use super::assemble_request::Selector;
 use crate::mesh::NONE;
 use crate::stitch::IndexMap;
 use gusset_base::error::{Error, PairFault, Result, Side};

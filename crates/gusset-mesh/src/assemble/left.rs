@@ -3,8 +3,8 @@
 //! The loop that is nearest to most of its vertices is what it might have been joined with, one of
 //! another component before its own; of that it is said why it was not.
 
+use super::assemble_request::Reason;
 use super::candidates::{FacingSearch, Looks, STAGE, Slit};
-use super::request::Reason;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;

@@ -19,6 +19,8 @@
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 
 mod agreement;
+mod assemble_request;
+mod assemble_run;
 mod assignment;
 mod base;
 mod candidates;
@@ -27,13 +29,11 @@ mod facing_loops;
 mod given_pair;
 mod history;
 mod left;
-mod loops;
-mod request;
-mod run;
+mod piece_loops;
 mod slit;
 mod trimmed;
 mod whole_loops;
 
+pub use assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector};
+pub use assemble_run::assemble;
 pub use history::History;
-pub use request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector};
-pub use run::assemble;

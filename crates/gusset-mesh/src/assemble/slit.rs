@@ -16,7 +16,7 @@ use crate::boundary::Loop;
 use crate::mesh::MeshView;
 use crate::stitch::facing::Arc;
 use crate::stitch::polyline::nearest_beside;
-use crate::stitch::rim::Rim;
+use crate::stitch::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

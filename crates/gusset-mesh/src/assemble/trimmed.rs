@@ -1,6 +1,6 @@
 //! What has to go of trimmed pieces once what is left of them has been joined.
 
-use super::request::Assembly;
+use super::assemble_request::Assembly;
 use crate::mesh::{MeshView, NONE};
 use crate::trim::Trimmed;
 use gusset_base::alloc;

@@ -22,7 +22,7 @@
 use super::assignment::{Match, best_matches};
 use super::candidates::{Candidate, Facing, FacingSearch, STAGE};
 use crate::stitch::polyline;
-use crate::stitch::rim::Rim;
+use crate::stitch::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

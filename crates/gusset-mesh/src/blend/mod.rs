@@ -21,11 +21,11 @@
 //! |---|---|
 //! | [`ring`](self) | the old faces round the rims |
 //! | [`plan`](self) | the steps |
-//! | [`unfold`](self) | vertices that fold triangles taken back |
+//! | [`fold_free_moves`](self) | vertices that fold triangles taken back |
 
+mod fold_free_moves;
 mod plan;
 mod ring;
-mod unfold;
 
 pub(crate) use plan::{Limits, Plan, Way};
 pub(crate) use ring::{Beyond, MAX_FAN_TRIANGLES, OldRing};

@@ -1,7 +1,7 @@
 //! The old faces round a patch: what they ask of its triangles, and the plate that is clamped to
 //! them.
 
-use super::unfold::unfold;
+use super::fold_free_moves::unfold;
 use crate::fair::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
 use crate::remesh::{PatchMesh, Sizing};
 use glam::DVec3;

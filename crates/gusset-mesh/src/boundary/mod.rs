@@ -21,17 +21,17 @@
 //! * **Faces that disagree in orientation** do not stop a walk; the loop takes the direction of
 //!   most of its faces and marks the edges where it runs against theirs.
 //!
-//! Files: `options` and `loops` have the types and the entry point, `walk` goes from free edge to
-//! free edge, `split` makes simple loops, and `fast` finds ordinary boundaries without looking at
+//! Files: `options` and `boundary_loops` have the types and the entry point, `walk` goes from free edge to
+//! free edge, `simple_loops` makes simple loops, and `fast` finds ordinary boundaries without looking at
 //! every edge.
 
+mod boundary_loops;
 mod fast;
-mod loops;
 mod options;
-mod split;
+mod simple_loops;
 mod walk;
 
-pub(crate) use split::split_simple;
+pub(crate) use simple_loops::split_simple;
 
-pub use loops::{Boundary, EdgeFlags, Loop, LoopFlags, boundary_loops};
+pub use boundary_loops::{Boundary, EdgeFlags, Loop, LoopFlags, boundary_loops};
 pub use options::{NonManifold, Options, Survey};

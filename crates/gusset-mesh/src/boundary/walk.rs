@@ -5,7 +5,7 @@
 //! each once. O(faces of the fans).
 
 use super::options::NonManifold;
-use super::split::STAGE;
+use super::simple_loops::STAGE;
 use crate::mesh::{Across, MeshView, Topology};
 use gusset_base::alloc;
 use gusset_base::error::Result;

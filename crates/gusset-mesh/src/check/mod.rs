@@ -1,10 +1,10 @@
 //! The check of a mesh: counts, topological invariants and lists of defects.
 //!
 //! * [`report`](self): result and entry point.
-//! * [`fans`](self): bow-tie vertices.
+//! * [`bow_ties`](self): bow-tie vertices.
 //! * [`twins`](self): duplicate faces.
 
-mod fans;
+mod bow_ties;
 mod report;
 mod twins;
 

@@ -2,7 +2,7 @@
 //! half-edges; Euler's formula V - E + F = 2 - 2g - b gives the genus of an orientable
 //! manifold. O(H log d) time for H half-edges and at most d at a vertex; linear memory.
 
-use super::fans::bow_ties;
+use super::bow_ties::bow_ties;
 use super::twins::duplicate_faces;
 use crate::boundary::{self, boundary_loops};
 use crate::mesh::{Across, Defect, MeshView, Topology, unordered};

@@ -1,8 +1,8 @@
 //! One chart as triangles, each with its own shape.
 
 use super::STAGE;
-use super::cuts::CutSurface;
-use super::split::Split;
+use super::charts::Split;
+use super::cut_edges::CutSurface;
 use crate::fill::clip_ears;
 use crate::mesh::{NONE, unordered};
 use glam::{DVec2, DVec3};

@@ -6,7 +6,7 @@
 //! flattening by curvature prescription and metric scaling*, 2008, who place cones so).
 
 use super::chart::ChartMesh;
-use super::system::System;
+use super::chart_system::System;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use glam::{DMat2, DVec2};
 use gusset_base::alloc;

@@ -6,10 +6,10 @@
 //! the last map of which it did not, and halves the steps at which it would.
 
 use super::chart::ChartMesh;
+use super::chart_system::System;
+use super::develop_request::Distortion;
 use super::energy::{Jacobian, energy, weights};
 use super::overlap::overlaps;
-use super::request::Distortion;
-use super::system::System;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use glam::{DMat2, DVec2};
 use gusset_base::alloc;

@@ -1,6 +1,6 @@
 //! The distortion of one triangle, by the singular values of its map to the plane.
 
-use super::request::Distortion;
+use super::develop_request::Distortion;
 use glam::{DMat2, DVec2};
 
 /// The map of a triangle: J = U diag(s) V^T with rotations U and V, and s[1] negative if the

@@ -16,36 +16,36 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`request`](self) | what is asked for, and what is returned |
-//! | [`cuts`](self) | edges along which the surface is cut; shortest paths |
+//! | [`develop_request`](self) | what is asked for, and what is returned |
+//! | [`cut_edges`](self) | edges along which the surface is cut; shortest paths |
 //! | [`opening`](self) | cuts that leave discs only |
-//! | [`split`](self) | charts: components of the surface that was cut |
+//! | [`charts`](self) | the connected components of the surface that was cut |
 //! | [`chart`](self) | one chart as triangles with their shapes |
-//! | [`unfold`](self) | exact development about edges |
-//! | [`system`](self) | the linear equations of one chart |
-//! | [`start`](self) | maps to begin with |
+//! | [`exact_unfolding`](self) | exact development about edges |
+//! | [`chart_system`](self) | the linear equations of one chart |
+//! | [`start_maps`](self) | maps to begin with |
 //! | [`energy`](self) | the distortion of one triangle |
 //! | [`descend`](self) | least distortion |
 //! | [`overlap`](self) | borders that cross in the plane |
 //! | [`darts`](self) | where a dart reduces distortion most |
-//! | [`run`](self) | from the mesh to the result |
+//! | [`develop_run`](self) | from the mesh to the result |
 
 mod chart;
-mod cuts;
+mod chart_system;
+mod charts;
+mod cut_edges;
 mod darts;
 mod descend;
+mod develop_request;
+mod develop_run;
 mod energy;
+mod exact_unfolding;
 mod opening;
 mod overlap;
-mod request;
-mod run;
-mod split;
-mod start;
-mod system;
-mod unfold;
+mod start_maps;
 
-pub use request::{Chart, CutKind, Cuts, Developed, Distortion, Finish, Options};
-pub use run::develop;
+pub use develop_request::{Chart, CutKind, Cuts, Developed, Distortion, Finish, Options};
+pub use develop_run::develop;
 
 /// The stage of progress.
 const STAGE: &str = "developing";

@@ -7,9 +7,9 @@
 //! and cutting along these loops leaves a disc.
 
 use super::STAGE;
-use super::cuts::{CutSurface, Graph, Search};
-use super::request::CutKind;
-use super::split::Split;
+use super::charts::Split;
+use super::cut_edges::{CutSurface, Graph, Search};
+use super::develop_request::CutKind;
 use crate::mesh::NONE;
 use gusset_base::alloc;
 use gusset_base::error::Result;

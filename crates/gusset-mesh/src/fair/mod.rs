@@ -15,7 +15,7 @@
 //! |---|---|
 //! | [`rings`](self) | the neighbours of each vertex and their weights |
 //! | [`continuity`](self) | what a plate has in common with what it is clamped to |
-//! | [`exact`](self) | a Laplacian that is exact for quadratic functions |
+//! | [`exact_laplacian`](self) | a Laplacian that is exact for quadratic functions |
 //! | [`curvature`](self) | how a patch bends, without the detail of its triangles |
 //! | [`plate`](self) | the energy's normal equations, and the new places |
 //! | [`couplings`](self) | the unknowns that the equations couple |
@@ -23,7 +23,7 @@
 mod continuity;
 mod couplings;
 mod curvature;
-mod exact;
+mod exact_laplacian;
 mod plate;
 mod rings;
 #[cfg(test)]

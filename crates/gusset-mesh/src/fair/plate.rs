@@ -9,7 +9,7 @@
 
 use super::continuity::Continuity;
 use super::couplings::Couplings;
-use super::exact::Exact;
+use super::exact_laplacian::Exact;
 use super::rings::{Rings, Rows, Weights};
 
 use crate::mesh::NONE;

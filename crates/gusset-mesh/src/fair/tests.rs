@@ -1,6 +1,6 @@
 //! Thin-plate fairing against known shapes and equations.
 
-use super::exact::Exact;
+use super::exact_laplacian::Exact;
 use super::rings::Rings;
 use super::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
 use glam::{DQuat, DVec3};

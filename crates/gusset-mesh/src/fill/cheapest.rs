@@ -7,11 +7,11 @@
 //! of a pair are those of all its loops, from one origin in one unit.
 
 use super::choose::Candidate;
+use super::fill_request::Weight;
 use super::loops::{cost, may_gain};
 use super::near::faces_near;
 use super::patch::triangulate;
-use super::request::Weight;
-use super::rim::Rim;
+use super::patch_rim::Rim;
 use super::search::MIN_GAIN;
 use super::surroundings::Surroundings;
 use crate::fair::Continuity;

@@ -1,6 +1,6 @@
 //! Selection of the loops to fill, and the reason for each that is not.
 
-use super::request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
+use super::fill_request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
 use crate::boundary::{Boundary, Loop, LoopFlags};
 use crate::mesh::{MeshView, vertex_components};
 use crate::stitch::{FreeEdges, check_loop};

@@ -1,13 +1,13 @@
 //! The patches of all groups of loops, and other ones where they cut.
 
 use super::choose::Candidate;
-use super::cuts::{Old, Trials, cuts, cutting};
+use super::fill_request::{Options, Refinement};
 use super::near::faces_near;
 use super::patch::{Planner, attempts, neighbourhood};
+use super::patch_cuts::{Old, Trials, cuts, cutting};
+use super::patch_rim::Rim;
 use super::placed::{Placed, Pool};
-use super::request::{Options, Refinement};
 use super::result::Made;
-use super::rim::Rim;
 use super::surroundings::Surroundings;
 use crate::mesh::MeshView;
 use crate::stitch::Intersections;

@@ -1,7 +1,7 @@
 //! The loops that get one patch, as the caller has it.
 
 use super::choose::Candidate;
-use super::request::{HoleStatus, Selection, Together};
+use super::fill_request::{HoleStatus, Selection, Together};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::sort;

@@ -2,9 +2,9 @@
 
 use super::cheapest::cheapest;
 use super::choose::choose;
+use super::fill_request::{Fairing, Filled, Options, Refinement, Selection, Together};
 use super::filling::Filling;
 use super::groups::groups;
-use super::request::{Fairing, Filled, Options, Refinement, Selection, Together};
 use super::result::{Made, result};
 use crate::boundary::{self, Survey, boundary_loops};
 use crate::mesh::MeshView;

@@ -8,11 +8,11 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`request`](self) | options, results, status of each hole |
+//! | [`fill_request`](self) | options, results, status of each hole |
 //! | [`choose`](self) | selection of the loops to fill |
 //! | [`near`](self) | the old faces near the holes |
 //! | [`surroundings`](self) | the old faces that touch the rims |
-//! | [`rim`](self) | the loops of one patch in numbers of their own |
+//! | [`patch_rim`](self) | the loops of one patch in numbers of their own |
 //! | [`weigh`](self) | what a triangulation costs |
 //! | [`chords`](self) | the chords that it may use |
 //! | [`search`](self) | the triangulation of least cost |
@@ -21,7 +21,7 @@
 //! | [`creases`](self) | creases that go on across a hole |
 //! | [`patch`](self) | the ways to fill one rim |
 //! | [`placed`](self) | patches in the mesh |
-//! | [`cuts`](self) | faces that cut each other |
+//! | [`patch_cuts`](self) | faces that cut each other |
 //! | [`groups`](self) | the loops that get one patch |
 //! | [`cheapest`](self) | the loops that cost less together |
 //! | [`filling`](self) | all patches |
@@ -33,24 +33,24 @@ mod choose;
 mod chords;
 mod clip;
 mod creases;
-mod cuts;
+mod fill_request;
 mod filling;
 mod groups;
 mod holes;
 mod loops;
 mod near;
 mod patch;
+mod patch_cuts;
+mod patch_rim;
 mod placed;
-mod request;
 mod result;
-mod rim;
 mod search;
 mod surroundings;
 mod weigh;
 
 pub(crate) use clip::clip_ears;
-pub use holes::fill_holes;
-pub use request::{
+pub use fill_request::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Measures, Options, Refinement, Selection,
     Together, Weight,
 };
+pub use holes::fill_holes;

@@ -3,9 +3,9 @@
 
 use super::clip::{clip_ears, is_planar, mean_normal};
 use super::creases::{Division, divide};
+use super::fill_request::{Fairing, Finish, Options, Refinement, Weight};
 use super::loops::triangulate_together;
-use super::request::{Fairing, Finish, Options, Refinement, Weight};
-use super::rim::Rim;
+use super::patch_rim::Rim;
 use super::search::{MAX_EXACT, minimum_weight};
 use crate::blend::{self, Limits, Way};
 use crate::remesh::PatchMesh;

@@ -1,7 +1,7 @@
 //! Patches in the mesh: where their vertices are, and what they come from.
 
 use super::patch::{Attempt, Patch};
-use super::rim::Rim;
+use super::patch_rim::Rim;
 use crate::mesh::{MeshView, Scalar, check_size};
 use glam::DVec3;
 use gusset_base::alloc;

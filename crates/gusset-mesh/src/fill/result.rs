@@ -2,9 +2,9 @@
 //! of each loop.
 
 use super::choose::Candidate;
+use super::fill_request::{Filled, Finish, Hole, HoleStatus, Options};
 use super::patch::attempts;
 use super::placed::{Placed, Pool};
-use super::request::{Filled, Finish, Hole, HoleStatus, Options};
 use crate::mesh::{Mesh, MeshView, NONE, concat};
 use crate::repair::orient::{Outward, turn_outwards};
 use crate::stitch::{Quality, part_alone};

@@ -1,7 +1,7 @@
 //! The old faces that touch the rims: which of their vertices share a face, their normals along the
 //! rims, and their sides.
 
-use super::rim::{OldFaces, Rim};
+use super::patch_rim::{OldFaces, Rim};
 use crate::fair::Continuity;
 use crate::mesh::{MeshView, NONE};
 use glam::DVec3;

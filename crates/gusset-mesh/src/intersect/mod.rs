@@ -2,11 +2,11 @@
 //!
 //! * `predicates`: two triangles, decided exactly by the signs of determinants (Shewchuk's
 //!   adaptive arithmetic).
-//! * `fans`: groups of triangles that share a corner.
-//! * [`pairs`]: all intersecting pairs of new triangles with each other and with old ones.
+//! * `triangle_fans`: groups of triangles that share a corner.
+//! * [`triangle_pairs`]: all intersecting pairs of new triangles with each other and with old ones.
 
-mod fans;
-mod pairs;
 mod predicates;
+mod triangle_fans;
+mod triangle_pairs;
 
-pub(crate) use pairs::{Soup, intersecting_pairs, intersecting_pairs_where};
+pub(crate) use triangle_pairs::{Soup, intersecting_pairs, intersecting_pairs_where};

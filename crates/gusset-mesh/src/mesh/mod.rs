@@ -14,9 +14,9 @@
 
 pub(crate) mod concat;
 mod defect;
+mod half_edge_pairing;
 pub mod merge;
 mod owned;
-mod pairing;
 mod positions;
 mod topology;
 mod view;
@@ -24,8 +24,8 @@ mod view;
 pub use concat::{Piece, concatenate};
 pub use defect::Defect;
 pub use gusset_base::NONE;
+pub use half_edge_pairing::Topology;
 pub use owned::{Mesh, PositionBuffer};
-pub use pairing::Topology;
 pub(crate) use positions::check_size;
 pub use positions::{MAX_ELEMENTS, Positions, Scalar};
 pub use topology::{Across, half_edges, unordered, vertex_components};

@@ -1,7 +1,7 @@
 //! Which half-edges share an edge.
 
 use super::defect::Defect;
-use super::pairing::{FREE, SINGULAR, Topology};
+use super::half_edge_pairing::{FREE, SINGULAR, Topology};
 use super::view::MeshView;
 use gusset_base::alloc;
 use gusset_base::error::Result;

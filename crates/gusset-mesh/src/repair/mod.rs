@@ -7,7 +7,7 @@
 //! * [`cluster`](self): which vertices lie together. [`seams`](self): which of them can be one
 //!   without harm. [`corners`](self): the faces' corners at each vertex. [`tolerance`](self): how
 //!   far apart copies of one vertex can be. [`junctions`](self): where free edges are split.
-//!   [`split`](self), [`split_face`](self): what becomes of their faces.
+//!   [`split_mesh`](self), [`split_face`](self): what becomes of their faces.
 
 mod cluster;
 pub mod corner_origins;
@@ -16,7 +16,7 @@ mod junctions;
 pub mod orient;
 mod seams;
 pub mod sew;
-mod split;
 mod split_face;
+mod split_mesh;
 mod tolerance;
 pub mod weld;

@@ -3,14 +3,14 @@
 //!
 //! Borders that match are welded first ([`weld`](super::weld)). Where a vertex of one border then
 //! lies inside a free edge of another (a T-junction), the edge is split there if that makes pieces
-//! that match (`junctions`), its face follows (`split`), and the
+//! that match (`junctions`), its face follows (`split_mesh`), and the
 //! borders are welded again. Welding makes no edge of three faces and no degenerate face, and so
 //! does sewing; each free edge has one face and is split in one way. Vertices of the input do not
 //! move.
 
 use super::corner_origins::CornerOrigins;
 use super::junctions::Junctions;
-use super::split::{SplitMesh, split_edges};
+use super::split_mesh::{SplitMesh, split_edges};
 use super::tolerance::Source;
 use super::weld::{Options, Vertices, Weld, weld, weld_within};
 use crate::mesh::{Mesh, MeshView, NONE, Topology};

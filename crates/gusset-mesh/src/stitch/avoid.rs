@@ -7,8 +7,8 @@
 
 use super::meridian::{Meridians, Pair, StepPenalty};
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
-use super::request::Options;
-use super::rim::Bridges;
+use super::stitch_request::Options;
+use super::stitch_rim::Bridges;
 use super::strip::{Strip, from_given_start, near};
 use crate::mesh::Mesh;
 use gusset_base::alloc;

@@ -3,7 +3,7 @@
 //! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B,
 //! then the strip. Positions keep their bits.
 
-use super::request::IndexMap;
+use super::stitch_request::IndexMap;
 use super::strip::Strip;
 use crate::mesh::{Mesh, MeshView, check_size, concat};
 use gusset_base::alloc;

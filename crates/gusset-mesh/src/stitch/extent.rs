@@ -1,7 +1,7 @@
 //! Extent of a stitch: whole loops, or their facing arcs.
 
 use super::facing::{self, Arc, Planes, facing_in_unit, round_off, squareness};
-use super::rim::Rim;
+use super::stitch_rim::Rim;
 use crate::mesh::Scalar;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;

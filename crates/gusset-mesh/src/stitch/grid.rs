@@ -11,7 +11,7 @@
 //! P(r+1, c) -> P(r+1, c+1).
 
 use super::meridian::Pair;
-use super::rim::{Bridges, Rim};
+use super::stitch_rim::{Bridges, Rim};
 use crate::mesh::MAX_ELEMENTS;
 use glam::DVec3;
 use gusset_base::alloc;

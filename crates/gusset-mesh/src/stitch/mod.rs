@@ -10,13 +10,13 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | [`request`](self) | request, options and result |
-//! | [`rim`](self) | validated loops, and their free edges |
-//! | [`pairing`](self) | choice of the nearest pair of loops |
+//! | [`stitch_request`](self) | request, options and result |
+//! | [`stitch_rim`](self) | validated loops, and their free edges |
+//! | [`loop_pairing`](self) | choice of the nearest pair of loops |
 //! | [`facing`] | facing arcs: algorithm 2 |
 //! | [`extent`](self) | choice between whole loops and arcs |
 //! | [`sense`](self) | relative direction of the rims round the gap |
-//! | [`start`](self) | first meridian: the closest pair, or the best rotation |
+//! | [`first_meridian`](self) | first meridian: the closest pair, or the best rotation |
 //! | [`meridian`] | meridians, matrix H: the paper's rule, the strip of least area, and others |
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
@@ -35,27 +35,29 @@ pub mod combine;
 mod extent;
 pub mod facing;
 pub mod fair_and_check;
+mod first_meridian;
 mod grid;
 mod join;
+pub mod loop_pairing;
 pub mod meridian;
 mod neighbourhood;
-pub mod pairing;
 pub mod polyline;
 mod quality;
-mod request;
-pub mod rim;
 mod ruled;
 pub mod sense;
-mod start;
+mod stitch_request;
+pub mod stitch_rim;
 pub mod strip;
 
 pub(crate) use combine::part_alone;
-pub(crate) use rim::{FreeEdges, check_loop};
+pub(crate) use stitch_rim::{FreeEdges, check_loop};
 
 pub use extent::Extent;
+pub use first_meridian::Start;
 pub use join::stitch;
 pub use meridian::{Meridians, Search};
 pub use quality::Quality;
-pub use request::{Cells, Fairing, Finish, IndexMap, Intersections, Options, Orientation, Request, Rows, Stitch};
 pub use ruled::{Ruled, RuledOptions, ruled};
-pub use start::Start;
+pub use stitch_request::{
+    Cells, Fairing, Finish, IndexMap, Intersections, Options, Orientation, Request, Rows, Stitch,
+};

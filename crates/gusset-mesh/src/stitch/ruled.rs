@@ -2,10 +2,10 @@
 //! the points and the rows between them.
 
 use super::facing::check_points;
+use super::first_meridian::Start;
 use super::meridian::{Meridians, Pair, Search};
-use super::request::{Cells, Options, Rows};
-use super::rim::{Bridges, Rim};
-use super::start::Start;
+use super::stitch_request::{Cells, Options, Rows};
+use super::stitch_rim::{Bridges, Rim};
 use super::strip::{Strip, from_given_start};
 use crate::mesh::{Mesh, PositionBuffer, Scalar};
 use glam::DVec3;

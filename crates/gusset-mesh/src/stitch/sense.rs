@@ -7,7 +7,7 @@
 
 use super::facing::{centre, normal};
 use super::polyline::samples;
-use super::rim::Rim;
+use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::error::Result;
 

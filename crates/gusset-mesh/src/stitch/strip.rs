@@ -1,12 +1,12 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
+use super::first_meridian::{Start, by_rotation, closest_pair};
 use super::grid::{FaceList, Grid};
 use super::meridian::{
     self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
 };
-use super::request::{Cells, Options, Rows};
-use super::rim::{Bridges, Rim};
-use super::start::{Start, by_rotation, closest_pair};
+use super::stitch_request::{Cells, Options, Rows};
+use super::stitch_rim::{Bridges, Rim};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;

@@ -1,6 +1,6 @@
 //! A piece made ready: triangles that answer where the nearest place is, and confidences.
 
-use super::request::Options;
+use super::trim_request::Options;
 use crate::align::Scan;
 use crate::boundary::{self, boundary_loops};
 use crate::mesh::MeshView;

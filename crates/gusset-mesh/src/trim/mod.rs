@@ -20,12 +20,12 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | [`request`](self) | options and results |
+//! | [`trim_request`](self) | options and results |
 //! | [`layer`](self) | a piece made ready to be asked for places |
 //! | [`covers`](self) | which places of other pieces vertices lie on |
 //! | [`region`](self) | the faces that are kept: thin parts, islands, pinches |
 //! | [`crossings`](self) | kept faces that cut each other |
-//! | [`run`](self) | all of it in order |
+//! | [`trim_run`](self) | all of it in order |
 //! | [`remains`](self) | what is left as one mesh, and what it was |
 
 mod covers;
@@ -33,12 +33,12 @@ mod crossings;
 mod layer;
 mod region;
 mod remains;
-mod request;
-mod run;
+mod trim_request;
+mod trim_run;
 
 pub use remains::Remains;
-pub use request::{Options, Trimmed};
-pub use run::trim;
+pub use trim_request::{Options, Trimmed};
+pub use trim_run::trim;
 
 /// The stage of progress.
 const STAGE: &str = "trimming the pieces";

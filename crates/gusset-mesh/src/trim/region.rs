@@ -2,7 +2,7 @@
 //! two faces, no small islands, no faces that meet in one vertex only.
 
 use super::STAGE;
-use super::request::SPARE;
+use super::trim_request::SPARE;
 use crate::align::Scan;
 use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! What trimming leaves of the pieces side by side, and what it was.
 
-use super::request::Trimmed;
+use super::trim_request::Trimmed;
 use crate::mesh::{Mesh, MeshView, NONE, Piece, concatenate};
 use gusset_base::alloc;
 use gusset_base::error::Result;

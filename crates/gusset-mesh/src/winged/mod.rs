@@ -10,13 +10,13 @@
 //! [`NONE`](crate::mesh::NONE).
 //!
 //! * [`tables`](self): the tables, and how they are filled from a mesh.
-//! * [`loops`](self): algorithm 1 on the tables.
+//! * [`free_loops`](self): algorithm 1 on the tables.
 //! * [`faces`](self): the polygons of a table, the way back.
 
 mod faces;
-mod loops;
+mod free_loops;
 mod tables;
 
 pub use faces::{WingedFaces, faces};
-pub use loops::{FreeLoops, free_loops};
+pub use free_loops::{FreeLoops, free_loops};
 pub use tables::{EdgeMarks, Winding, WingedEdge, WingedEdges};

@@ -5,15 +5,15 @@
 //! exchange of rows and columns, or a reversal of either, mirrors the net in index space, which
 //! [`Topology::is_reversed`] records, so that normals stay what they were. O(nodes).
 //!
-//! `matrices` writes coordinates, `topology` moves links, `seams` moves seams.
+//! `rearranged_matrices` writes coordinates, `rearranged_topology` moves links, `seams` moves seams.
 
-mod matrices;
+mod rearranged_matrices;
+mod rearranged_topology;
 mod seams;
-mod topology;
 
-pub(crate) use matrices::{Rearrangement, build_planes, rearrange};
+pub(crate) use rearranged_matrices::{Rearrangement, build_planes, rearrange};
+pub(crate) use rearranged_topology::closed_rows;
 pub(crate) use seams::{map_seam, merge_seams};
-pub(crate) use topology::closed_rows;
 
 use super::{Bridge, Direction, Net, Shape, Topology};
 use gusset_base::alloc;

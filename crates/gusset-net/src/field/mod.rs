@@ -17,7 +17,7 @@ mod lattice;
 mod map;
 mod projection;
 mod shaping;
-mod surface;
+mod surface_fields;
 mod timed;
 mod wrap;
 
@@ -26,6 +26,6 @@ pub use lattice::Lattice;
 pub use map::{Field, Points};
 pub use projection::{parallel_projection, perspective_projection, projection};
 pub use shaping::{bend, shear, taper, twist};
-pub use surface::{RowsMut, deform_rows, displace, snap};
+pub use surface_fields::{RowsMut, deform_rows, displace, snap};
 pub use timed::{Easing, Timed};
 pub use wrap::{cone_wrap, cylinder_wrap, sphere_wrap, spherify, torus_wrap};

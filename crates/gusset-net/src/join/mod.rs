@@ -8,19 +8,19 @@
 //!
 //! A bridge may have inner rows of nodes, laid evenly on straight lines between its sides.
 //!
-//! `adapt` fits nets to each other, `topology` joins gluings, `matrices` coordinates, `inner` lays
+//! `adapt` fits nets to each other, `joined_topology` joins gluings, `joined_matrices` coordinates, `inner` lays
 //! inner rows.
 
 mod adapt;
 mod inner;
-mod matrices;
-mod options;
+mod join_options;
+mod joined_matrices;
+mod joined_topology;
 mod split;
-mod topology;
 
 pub(crate) use inner::lay_inner_rows;
-pub(crate) use matrices::starts;
-pub use options::JoinOptions;
+pub use join_options::JoinOptions;
+pub(crate) use joined_matrices::starts;
 
 use super::{Bridge, BridgeMode, Direction, Net, Shape};
 use adapt::{AdaptedNet, adapted};
@@ -93,9 +93,9 @@ pub(crate) fn join_mirrored(
         nets.windows(2)
             .try_for_each(|pair| check_coincident(pair[0], pair[1], options.direction, options.tolerance))?;
     }
-    let topology = topology::join(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
+    let topology = joined_topology::join(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
     let (sides, joining) = ((options.direction, options.rows), job.part(0.3, 0.9));
-    let coordinates = matrices::join(&nets, sides, topology.shape(), &joining)?;
+    let coordinates = joined_matrices::join(&nets, sides, topology.shape(), &joining)?;
     let mut net = Net::new(coordinates, topology.with_reversed(reversed));
     add_bridges(&mut net, &nets, &copies, options)?;
     lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
@@ -129,7 +129,7 @@ fn add_bridges(
             alloc::push(net.bridges_mut(), Bridge { nesting: bridge.nesting.saturating_add(1), ..bridge })?;
         }
         if k > 0 {
-            let kind = topology::bridge_kind(nets[k - 1].topology(), part.topology(), direction);
+            let kind = joined_topology::bridge_kind(nets[k - 1].topology(), part.topology(), direction);
             at += options.rows;
             let mut bridge = Bridge::new(direction, at, along, kind, options.mode);
             (bridge.properties, bridge.rows) = (options.properties, options.rows);
@@ -197,7 +197,7 @@ impl Net<'_> {
             }
         }
         if weld != welded {
-            let topology = topology::welded(self.topology(), &bridge, weld)?;
+            let topology = joined_topology::welded(self.topology(), &bridge, weld)?;
             self.set_topology(topology);
         }
         self.bridges_mut()[index].mode = mode;

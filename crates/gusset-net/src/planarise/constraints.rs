@@ -1,7 +1,7 @@
 //! The constraints that cells are plane, and their linear equations. O(cells) each.
 
+use super::net_vertices::Surface;
 use super::order::order;
-use super::surface::Surface;
 use crate::hidden_cells::HiddenCells;
 use crate::{Net, Sides};
 use glam::DVec3;

@@ -21,19 +21,19 @@
 //! O(n log n) memory for n cells. One thread: the same bits always.
 
 mod constraints;
-mod options;
+pub(crate) mod net_vertices;
 pub(crate) mod order;
+mod planarise_options;
 mod search;
-pub(crate) mod surface;
 
 use super::Net;
 use constraints::Constraints;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::mesh::Scalar;
-pub use options::PlanariseOptions;
+use net_vertices::Surface;
+pub use planarise_options::PlanariseOptions;
 use search::Search;
-use surface::Surface;
 
 /// What was done to a net.
 #[derive(Debug, Clone, Copy, PartialEq)]

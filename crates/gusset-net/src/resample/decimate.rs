@@ -4,7 +4,7 @@
 //! Invariant: the deviation of removed nodes from the segments that replace them stays within half
 //! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::sides::{min_size, require_sides, selected, with_sides};
+use super::whole_sides::{min_size, require_sides, selected, with_sides};
 use crate::{Net, each};
 use glam::DVec3;
 use gusset_base::alloc;

@@ -1,7 +1,7 @@
 //! Resampling by bilinear and Catmull-Rom interpolation, a separable filter of four taps, and
 //! pyramids of nets. O(nodes of both).
 
-use super::sides::{min_size, require_sides, selected, with_sides};
+use super::whole_sides::{min_size, require_sides, selected, with_sides};
 use crate::chunks::zip3;
 use crate::{Coordinates, Net, Planes, Real, Shape, each};
 use gusset_base::alloc;

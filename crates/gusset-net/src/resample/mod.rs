@@ -6,7 +6,7 @@
 
 mod decimate;
 mod interpolate;
-mod sides;
+mod whole_sides;
 
 pub use decimate::{Decimated, decimate};
 pub use interpolate::{Interpolation, pyramid, resample};

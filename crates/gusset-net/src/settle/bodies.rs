@@ -1,6 +1,6 @@
 //! Rigid bodies: rotations that bring them nearer to rest.
 
-use super::model::Model;
+use super::energy_model::Model;
 use super::motion::{Motion, outer};
 use super::parts::{BODY, NOWHERE};
 use super::term::Term;

@@ -2,11 +2,11 @@
 
 use super::SettleOptions;
 use super::energy::{Law, Line, MIN_LENGTH, Quad};
-use super::model::Model;
+use super::energy_model::Model;
 use super::motion::Motion;
 use super::parts::{BODY, NOWHERE, Parts, forces, is_rigid};
+use crate::planarise::net_vertices::Surface;
 use crate::planarise::order::order;
-use crate::planarise::surface::Surface;
 use crate::{Bridge, BridgeKind, Net};
 use glam::DVec3;
 use gusset_base::alloc;

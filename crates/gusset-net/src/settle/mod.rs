@@ -33,22 +33,22 @@ mod bodies;
 mod build;
 mod descent;
 mod energy;
-mod model;
+mod energy_model;
 mod motion;
-mod options;
 mod parts;
+mod settle_options;
 mod term;
 
 use super::Net;
 use super::planarise::PlanariseOptions;
-use super::planarise::surface::Surface;
+use super::planarise::net_vertices::Surface;
 use build::{Composite, build};
 use descent::descend;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-pub use options::SettleOptions;
 use parts::{BODY, NOWHERE, Parts};
+pub use settle_options::SettleOptions;
 
 /// What was done to a net. Energies are in units of force times length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

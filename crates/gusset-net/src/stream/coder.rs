@@ -3,7 +3,7 @@
 //!
 //! Invariant: one routine drives encoder and decoder through [`Coder`], so that they cannot differ.
 
-use super::model::{Model, PRECISION};
+use super::symbol_model::{Model, PRECISION};
 use constriction::backends::{Cursor, WriteWords};
 use constriction::stream::queue::{DefaultRangeDecoder, DefaultRangeEncoder};
 use constriction::stream::{Decode, Encode};

@@ -5,7 +5,7 @@
 //! | part | bytes | what |
 //! |---|---|---|
 //! | header | 128 | magic, version, mode, sizes, grid of levels, checksums ([`StreamInfo`]) |
-//! | structure | as in the header | topology (sides in a byte, or contracted links in runs; seams) and bridges |
+//! | stream_structure | as in the header | topology (sides in a byte, or contracted links in runs; seams) and bridges |
 //! | table | 12 a block | size (8) and CRC-32 (4) of each block |
 //! | blocks | as in the table | coordinates of some rows each |
 //!
@@ -32,14 +32,14 @@ mod coder;
 mod fit;
 mod header;
 mod levels;
-mod model;
 mod predict;
 mod quantise;
 mod raw;
 mod read;
 mod residuals;
 mod rows;
-mod structure;
+mod stream_structure;
+mod symbol_model;
 mod write;
 
 pub use header::{HEADER_SIZE, Mode, StreamInfo};

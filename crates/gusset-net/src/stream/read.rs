@@ -7,7 +7,7 @@ use super::block::{self, Duplicates};
 use super::bytes::{Reader, bad, checksum};
 use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
 use super::levels::{Bits, LosslessLevels, UniformLevels};
-use super::{raw, structure};
+use super::{raw, stream_structure};
 use crate::arrange::{Rearrangement, rearrange};
 use crate::chunks::zip3;
 use crate::{Bridge, Coordinates, Net, Planes, Shape, Sides, Topology, each};
@@ -59,7 +59,7 @@ impl Prelude {
         }
         let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
         let from = Reader::new(structure, HEADER_SIZE as u64);
-        let (topology, bridges) = structure::read(info.shape, limit, from)?;
+        let (topology, bridges) = stream_structure::read(info.shape, limit, from)?;
         let duplicates = if info.folded { Duplicates::of(&topology)? } else { Duplicates::none(info.shape) };
         Ok(Prelude { info, topology, bridges, duplicates, entries })
     }

@@ -6,7 +6,7 @@
 //! bits below are coded as they are. O(1) a residual.
 
 use super::coder::Coder;
-use super::model::Model;
+use super::symbol_model::Model;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
@@ -119,7 +119,7 @@ fn geometric(level: usize) -> [f64; SYMBOLS] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::model::TOTAL;
+    use super::super::symbol_model::TOTAL;
     use super::*;
     use constriction::stream::model::DecoderModel;
 

@@ -3,9 +3,9 @@
 
 use super::coder::Coder;
 use super::levels::Levels;
-use super::model::Model;
 use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS_PER_ERROR, place};
 use super::residuals::Residuals;
+use super::symbol_model::Model;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 

@@ -5,7 +5,7 @@ use super::block::{Blocks, Duplicates};
 use super::bytes::{Writer, checksum};
 use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
 use super::levels::{Bits, Levels, LosslessLevels};
-use super::{quantise, raw, structure};
+use super::{quantise, raw, stream_structure};
 use crate::{Net, Planes, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -123,7 +123,7 @@ fn in_parallel(
 /// Header, structure, table, blocks.
 fn assemble(net: &Net<'_>, mut info: StreamInfo, mut blocks: Vec<Vec<u8>>) -> Result<Vec<u8>> {
     let mut body = Writer::default();
-    let work = structure::write(net, &mut body)?;
+    let work = stream_structure::write(net, &mut body)?;
     info.structure_size = body.bytes.len() as u64;
     let overflow = Error::SizeOverflow { what: "bytes of a stream", count: info.shape.node_count() as u64 };
     let prelude = info.prelude().and_then(|size| usize::try_from(size).ok()).ok_or(overflow)?;

@@ -12,17 +12,17 @@
 //! rational: quotients have no control nets that the bounds of searches could be taken from.
 
 mod blend;
-mod frame;
+mod curve_net;
+mod frame_surface;
 mod hermite;
 mod nearest_points;
-mod net;
 mod net_curve;
 mod offset;
 mod rational;
 mod spline;
 mod spline_sheet;
 
-pub use frame::FrameSurface;
+pub use curve_net::CurveNet;
+pub use frame_surface::FrameSurface;
 pub use hermite::{Tangents, Twists};
-pub use net::CurveNet;
 pub use spline::{Spline, SplineAxis, SplineOptions};

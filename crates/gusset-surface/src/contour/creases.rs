@@ -2,7 +2,7 @@
 //! themselves, and no cell shows it.
 
 use super::cone_culling;
-use super::lattice::Lattice;
+use super::contour_lattice::Lattice;
 use super::projected_normals::ProjectedNormals;
 use crate::cells::{BLOCK, Cells};
 use crate::index::Cones;

@@ -7,13 +7,13 @@
 //! points. None of it suffers from cancellation, whatever the angle.
 
 use super::cone_culling;
+use super::contour_lattice::Lattice;
+use super::contour_search::{ContourSearch, FoundArcs};
 use super::creases::creases;
-use super::lattice::Lattice;
 use super::normals::squares;
 use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::search::{ContourSearch, FoundArcs};
 use super::source::{CellBase, Continuity, Source, between};
 use crate::cells::Cells;
 use crate::checks::{direction, rising};

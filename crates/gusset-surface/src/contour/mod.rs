@@ -6,10 +6,10 @@
 //!   nearest to a given one.
 //! * `source`: the polynomials; `normals`, `projected_normals`: those of normals. `planes`,
 //!   `cone_culling`: the blocks that they may vanish in, found by descent of the index.
-//! * `search`: block by block, cell by cell, level by level. `cell`: the arcs of a cell, by
+//! * `contour_search`: block by block, cell by cell, level by level. `cell`: the arcs of a cell, by
 //!   subdivision with proofs; `side`: where they cross its sides, by Descartes' rule;
-//!   `corner_crossing`: those that the corners alone show. `refine`: the points between.
-//! * `chain`: arcs linked to paths; `paths`: those of all sheets joined; `creases`: sides that
+//!   `corner_crossing`: those that the corners alone show. `contour_refinement`: the points between.
+//! * `contour_chain`: arcs linked to paths; `paths`: those of all sheets joined; `creases`: sides that
 //!   normals jump at.
 //!
 //! Points are computed on the interpolant: they are of its order, four; the order of chords between
@@ -18,21 +18,21 @@
 //! bit. Cost: about O(blocks that a level may cross), and O(1) an arc.
 
 mod cell;
-mod chain;
 mod cone_culling;
+mod contour_chain;
+mod contour_lattice;
+mod contour_refinement;
+mod contour_search;
 mod corner_crossing;
 mod creases;
-mod frame;
 mod isophote;
-mod lattice;
 mod nearest;
+mod normal_frames;
 mod normals;
 mod paths;
 mod planes;
 mod point_spacing;
 mod projected_normals;
-mod refine;
-mod search;
 mod sections;
 mod side;
 mod source;

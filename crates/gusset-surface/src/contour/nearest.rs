@@ -11,7 +11,7 @@
 //! answer), [`MAX_PARTS`] parts for each at most.
 
 use super::cone_culling;
-use super::lattice::Lattice;
+use super::contour_lattice::Lattice;
 use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;

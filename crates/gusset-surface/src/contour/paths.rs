@@ -2,9 +2,9 @@
 //!
 //! Cost: O(n log n) for n paths of sheets, and O(1) a point.
 
-use super::chain::{ContourPath, ContourPaths, chain};
-use super::lattice::Lattice;
-use super::search::FoundArcs;
+use super::contour_chain::{ContourPath, ContourPaths, chain};
+use super::contour_lattice::Lattice;
+use super::contour_search::FoundArcs;
 use crate::{Paths, Place, Surface};
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;

@@ -2,7 +2,7 @@
 //!
 //! Cost: O(N^2) a cell by its corners or its hodographs; roots as [`roots`].
 
-use super::lattice::Lattice;
+use super::contour_lattice::Lattice;
 use super::normals::Hodographs;
 use super::source::Continuity;
 use crate::Surface;

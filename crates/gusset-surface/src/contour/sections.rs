@@ -2,13 +2,13 @@
 //! cells.
 //!
 //! Both are zero sets of a scalar that is interpolated as the surface is: of a plane, of its
-//! distance. See [`super::search`].
+//! distance. See [`super::contour_search`].
 
-use super::lattice::Lattice;
+use super::contour_lattice::Lattice;
+use super::contour_search::ContourSearch;
 use super::paths::ContourSet;
 use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
-use super::search::ContourSearch;
 use super::source::{Nodal, Plane};
 use crate::axis::{Axis, Scheme};
 use crate::cells::BLOCK;

@@ -6,7 +6,7 @@
 //! all over, f is convex, and nowhere less than its tangent plane at any place: so there the place
 //! that descent leads to is the nearest. Bounds of the Hessian are products of balls. O(1).
 
-use super::net::{Ball, Balls, Net};
+use super::control_net::{Ball, Balls, Net};
 use crate::Jet;
 use glam::DVec3;
 

@@ -1,8 +1,8 @@
 //! Nearest points of a surface and a line, a plane, a curve or another surface: what tasks c) to e)
 //! of the paper leave where there is no intersection.
 //!
-//! * `net`: control nets of patches and segments. `pieces`: what both sides are divided into, with
-//!   hulls. `descent`: nearest points of two nets, and where these are proved. `search`: pairs of
+//! * `control_net`: control nets of patches and segments. `pieces`: what both sides are divided into, with
+//!   hulls. `descent`: nearest points of two nets, and where these are proved. `distance_search`: pairs of
 //!   pieces by rising lower bounds.
 //!
 //! A plane and an infinite line are points of the space in which only what is across them is seen,
@@ -10,14 +10,15 @@
 //! ends. Invariant, the study's theorem T5: pairs of pieces are excluded by hulls that contain them
 //! and are farther apart than the answer, so that the bound holds whatever the search finds.
 
+mod control_net;
 mod descent;
-mod net;
+mod distance_search;
 mod pieces;
-mod search;
 
 use super::checks::{direction, finite};
 use super::line_intersection::{Line, MAX_COORDINATE};
 use super::{Place, Surface};
+use distance_search::{DistanceSearch, STAGE};
 use glam::DMat3;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -26,7 +27,6 @@ use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place as CurvePlace};
 use pieces::{Pieces, Source, View, Whereabouts};
-use search::{DistanceSearch, STAGE};
 
 /// The nearest points of a surface and something else. `T`: a place on that.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@
 //! hull, the others their control points. A piece is divided once and its parts are shared by all
 //! pairs that it is in. Memory: the control points of all pieces.
 
-use super::net::{Balls, Net};
+use super::control_net::{Balls, Net};
 use crate::cells::{Cells, cells_of_block};
 use crate::index::OrientedBox;
 use crate::{Surface, each_sheet};

@@ -1,6 +1,6 @@
 //! The search of the index for a curved segment.
 
-use super::search::MAX_RELATIVE_ROUNDING;
+use super::line_search::MAX_RELATIVE_ROUNDING;
 use crate::Place;
 use crate::cells::{Cells, cells_of_block};
 use crate::index::Pyramid;

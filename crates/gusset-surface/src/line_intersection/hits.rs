@@ -2,7 +2,7 @@
 //! inside the surface.
 
 use super::line::{Hit, Line};
-use super::search::rounding_error;
+use super::line_search::rounding_error;
 use crate::{Place, Surface};
 use glam::DVec3;
 use gusset_base::sort;

@@ -1,10 +1,10 @@
 //! Task c) of the paper: common points of a line, or of a curve, and a surface.
 //!
-//! * `line`: lines and their hits. `search`: descent of the index for a line; over a cell its
+//! * `line`: lines and their hits. `line_search`: descent of the index for a line; over a cell its
 //!   points are the common roots of two fields, the distances from two planes through it, of which
 //!   none is missed (`subdivision::roots`). `hits`: one hit of those that
-//!   several cells find. `batch`: many lines.
-//! * `curve`, `curve_search`: the same for curves. Lines that touch the surface or run in it are
+//!   several cells find. `line_batch`: many lines.
+//! * `curve_hits`, `curve_search`: the same for curves. Lines that touch the surface or run in it are
 //!   taken as curves too, whose parameter tells from where to where they do.
 //! * `winding`: whether a line passes through the surface where tangents jump.
 //!
@@ -12,26 +12,26 @@
 //! hit is missed. Cost: about O(log cells) and O(1) a hit; bounded for each cell that a line runs
 //! in.
 
-mod batch;
-mod curve;
+mod curve_hits;
 mod curve_search;
 mod hits;
 mod line;
-mod search;
+mod line_batch;
+mod line_search;
 mod winding;
 
-pub use batch::Lines;
-pub use curve::CurveHit;
+pub use curve_hits::CurveHit;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 pub(crate) use line::MAX_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
+pub use line_batch::Lines;
 
 use super::{Sheet, Surface};
 use gusset_base::geom::aabb::range;
 use gusset_curve::ops::NearMisses;
 use gusset_curve::{CurveView, Place as CurvePlace};
-use search::{LineSearch, Workspace};
+use line_search::{LineSearch, Workspace};
 
 impl Surface<'_> {
     /// Where a line meets the surface, by rising t.

@@ -1,10 +1,10 @@
 //! Entry points of the nearest-point query.
 //!
-//! Sheet by sheet depth first, then by rising lower bounds (`search`). Cost: O(log n) boxes and a
-//! few patches for most queries; near a centre of curvature up to the limits of `search`.
+//! Sheet by sheet depth first, then by rising lower bounds (`nearest_search`). Cost: O(log n) boxes and a
+//! few patches for most queries; near a centre of curvature up to the limits of `nearest_search`.
 
+use super::nearest_search::{NearestSearch, SurfaceSearch};
 use super::query::check;
-use super::search::{NearestSearch, SurfaceSearch};
 use crate::{Place, Surface};
 use glam::DVec3;
 

@@ -8,10 +8,10 @@
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
 use super::descent_direction::{SIDE_ROUNDING, has_descent_direction};
+use super::nearest_search::cells_around;
 use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
-use super::search::cells_around;
 use crate::cells::Cells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::{Place, Surface, each_sheet};

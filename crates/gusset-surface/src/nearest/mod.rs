@@ -11,11 +11,11 @@
 //!   distance of a patch), `part` (parts of a patch), `block` (blocks of the index), `corners` and
 //!   `leaf` (the cells of a block);
 //! * `incumbent`: the best answer so far and the upper bound;
-//! * searches, with the tasks of `super::frontier`: `search` (of a surface), `patch_search` (of one
+//! * searches, with the tasks of `super::frontier`: `nearest_search` (of a surface), `patch_search` (of one
 //!   patch), `patch_minima` (all minima of one patch), with `descent_direction` (whether a place is none);
-//! * questions: `closest`, `batch`, `minima`, `region`, with `query` for what may be asked.
+//! * questions: `closest`, `nearest_batch`, `minima`, `ball_region`, with `query` for what may be asked.
 
-mod batch;
+mod ball_region;
 mod block;
 mod bounds;
 mod closest;
@@ -25,13 +25,13 @@ mod foot;
 mod incumbent;
 mod leaf;
 mod minima;
+mod nearest_batch;
+mod nearest_search;
 mod part;
 mod patch_minima;
 mod patch_search;
 mod query;
-mod region;
-mod search;
 
+pub use ball_region::Region;
 pub use closest::Closest;
 pub use minima::Minima;
-pub use region::Region;

@@ -8,10 +8,10 @@
 //! the greatest angle between the legs of the control polygon, a cone that has all tangents, and
 //! those at the nodes as the neighbours have them.
 
+use super::cell_lattice::Lattice;
 use super::figure::Figure;
-use super::lattice::Lattice;
 use super::normal_variation::AngleTarget;
-use super::search::{SearchOptions, SearchOutcome, search};
+use super::reference_search::{SearchOptions, SearchOutcome, search};
 use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::normal::angle;
 use glam::DVec3;

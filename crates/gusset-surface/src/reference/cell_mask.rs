@@ -1,7 +1,7 @@
 //! Masks of cells, the paper's logical scale: a bit for each cell, 1 as long as the cell may hold
 //! the object.
 
-use super::lattice::{Lattice, Span};
+use super::cell_lattice::{Lattice, Span};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 

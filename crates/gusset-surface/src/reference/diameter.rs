@@ -11,7 +11,7 @@
 //! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature
 //! need the intrinsic one.
 
-use super::lattice::Lattice;
+use super::cell_lattice::Lattice;
 use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::cells::{Cells, by_cell};
 use crate::{Patch, Sheet, each_sheet};

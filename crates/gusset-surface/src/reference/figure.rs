@@ -3,7 +3,7 @@
 
 use super::diameter::Diameters;
 use super::object::{Object, Target};
-use super::search::{SearchOptions, SearchOutcome, search_at_cost};
+use super::reference_search::{SearchOptions, SearchOutcome, search_at_cost};
 use super::sizes::Sizes;
 use crate::{Sheet, Surface};
 use glam::DVec3;

@@ -42,27 +42,27 @@
 //! * *E8* The Euclidean diameter suffices for distances; the intrinsic one is needed for K d only.
 
 mod arcs;
+mod cell_chains;
+mod cell_lattice;
 mod cell_mask;
 mod curvature;
 mod diameter;
 mod figure;
-mod lattice;
 mod normal_variation;
 mod object;
-mod region;
-mod search;
+mod reference_search;
 mod section_normal;
 mod sizes;
 
 pub use arcs::{Arcs, MAX_ARCS};
+pub use cell_chains::{chain, euler_characteristic, integer_diameter};
+pub use cell_lattice::Lattice;
 pub use cell_mask::CellMask;
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
 pub use figure::{Figure, figure_incidence};
-pub use lattice::Lattice;
 pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
 pub use object::{Object, Target, incidence};
-pub use region::{chain, euler_characteristic, integer_diameter};
-pub use search::{Goal, SearchOptions, SearchOutcome, search};
+pub use reference_search::{Goal, SearchOptions, SearchOutcome, search};
 pub use section_normal::normal_by_sections;
 pub use sizes::{Sizes, Sum};

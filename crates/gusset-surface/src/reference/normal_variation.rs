@@ -8,9 +8,9 @@
 //!   curvatures on the whole surface,
 //! * or by the cell's normal cone, which is tighter and needs no K.
 
+use super::cell_lattice::Lattice;
 use super::diameter::Diameters;
-use super::lattice::Lattice;
-use super::search::{SearchOptions, SearchOutcome, search};
+use super::reference_search::{SearchOptions, SearchOutcome, search};
 use super::sizes::Sizes;
 use crate::cells::{Cells, by_cell};
 use crate::normal::angle;

@@ -2,7 +2,7 @@
 //! own.
 
 use super::diameter::Diameters;
-use super::search::{SearchOptions, SearchOutcome, search};
+use super::reference_search::{SearchOptions, SearchOutcome, search};
 use crate::Sheet;
 use crate::line_intersection::Line;
 use glam::DVec3;

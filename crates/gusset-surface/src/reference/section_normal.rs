@@ -6,7 +6,7 @@
 //! the tangent plane. Third order in the size of cells, as the derivative of a cubic through four
 //! points is.
 
-use super::lattice::Lattice;
+use super::cell_lattice::Lattice;
 use crate::cells::Cells;
 use crate::{Sheet, each_sheet};
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! Bounds of cells: the greatest distance of two points, or angle of two normals.
 
+use super::cell_lattice::Lattice;
 use super::cell_mask::CellMask;
-use super::lattice::Lattice;
 use gusset_base::error::{Error, Result};
 
 /// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of

@@ -16,8 +16,8 @@
 //! The second is interval Newton's contraction in the form of a dominant diagonal (Krawczyk 1969;
 //! Hanniel and Elber 2007). Cost: O(N^2 + M^2) a test, O(N^3 + M^3) a split.
 
+use super::coordinate_net::Net;
 use super::equation::{Equation, Frame, OTHERS};
-use super::net::Net;
 use crate::Patch;
 use crate::subdivision::Field;
 use glam::{DVec3, DVec4};

@@ -3,7 +3,7 @@
 //!
 //! Cost: O(N^2 + M^2) an evaluation.
 
-use super::net::Net;
+use super::coordinate_net::Net;
 use glam::{DVec2, DVec3, DVec4};
 
 /// Two patches. Parameters are those of the cells: (s, t) of A, then (u, v) of B.

@@ -7,10 +7,10 @@
 
 use super::bridge::Bridges;
 use super::chart::ParameterBox;
+use super::coordinate_net::Net;
 use super::joints::Joints;
 use super::links::Chain;
 use super::near::NearPair;
-use super::net::Net;
 use super::pairs::CellPair;
 use super::places::PairPlaces;
 use super::solve::FoundArcs;

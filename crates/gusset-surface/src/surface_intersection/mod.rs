@@ -6,7 +6,7 @@
 //!    to side (`arc`); else it is halved (`solve`).
 //! 3. Unresolved boxes are clustered, and clusters resolved by the relative second form (`contact`,
 //!    `graph`): points where the surfaces touch, and points where branches cross.
-//! 4. Arcs are chained (`chain`, `links`), through crossings and across unresolved places too
+//! 4. Arcs are chained (`intersection_chain`, `links`), through crossings and across unresolved places too
 //!    (`bridge`).
 //!
 //! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
@@ -22,22 +22,22 @@
 //! common (`joints`, `near`, `poles`), and for the way in which arcs are joined (`trails`).
 
 mod arc;
+mod arc_refinement;
 mod bridge;
-mod chain;
 mod chart;
 mod contact;
+mod coordinate_net;
 mod equation;
 mod graph;
+mod intersection_chain;
 mod itself;
 mod joints;
 mod links;
 mod near;
-mod net;
 mod overlap;
 mod pairs;
 mod places;
 mod poles;
-mod refine;
 mod solve;
 mod trails;
 
@@ -51,11 +51,11 @@ use super::cells::Cells;
 use super::path::{Contact, ContactKind};
 use super::{Paths, Place, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
-use chain::{Chained, chains};
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
+use coordinate_net::Net;
 use glam::{DVec3, DVec4};
-use net::Net;
+use intersection_chain::{Chained, chains};
 use overlap::Overlaps;
 use places::PairPlaces;
 use solve::{Arc, FoundArcs, PairTask};

@@ -16,8 +16,8 @@
 //! Cost: O(N^2) a test, and O(N^3) a split; a few parts for each halving round a singular point.
 
 use super::chart::ParameterBox;
+use super::coordinate_net::Net;
 use super::joints::{Joint, Joints, Meeting};
-use super::net::Net;
 use super::solve::{FoundArcs, PairSearch, PairTask, Stop};
 use glam::DVec3;
 use gusset_base::alloc;

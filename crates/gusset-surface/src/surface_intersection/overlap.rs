@@ -2,7 +2,7 @@
 //!
 //! A curve along a side of a cell, or of a box, is found from both sides of it, in arcs that end in
 //! different places, as boxes are halved otherwise beyond. Cut at each other's ends they are the
-//! same arcs several times, of which `chain` keeps one. A cut of an arc that is found once does
+//! same arcs several times, of which `intersection_chain` keeps one. A cut of an arc that is found once does
 //! nothing: its two parts are joined again.
 //!
 //! Cost: O(log n) for each arc along a side, and a few evaluations for each end near to it.

@@ -7,9 +7,9 @@
 //! and O(N^3) a split, `max_boxes` boxes at most.
 
 use super::arc::{ArcSearch, End, PARAMETER_ROUNDING};
+use super::arc_refinement::ArcRefinement;
 use super::chart::ParameterBox;
 use super::equation::Equation;
-use super::refine::ArcRefinement;
 use crate::Patch;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;

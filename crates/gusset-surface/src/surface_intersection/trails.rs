@@ -6,7 +6,7 @@
 //!
 //! Invariant: an end is joined with one other end at most. Cost: O(n log n) for n arcs.
 
-use super::chain::{REACH, near_pairs, repeated};
+use super::intersection_chain::{REACH, near_pairs, repeated};
 use super::links::NONE;
 use super::solve::Arc;
 use glam::DVec3;

@@ -90,7 +90,7 @@ fn runs_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::identify::options::Options;
+    use crate::identify::identify_options::Options;
     use crate::identify::subcurve::PointResult;
     use glam::DVec3;
 

@@ -3,7 +3,7 @@
 use super::equations;
 use super::self_consistent::Newton;
 use super::{self_consistent, sweeps};
-use crate::identify::options::{Lock, Solver};
+use crate::identify::identify_options::{Lock, Solver};
 use crate::identify::solution::Solution;
 use crate::identify::subcurve::{Output, Subcurve};
 use gusset_base::error::Result;

@@ -21,8 +21,8 @@ mod rounds;
 mod self_consistent;
 mod sweeps;
 
+use super::identify_options::{JointParameter, Lock, Solver};
 use super::method::{Method, power};
-use super::options::{JointParameter, Lock, Solver};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
 use super::solution::Solution;

@@ -1,6 +1,6 @@
 //! Rounds of an iteration: whatever does not converge in one falls back, and the others go on.
 
-use crate::identify::options::JointParameter;
+use crate::identify::identify_options::JointParameter;
 use crate::identify::report::Account;
 use crate::identify::subcurve::Subcurve;
 

@@ -21,8 +21,8 @@
 
 use super::equations;
 use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
+use crate::identify::identify_options::Options;
 use crate::identify::method::{Method, power};
-use crate::identify::options::Options;
 use crate::identify::report::{FitStatus, PointStatus};
 use crate::identify::solution::Solution;
 use crate::identify::subcurve::{Output, Subcurve};

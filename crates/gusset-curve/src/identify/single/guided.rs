@@ -16,7 +16,7 @@
 
 use super::collocation::{Collocation, MAX_MISS};
 use crate::curve::segment;
-use crate::identify::options::Solver;
+use crate::identify::identify_options::Solver;
 use crate::identify::report::{Account, FitStatus, PointStatus};
 use crate::identify::stepping;
 use crate::identify::subcurve::{Output, Subcurve};

@@ -16,8 +16,8 @@ mod guided;
 
 use super::composite::{self, CompositeWorkspace};
 use super::guide::plane_normal;
+use super::identify_options::{Lock, Options, Solver};
 use super::method::Method;
-use super::options::{Lock, Options, Solver};
 use super::report::{FitStatus, PointStatus};
 use super::subcurve::{Output, Subcurve};
 use crate::curve::{MAX_DEGREE, Place};

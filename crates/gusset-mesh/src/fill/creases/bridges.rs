@@ -1,6 +1,6 @@
 //! The curves along which creases go on across a hole.
 
-use super::super::rim::Rim;
+use super::super::patch_rim::Rim;
 use super::curve::{Curve, tangent};
 use super::ends::End;
 use super::joins::tangents;

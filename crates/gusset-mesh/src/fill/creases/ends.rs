@@ -1,6 +1,6 @@
 //! Where creases of the old surface end on a rim.
 
-use super::super::rim::Rim;
+use super::super::patch_rim::Rim;
 use super::curve::angle;
 use crate::blend::MAX_FAN_TRIANGLES;
 use glam::DVec3;

@@ -6,7 +6,7 @@
 //! squares of the angles by which the creases miss it, and the same; an end that is left has a
 //! price.
 
-use super::super::rim::Rim;
+use super::super::patch_rim::Rim;
 use super::curve::{angle, tangent};
 use super::ends::End;
 use glam::{DMat3, DVec3};

@@ -29,7 +29,7 @@ mod parts;
 #[cfg(test)]
 mod tests;
 
-use super::rim::Rim;
+use super::patch_rim::Rim;
 use bridges::Bridges;
 use glam::DVec3;
 use gusset_base::error::Result;

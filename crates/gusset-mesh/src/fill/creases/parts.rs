@@ -1,6 +1,6 @@
 //! The parts of a hole that curves cut out of it.
 
-use super::super::rim::{OldFaces, Rim};
+use super::super::patch_rim::{OldFaces, Rim};
 use super::bridges::Bridge;
 use super::ends::{Corners, End, Touch};
 use crate::mesh::NONE;

@@ -1,6 +1,6 @@
 //! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, at heights of several kinds.
 
-use super::super::rim::{OldFaces, Rim};
+use super::super::patch_rim::{OldFaces, Rim};
 use super::{Division, divide};
 use glam::DVec3;
 use gusset_base::testing::cases;

@@ -1,10 +1,10 @@
 //! Many loops of few vertices: a tree of short bridges, each of which is replaced by better ones.
 
 use super::super::chords::All;
-use super::exact::{MAX_WORK, triangles};
+use super::bridge_trees::{MAX_WORK, triangles};
 use super::improve::{FREE, REPEATS};
+use super::numbered_rims::Rims;
 use super::opened::Opened;
-use super::rims::Rims;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
 use gusset_base::error::Result;

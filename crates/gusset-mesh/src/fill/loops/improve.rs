@@ -2,8 +2,8 @@
 
 use super::super::chords::{All, Near};
 use super::super::search::{MAX_EXACT, MAX_SEARCHED, MIN_GAIN, bands};
+use super::numbered_rims::Rims;
 use super::opened::cut_open;
-use super::rims::Rims;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
 use gusset_base::error::Result;

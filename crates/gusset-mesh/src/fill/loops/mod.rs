@@ -6,23 +6,23 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`rims`](self) | loops in common numbers, and thinned ones |
+//! | [`numbered_rims`](self) | loops in common numbers, and thinned ones |
 //! | [`opened`](self) | loops cut open to one polygon |
 //! | [`task`](self) | the search of such a polygon, and costs |
-//! | [`exact`](self) | few vertices of two and three loops: all bridges |
+//! | [`bridge_trees`](self) | few vertices of two and three loops: all bridges |
 //! | [`exchange`](self) | few vertices of many loops: bridges replaced by better ones |
 //! | [`improve`](self) | cut open along other bridges |
 //! | [`zip`](self) | two loops side by side |
 //! | [`nested`](self) | loops in a plane, one round the others |
 
-mod exact;
+mod bridge_trees;
 mod exchange;
 #[cfg(test)]
 mod exhaustive;
 mod improve;
 mod nested;
+mod numbered_rims;
 mod opened;
-mod rims;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -36,7 +36,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use improve::{FREE, REPEATS};
-use rims::Rims;
+use numbered_rims::Rims;
 use task::{Closed, Repeats, Task};
 
 /// Many short loops that cannot be thinned are searched as a whole up to so many vertices.
@@ -122,19 +122,19 @@ pub(super) fn may_gain(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> R
     let limit = cost(&few, &apart, weight)?.loosened(MARGIN);
     let rims = Rims::new(&few)?;
     let task = Task { rims: &rims, weight, measure: rims.measure(), taken: FREE, is_finest: true };
-    Ok(exact::exact(&task, Some(limit), REPEATS, job)?.is_some())
+    Ok(bridge_trees::exact(&task, Some(limit), REPEATS, job)?.is_some())
 }
 
 /// From coarse to fine.
 fn closed(loops: &[Polygon], task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
     let lengths = loops.iter().map(|polygon| polygon.points.len());
     let n = task.rims.count() + 2 * loops.len() - 2;
-    if exact::work(lengths.clone()) <= exact::MAX_WORK {
-        let best = exact::exact(task, None, exact::repeats(task.rims), &job.part(0.0, 0.9))?;
+    if bridge_trees::work(lengths.clone()) <= bridge_trees::MAX_WORK {
+        let best = bridge_trees::exact(task, None, bridge_trees::repeats(task.rims), &job.part(0.0, 0.9))?;
         return best.map(|best| improve::improved(task, best, &job.part(0.9, 1.0))).transpose();
     }
-    let is_small = loops.len() > 3 && exchange::work(lengths) <= exact::MAX_WORK;
-    let thin = if is_small { None } else { rims::thinned(loops)? };
+    let is_small = loops.len() > 3 && exchange::work(lengths) <= bridge_trees::MAX_WORK;
+    let thin = if is_small { None } else { numbered_rims::thinned(loops)? };
     let Some((coarse, kept)) = thin else {
         if n > MAX_DENSE {
             return Ok(None);

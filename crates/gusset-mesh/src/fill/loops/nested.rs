@@ -6,8 +6,8 @@
 //! triangle between (D. Eberly, *Triangulation by ear clipping*, 2002).
 
 use super::super::clip::{clip_ears, is_planar};
+use super::numbered_rims::Rims;
 use super::opened::Opened;
-use super::rims::Rims;
 use super::task::Task;
 use crate::remesh::PatchMesh;
 use glam::{DVec2, DVec3};

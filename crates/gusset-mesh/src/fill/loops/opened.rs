@@ -7,7 +7,7 @@
 //! those that have an edge twice, between other copies of its ends.
 
 use super::super::weigh::Polygon;
-use super::rims::Rims;
+use super::numbered_rims::Rims;
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;

@@ -2,8 +2,8 @@
 
 use super::exhaustive::{Exhaustive, is_surface};
 use super::improve::far_tree;
+use super::numbered_rims::{Rims, thinned};
 use super::opened::cut_open;
-use super::rims::{Rims, thinned};
 use super::task::Task;
 use super::{closed, cost, triangulate_together, with_ears};
 use crate::fill::Weight;

@@ -1,7 +1,7 @@
 //! The part of the lattice that is searched: for each row i the columns j from `low[i]` to
 //! `high[i]`, both non-decreasing.
 
-use super::rims::Pair;
+use super::rim_pair::Pair;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::{Range, RangeInclusive};

@@ -19,7 +19,7 @@
 //! row are without branches, so that they run on vectors.
 
 use super::metric::{Line, StepCosts, point};
-use super::rims::{Pair, RimPair};
+use super::rim_pair::{Pair, RimPair};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -7,7 +7,7 @@
 //! level.
 
 use super::band::Band;
-use super::rims::{Pair, RimPair, STAGE};
+use super::rim_pair::{Pair, RimPair, STAGE};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

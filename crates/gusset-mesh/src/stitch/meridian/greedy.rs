@@ -1,6 +1,6 @@
 //! Meridians without a search, in O(N + M): by arc length, and greedily.
 
-use super::rims::{Pair, RimPair};
+use super::rim_pair::{Pair, RimPair};
 use crate::stitch::polyline::lengths;
 use glam::DVec3;
 use gusset_base::alloc;

@@ -10,7 +10,7 @@
 //!
 //! An open polyline of N vertices has N - 1 segments, a closed one N.
 
-use super::rims::Pair;
+use super::rim_pair::Pair;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 

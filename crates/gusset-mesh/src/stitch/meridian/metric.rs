@@ -4,7 +4,7 @@
 //! A_i-1 B_j, a step on B the triangle A_i B_j-1 B_j; a step on both, for strips of quads only,
 //! adds the quad of all four.
 
-use super::rims::Pair;
+use super::rim_pair::Pair;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

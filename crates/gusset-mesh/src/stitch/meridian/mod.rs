@@ -8,7 +8,7 @@
 //! | file | subject |
 //! |---|---|
 //! | [`index_rule`](mod@index_rule) | the paper's rule, by index alone |
-//! | `rims` | the two polylines, and the lattice nodes that no path may pass |
+//! | `rim_pair` | the two polylines, and the lattice nodes that no path may pass |
 //! | `greedy` | by arc length, and greedily |
 //! | `metric`, `bend` | costs: area, lengths; bends |
 //! | `lattice` | the cheapest path, where the cost of a step depends on that step alone |
@@ -22,7 +22,7 @@ mod greedy;
 pub mod index_rule;
 mod lattice;
 mod metric;
-mod rims;
+mod rim_pair;
 mod states;
 #[cfg(test)]
 mod tests;
@@ -34,9 +34,9 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use index_rule::index_meridians;
 use metric::Metric;
-pub use rims::Pair;
-pub(super) use rims::STAGE;
-pub(crate) use rims::{RimPair, StepPenalty, forbidden_nodes};
+pub use rim_pair::Pair;
+pub(super) use rim_pair::STAGE;
+pub(crate) use rim_pair::{RimPair, StepPenalty, forbidden_nodes};
 use states::{Cost, cheapest, is_simple};
 
 /// How meridians are chosen.

@@ -17,7 +17,7 @@
 use super::band::Band;
 use super::bend::{Bends, Row};
 use super::metric::{Line, Metric, StepCosts};
-use super::rims::{Pair, RimPair, STAGE};
+use super::rim_pair::{Pair, RimPair, STAGE};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;

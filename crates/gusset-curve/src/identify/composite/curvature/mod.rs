@@ -32,7 +32,7 @@ use super::equations;
 use super::knot_joints::solve_with_fallback;
 use super::lock::LockWorkspace;
 use crate::identify::guide::plane_normal;
-use crate::identify::options::Lock;
+use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
 use crate::identify::solution::Solution;
 use crate::identify::subcurve::{Output, Subcurve};

@@ -3,8 +3,8 @@
 //! Invariant: an arc ends with the key that the next one begins with, since cells that share a side
 //! share its marks. Cost: O(arcs) a level, and O(arcs log arcs) where fields jump.
 
-use super::lattice::Lattice;
-use super::search::{Arc, FoundArcs};
+use super::contour_lattice::Lattice;
+use super::contour_search::{Arc, FoundArcs};
 use crate::Place;
 use glam::DVec2;
 use gusset_base::error::{Error, Result};

@@ -1,7 +1,7 @@
 //! Charts: the connected components of a surface that was cut.
 
 use super::STAGE;
-use super::cuts::CutSurface;
+use super::cut_edges::CutSurface;
 use crate::mesh::NONE;
 use gusset_base::alloc;
 use gusset_base::error::Result;

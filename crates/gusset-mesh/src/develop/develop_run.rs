@@ -2,17 +2,17 @@
 
 use super::STAGE;
 use super::chart::ChartMesh;
-use super::cuts::{CutSurface, Graph, Search};
+use super::chart_system::System;
+use super::charts::Split;
+use super::cut_edges::{CutSurface, Graph, Search};
 use super::darts;
 use super::descend::{Border, Descent, End, descend, mean_energy};
+use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Options};
 use super::energy::Jacobian;
+use super::exact_unfolding::{Lengths, turned_down};
 use super::opening::open;
 use super::overlap::overlaps;
-use super::request::{Chart, CutKind, Developed, Distortion, Finish, Options};
-use super::split::Split;
-use super::start::{conformal, tutte};
-use super::system::System;
-use super::unfold::{Lengths, turned_down};
+use super::start_maps::{conformal, tutte};
 use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer};
 use glam::DVec2;
 use gusset_base::alloc;

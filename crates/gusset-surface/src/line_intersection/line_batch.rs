@@ -1,7 +1,7 @@
 //! Many lines at once.
 
 use super::line::{Hit, HitSelection, Line};
-use super::search::Workspace;
+use super::line_search::Workspace;
 use crate::Surface;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;

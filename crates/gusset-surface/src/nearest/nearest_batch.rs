@@ -6,8 +6,8 @@
 //! memory is limited to [`SORTED_QUERIES`] keys.
 
 use super::closest::Closest;
+use super::nearest_search::NearestSearch;
 use super::query::check_query;
-use super::search::NearestSearch;
 use crate::Surface;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};

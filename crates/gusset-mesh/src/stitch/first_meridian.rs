@@ -6,7 +6,7 @@
 //! found from both, and the better ones kept.
 
 use super::polyline::{lengths, samples};
-use super::rim::{Bridges, Rim};
+use super::stitch_rim::{Bridges, Rim};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;

@@ -6,7 +6,7 @@
 //! triangulated disc is rigid in the plane.
 
 use super::chart::ChartMesh;
-use super::system::System;
+use super::chart_system::System;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use crate::mesh::NONE;
 use glam::{DMat2, DVec2, DVec3};

@@ -4,7 +4,7 @@
 //! common. Preconditioned by the pieces' own blocks; M. Hestenes and E. Stiefel, *Methods of
 //! conjugate gradients for solving linear systems* (1952).
 
-use super::pairs::Equations;
+use super::sample_pairs::Equations;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -1,6 +1,6 @@
 //! The vertices of a net: the points that glued nodes are. O(nodes).
 
-use super::options::PlanariseOptions;
+use super::planarise_options::PlanariseOptions;
 use crate::complex::Complex;
 use crate::{Classes, Net};
 use glam::DVec3;

@@ -8,8 +8,8 @@
 
 use super::super::chords::All;
 use super::super::weigh::Cost;
+use super::numbered_rims::Rims;
 use super::opened::Opened;
-use super::rims::Rims;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -1,6 +1,6 @@
 //! Surfaces of the frames that the outlines module makes.
 
-use super::net::Gordon;
+use super::curve_net::Gordon;
 use super::net_curve::{CurvePlace, NetCurve, degree};
 use crate::{Grid, Nodes, Scheme, Sheet};
 use glam::DVec3;

@@ -4,8 +4,8 @@
 //! Invariant: the cells of the mask are all that may hold it. O(n / 64) for the mask and O(1) to
 //! O(J^2) for each node evaluated.
 
+use super::cell_lattice::{Lattice, Span};
 use super::cell_mask::CellMask;
-use super::lattice::{Lattice, Span};
 use super::sizes::{Sizes, Sum};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;

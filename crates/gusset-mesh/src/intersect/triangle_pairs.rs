@@ -1,7 +1,7 @@
 //! All pairs of intersecting triangles of which at least one is new.
 
-use super::fans::{Fans, Sides};
 use super::predicates::triangles_intersect;
+use super::triangle_fans::{Fans, Sides};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -2,9 +2,9 @@
 
 use super::extent::Extent;
 use super::facing::{Centres, Run};
+use super::first_meridian::Start;
 use super::meridian::{Meridians, Pair, Search};
 use super::quality::Quality;
-use super::start::Start;
 use crate::mesh::{Mesh, MeshView};
 use crate::repair::orient::Outward;
 use gusset_base::choices;

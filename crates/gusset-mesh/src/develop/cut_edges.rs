@@ -1,7 +1,7 @@
 //! Edges along which a surface is cut, and the shortest paths along edges.
 
 use super::STAGE;
-use super::request::{CutKind, Cuts};
+use super::develop_request::{CutKind, Cuts};
 use crate::mesh::{Across, Defect, MeshView, NONE, Topology, half_edges};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};

@@ -5,7 +5,7 @@
 //! nearest vertex of the other, and the larger of the two means. One close pair of vertices
 //! therefore does not make two loops near.
 
-use super::rim::{Rim, is_usable, shared_vertex};
+use super::stitch_rim::{Rim, is_usable, shared_vertex};
 use crate::boundary::Boundary;
 use crate::mesh::MeshView;
 use glam::DVec3;

@@ -1,12 +1,12 @@
 //! Alignment from the meshes to the account.
 
+use super::align_request::{Aligned, Alignment, Options, Reason, Start};
 use super::axes::by_axes;
 use super::judge::{NEAR, ON, judge};
 use super::member::Member;
 use super::pose::Pose;
-use super::request::{Aligned, Alignment, Options, Reason, Start};
-use super::rim::{Rim, common_step};
-use super::rims::by_rims;
+use super::rim_features::by_rims;
+use super::sampled_rim::{Rim, common_step};
 use super::scan::Scan;
 use super::scene::Scene;
 use crate::mesh::MeshView;

@@ -1,16 +1,16 @@
 //! The stages of assembly in order, from pieces to one mesh and its report.
 
+use super::assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
 use super::base::Base;
 use super::candidates::Facing;
 use super::given_pair::GivenPair;
-use super::loops::Loops;
-use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
+use super::piece_loops::Loops;
 use super::trimmed::Spoilt;
 use crate::mesh::{MeshView, NONE};
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
-use crate::stitch::pairing::mean_gap;
-use crate::stitch::rim::shared_vertex;
+use crate::stitch::loop_pairing::mean_gap;
+use crate::stitch::stitch_rim::shared_vertex;
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
 use crate::trim::{Trimmed, trim};

@@ -5,7 +5,7 @@ use super::covers::{Covers, Same};
 use super::crossings::{add_touching, crossings};
 use super::layer::Layer;
 use super::region::{Region, Rims};
-use super::request::{Options, Trimmed};
+use super::trim_request::{Options, Trimmed};
 use crate::align::common_unit_of;
 use crate::mesh::MeshView;
 use gusset_base::alloc;

@@ -1,7 +1,7 @@
 //! Cell regions: chains of cells, and the integer diameter (eqs. 3 to 6).
 
+use super::cell_lattice::{Lattice, Span};
 use super::cell_mask::CellMask;
-use super::lattice::{Lattice, Span};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;

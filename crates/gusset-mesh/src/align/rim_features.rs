@@ -5,7 +5,7 @@
 //! one after which most of the rims lie on each other is taken.
 
 use super::pose::Pose;
-use super::rim::{MIN_COSINE, Rim, STAGE, Signature};
+use super::sampled_rim::{MIN_COSINE, Rim, STAGE, Signature};
 use super::scene::Scene;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;

@@ -1,12 +1,12 @@
 //! The boundary of the pieces put together.
 
+use super::assemble_request::{LeftLoop, MaxGap, Options, Reason, Selector};
 use super::base::Base;
 use super::candidates::{Candidate, Facing, FacingSearch, STAGE, Slit};
 use super::edges::{Edges, entries_of};
-use super::request::{LeftLoop, MaxGap, Options, Reason, Selector};
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::mesh::{Mesh, NONE, vertex_components};
-use crate::stitch::rim::{Rim, is_usable};
+use crate::stitch::stitch_rim::{Rim, is_usable};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;

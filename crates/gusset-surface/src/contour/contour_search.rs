@@ -5,9 +5,9 @@
 //! and not simple; memory in proportion to the arcs.
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
+use super::contour_lattice::Lattice;
+use super::contour_refinement::{is_straight, middle, refine, stays_near};
 use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
-use super::lattice::Lattice;
-use super::refine::{is_straight, middle, refine, stays_near};
 use super::side::{crossings, positive};
 use super::source::{CellBase, Continuity, CornerTest, Source};
 use crate::Patch;

@@ -6,7 +6,7 @@
 
 use super::fast::ordinary_walks;
 use super::options::{Options, Survey};
-use super::split::{STAGE, split_simple};
+use super::simple_loops::{STAGE, split_simple};
 use super::walk::{Dart, Walker};
 use crate::mesh::{Defect, MeshView, NONE, Topology};
 use gusset_base::alloc;

@@ -7,7 +7,7 @@
 use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
-use super::search::Workspace;
+use super::line_search::Workspace;
 use crate::{Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};

@@ -1,7 +1,7 @@
 //! Maps to begin with: least squares conformal ones, and Tutte's, which never folds.
 
 use super::chart::ChartMesh;
-use super::system::System;
+use super::chart_system::System;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use crate::mesh::NONE;
 use glam::{DMat2, DVec2};
