@@ -8,8 +8,8 @@ from typing import Any, Literal, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import pointer
 from ._library import constants, ffi, lib, one_of
-from .mesh import pointer
 
 Domain = Literal["vertices", "corners", "faces"]
 Rule = Literal["linear", "normal", "skin_weights", "nearest", "texture"]

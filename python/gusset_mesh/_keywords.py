@@ -8,10 +8,11 @@ from typing import Any, Optional
 
 import numpy as np
 
+from ._arrays import indices_of, pointer
 from ._library import ffi, holding
 from ._options import FIELDS
 from ._records import indices_struct
-from .mesh import indices_of, pointer
+
 
 #: Arrays of points: three numbers an item, which is what their count counts.
 _POINTS = {"viewpoints", "axis_points"}

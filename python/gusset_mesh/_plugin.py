@@ -8,12 +8,13 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import indices_of, pointer, points_of
 from ._call import Progress, under_way
 from ._channels import Domain, Rule, carried
 from ._library import ffi, lib, text
 from ._records import lent
 from .errors import error
-from .mesh import Mesh, fill_view, indices_of, lent_mesh, of_one_precision, pointer, points_of
+from .mesh import Mesh, fill_view, lent_mesh, of_one_precision
 
 MESH, CURVES, TEXT = lib.GUSSET_KIND_MESH, lib.GUSSET_KIND_CURVES, lib.GUSSET_KIND_TEXT
 
@@ -257,7 +258,6 @@ class Filter:
 
 
 def _by_name(name: str) -> Filter:
-    from .filters import all_filters
     return all_filters[name]
 
 
@@ -284,3 +284,7 @@ def filters() -> list[Filter]:
     """All filters, in the order for menus."""
     tables = table()
     return [Filter(tables, tables.filter(k)) for k in range(tables.filter_count)]
+
+
+#: By their names for scripts.
+all_filters: dict[str, Filter] = {one.script_name: one for one in filters()}

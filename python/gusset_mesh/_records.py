@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._library import ffi, text
+from .errors import error
 
 _DTYPES = {
     "double": np.float64, "float": np.float32, "uint8_t": np.uint8, "uint16_t": np.uint16, "uint32_t": np.uint32,
@@ -190,6 +191,5 @@ def filled(function: Any, struct: str, handle: Any) -> Record:
     made.struct_size = ffi.sizeof(f"struct {struct}")
     status = function(handle, made)
     if status != 0:
-        from .errors import error
         raise error(status, "")
     return Record(made[0], (made, handle))

@@ -1,8 +1,7 @@
-"""Meshes of VTK, and the arrays of their points and cells."""
+"""The arrays of the points and cells of meshes of VTK."""
 
 from __future__ import annotations
 
-import inspect
 import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -11,38 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._channels import Domain, Rule
+from ._polydata import numpy_of, surface_of
 from .errors import InputError
-from .mesh import Mesh
+from .mesh import from_polydata
 
-
-def _numpy(array: Any) -> NDArray[Any]:
-    from vtkmodules.util import numpy_support
-    convert: Any = numpy_support.vtk_to_numpy
-    found: NDArray[Any] = convert(array)
-    return found
-
-
-def from_polydata(polydata: Any) -> Mesh:
-    """The polygons of a vtkPolyData, or of PyVista's; points are not copied.
-
-    Raises:
-        ValueError: it has triangle strips; ``triangulate()`` makes triangles of them.
-    """
-    if polydata.GetNumberOfStrips():
-        raise ValueError("triangle strips are no polygons: triangulate() makes some of them")
-    polys = polydata.GetPolys()
-    points = _numpy(polydata.GetPoints().GetData()) if polydata.GetPoints() else np.empty((0, 3))
-    offsets, corners = _numpy(polys.GetOffsetsArray()), _numpy(polys.GetConnectivityArray())
-    sizes = np.diff(offsets)
-    if sizes.size and (sizes == sizes[0]).all():
-        return Mesh(points, corners.reshape(-1, int(sizes[0])))
-    return Mesh.from_polygons(points, offsets if offsets.size else np.zeros(1, np.uint32), corners)
-
-
-def surface_of(dataset: Any) -> Any:
-    """The surface of a dataset of PyVista that is no polygon mesh. Versions that can do it in several ways warn unless told which."""
-    told = {"algorithm": "dataset_surface"} if "algorithm" in inspect.signature(dataset.extract_surface).parameters else {}
-    return dataset.extract_surface(**told)
+__all__ = ["carry_arrays", "from_polydata", "surface_of"]
 
 
 def _rule(name: str, values: NDArray[Any]) -> Rule:
@@ -66,7 +38,7 @@ def _arrays(polydata: Any, domain: Domain) -> dict[str, NDArray[Any]]:
     for k in range(data.GetNumberOfArrays()):
         array = data.GetArray(k)
         if array is not None and array.GetName():
-            name, values = array.GetName(), _numpy(array)[first:first + count]
+            name, values = array.GetName(), numpy_of(array)[first:first + count]
             is_truth = name in named and getattr(named[name], "dtype", None) == bool
             found[name] = values.astype(bool) if is_truth else values
     return found

@@ -14,12 +14,9 @@ import inspect
 
 from . import _plugin
 from ._library import lib, text
-from ._plugin import Curves, Filter, Outputs, Report
+from ._plugin import Curves, Filter, Outputs, Report, all_filters
 
 __all__ = ["Curves", "Filter", "Outputs", "Report", "all_filters"]
-
-#: By their names for scripts.
-all_filters: dict[str, Filter] = {one.script_name: one for one in _plugin.filters()}
 
 
 def _documented(one: Filter) -> None:

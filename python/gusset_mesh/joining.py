@@ -9,6 +9,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import indices_of
 from ._call import Progress
 from ._handles import Handle, MeshResult, create
 from ._keywords import options as structs
@@ -16,7 +17,7 @@ from ._library import ffi, holding, lib
 from ._options import (AlignOptions, AssemblyOptions, BoundaryOptions, DevelopmentOptions, FillOptions, OrientOptions, StitchOptions, TrimOptions,
                        Unpack, WeldOptions)
 from ._records import Record, filled, indices_struct
-from .mesh import Mesh, MeshLike, as_mesh, indices_of, of_one_precision, view_of, views_of
+from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
 __all__ = ["Aligned", "Assembled", "Boundary", "Checked", "Developed", "Filled", "Oriented", "Sewn", "Stitched", "Trimmed", "Welded",
            "align", "assemble", "boundary_loops", "check", "develop", "fill", "orient", "sew", "stitch", "trim", "weld"]

@@ -8,41 +8,12 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._library import F32, F64, ffi, holding
+from ._arrays import SCALARS, indices_of, pointer, points_of
+from ._library import F32, ffi, holding
+from ._polydata import polygons_of, surface_of
 from ._records import lent
 
 __all__ = ["Mesh", "MeshLike", "as_mesh"]
-
-_SCALARS = {np.dtype(np.float32): F32, np.dtype(np.float64): F64}
-
-
-def points_of(values: ArrayLike) -> NDArray[Any]:
-    """Points as the library reads them: 32- or 64-bit floats, x, y, z together; the same array where it can be."""
-    array = np.asarray(values)
-    if array.dtype not in _SCALARS:
-        array = array.astype(np.float64)
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"points have the shape {array.shape}, not (n, 3)")
-    rows, step = array.strides
-    if array.size and (step != array.itemsize or rows < 3 * array.itemsize):
-        array = np.ascontiguousarray(array)
-    return array
-
-
-def indices_of(values: ArrayLike, what: str = "indices") -> NDArray[np.uint32]:
-    """Whole numbers as 32-bit ones without a sign, in a row; the same array where it can be."""
-    array = np.asarray(values)
-    if array.dtype == np.int32:
-        # A negative one is too large then, which the library says with its place.
-        array = array.view(np.uint32) if array.flags.c_contiguous else np.ascontiguousarray(array).view(np.uint32)
-    elif array.dtype != np.uint32:
-        if array.size and array.dtype.kind not in "iu":
-            raise ValueError(f"{what} are of the type {array.dtype}, not whole numbers")
-        if array.size and (array.min() < 0 or array.max() >= 2**32):
-            bad = int(np.flatnonzero((array < 0) | (array >= 2**32))[0])
-            raise ValueError(f"{what}: number {bad} is {array.flat[bad]}, which is no index")
-        array = array.astype(np.uint32)
-    return np.ascontiguousarray(array)
 
 
 class Mesh:
@@ -154,6 +125,19 @@ class Mesh:
         return f"<Mesh of {self.vertex_count} vertices and {self.face_count} faces>"
 
 
+def from_polydata(polydata: Any) -> Mesh:
+    """The polygons of a vtkPolyData, or of PyVista's; points are not copied.
+
+    Raises:
+        ValueError: it has triangle strips; ``triangulate()`` makes triangles of them.
+    """
+    points, offsets, corners = polygons_of(polydata)
+    sizes = np.diff(offsets)
+    if sizes.size and (sizes == sizes[0]).all():
+        return Mesh(points, corners.reshape(-1, int(sizes[0])))
+    return Mesh.from_polygons(points, offsets if offsets.size else np.zeros(1, np.uint32), corners)
+
+
 #: What is taken for a mesh: a :class:`Mesh`, points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh.
 MeshLike = Union[Mesh, tuple[Any, Any], Any]
 
@@ -169,10 +153,8 @@ def as_mesh(given: MeshLike) -> Mesh:
     if isinstance(given, (tuple, list)) and len(given) == 2:
         return Mesh(*given)
     if hasattr(given, "GetPolys"):  # vtkPolyData, and so PyVista's
-        from ._vtk import from_polydata
         return from_polydata(given)
     if hasattr(given, "extract_surface"):  # PyVista's other datasets
-        from ._vtk import surface_of
         return as_mesh(surface_of(given))
     if callable(getattr(given, "face_vertex_indices", None)):  # OpenMesh
         faces = given.face_vertex_indices()
@@ -186,15 +168,10 @@ def as_mesh(given: MeshLike) -> Mesh:
     raise TypeError(f"{type(given).__name__} is no mesh: points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh")
 
 
-def pointer(array: Optional[NDArray[Any]]) -> Any:
-    """Where an array is; NULL for none."""
-    return ffi.NULL if array is None else ffi.cast("void *", array.__array_interface__["data"][0])
-
-
 def _require(mesh: Mesh) -> None:
     """What the constructors saw to: attributes may have been replaced since."""
     points, lists = mesh.points, [one for one in (mesh.corners, mesh.offsets, mesh.merge) if one is not None]
-    if not isinstance(points, np.ndarray) or points.dtype not in _SCALARS or points.ndim != 2 or points.shape[1] != 3:
+    if not isinstance(points, np.ndarray) or points.dtype not in SCALARS or points.ndim != 2 or points.shape[1] != 3:
         raise ValueError("points are no array of floats of the shape (n, 3)")
     if points.size and (points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize):
         raise ValueError("x, y and z of points are not together")
@@ -217,7 +194,7 @@ def fill_view(view: Any, mesh: Mesh) -> None:
     view.face_offsets = pointer(mesh.offsets)
     view.face_corners = pointer(mesh.corners)
     view.face_count = mesh.face_count
-    view.scalar = _SCALARS[mesh.points.dtype]
+    view.scalar = SCALARS[mesh.points.dtype]
     view.face_size = mesh.face_size if mesh.offsets is None else 0
     view.merge = pointer(mesh.merge)
 

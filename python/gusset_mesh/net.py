@@ -9,13 +9,14 @@ from typing import Any, Literal, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import pointer
 from ._call import Progress, call
 from ._handles import Handle, MeshResult, create
 from ._keywords import options as structs
 from ._library import constants, ffi, lib, one_of
 from ._options import JoinOptions, NetMeshOptions, Unpack
 from ._records import Record, filled, lent
-from .mesh import MeshLike, as_mesh, pointer, view_of
+from .mesh import MeshLike, as_mesh, view_of
 
 __all__ = ["Net", "NetMesh"]
 

@@ -9,6 +9,7 @@ from typing import Any, Literal, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import indices_of, pointer
 from ._call import Progress, call
 from ._handles import Handle, create
 from ._keywords import options as structs
@@ -16,7 +17,6 @@ from ._library import constants, ffi, holding, lib, one_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
 from ._records import dtype_of, filled, lent
 from .errors import error
-from .mesh import indices_of, pointer
 
 __all__ = ["Curve", "Outline", "Places"]
 

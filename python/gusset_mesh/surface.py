@@ -9,13 +9,13 @@ from typing import Any, Literal, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import pointer
 from ._call import Progress, call
 from ._handles import Handle, MeshResult, create
 from ._keywords import options as structs
 from ._library import ffi, holding, lib, one_of
 from ._options import ContourOptions, IntersectionOptions, NearestOptions, SheetMeshOptions, SurfaceOptions, Unpack
 from ._records import Record, dtype_of, filled
-from .mesh import pointer
 
 __all__ = ["Hits", "Paths", "Sheet", "SheetMesh", "Surface"]
 
