@@ -30,10 +30,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "measuring curves")?;
         let curve = curve.view();
-        let length = if curve.is_empty() { 0.0 } else { curve.lengths(&part)?.total() };
+        let length = if curve.is_empty() { 0.0 } else { curve.lengths(&part.part(0.0, 0.5))?.total() };
         total += length;
         if c < MAX_LISTED {
-            push_line!(text, "curve {c}: {}", line(&curve, length, &part)?);
+            push_line!(text, "curve {c}: {}", line(&curve, length, &part.part(0.5, 1.0))?);
         }
     }
     push_more(&mut text, curves.len(), MAX_LISTED);
@@ -47,7 +47,7 @@ fn line(curve: &CurveView<'_>, length: f64, job: &Job<'_>) -> Result<String> {
     if curve.points().is_empty() {
         return Ok(format!("{kind}, without points"));
     }
-    let (area, bounds) = (curve.area_vector(job)?, curve.bounding_box(job)?);
+    let (area, bounds) = (curve.area_vector(&job.part(0.0, 0.5))?, curve.bounding_box(&job.part(0.5, 1.0))?);
     Ok(format!(
         "{kind}, length {}, area {}, seen along {}, box {} to {}",
         short(length),
