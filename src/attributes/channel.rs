@@ -108,8 +108,8 @@ impl<'a> Channel<'a> {
         }
         for ((values, counts), input) in self.inputs.iter().zip(needed).zip(0..) {
             let (Some(values), needed) = (values, counts.of(self.domain)) else { continue };
-            if values.len() != needed {
-                return Err(Error::ValuesDiffer { input, given: values.len() as u64, needed: needed as u64 });
+            if values.count() != needed {
+                return Err(Error::ValuesDiffer { input, given: values.count() as u64, needed: needed as u64 });
             }
         }
         let floating = self.value_type.largest().is_none();
@@ -126,7 +126,7 @@ impl<'a> Channel<'a> {
                 bytes.chunks_exact(size).any(|value| is_bad(self.value_type.read(value)))
             };
             let found =
-                par::map_cancellable(job, STAGE, par::ranges(values.len(), CHUNK), |mut range| range.find(bad))?;
+                par::map_cancellable(job, STAGE, par::ranges(values.count(), CHUNK), |mut range| range.find(bad))?;
             if let Some(&index) = found.iter().flatten().next() {
                 let mut own = values.bytes(index).chunks_exact(size).map(|value| self.value_type.read(value));
                 let value = own.find(|&value| is_bad(value)).unwrap_or(f64::NAN);

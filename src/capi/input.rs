@@ -1,5 +1,7 @@
 //! Raw pointers to values, slices and structs, each checked for what can be checked.
 
+#![allow(clippy::not_unsafe_ptr_arg_deref, reason = "each caller is a function of C, whose comment states the promise")]
+
 use super::status::Failure;
 use super::status::gusset_status::{
     GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,

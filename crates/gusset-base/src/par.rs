@@ -169,7 +169,12 @@ type Before<'a> = &'a dyn Fn(usize) -> Result<()>;
 /// which is called on this thread only. It knows no type of items, as [`share_jobs`].
 fn share(helpers: usize, before: Before<'_>, do_next: &(dyn Fn(Before<'_>) -> Result<bool> + Sync)) -> Result<()> {
     let stopped = AtomicBool::new(false);
-    let help = || while !stopped.load(Ordering::Relaxed) && matches!(do_next(&|_| Ok(())), Ok(true)) {};
+    let help = || {
+        let mut is_done = false;
+        while !is_done && !stopped.load(Ordering::Relaxed) {
+            is_done = !matches!(do_next(&|_| Ok(())), Ok(true));
+        }
+    };
     let mut reported = Ok(());
     let mut lead = |_| {
         reported = (|| {

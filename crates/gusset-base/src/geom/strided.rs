@@ -49,8 +49,9 @@ impl<'a> Strided<'a> {
         bytes.filter(|&n| n <= isize::MAX as usize).ok_or(Error::SizeOverflow { what, count: count as u64 })
     }
 
+    /// The number of elements.
     #[inline]
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.count
     }
 
@@ -87,7 +88,7 @@ mod tests {
             }
             let all = Strided::new(&memory[offset..], 4, stride, 4, "numbers").unwrap();
             assert_eq!((0..4).map(|k| all.get::<u32>(k)).collect::<Vec<_>>(), [1000, 1001, 1002, 1003]);
-            assert_eq!((all.len(), all.bytes(2)), (4, &1002u32.to_ne_bytes()[..]));
+            assert_eq!((all.count(), all.bytes(2)), (4, &1002u32.to_ne_bytes()[..]));
             assert_eq!(all.without_gaps().is_some(), step == 4);
             assert_eq!(Strided::span(4, stride, 4, "numbers"), Ok(3 * step + 4));
             // One byte less is too few.

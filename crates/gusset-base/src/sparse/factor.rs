@@ -47,12 +47,12 @@ impl Symmetric {
             below: &below,
             front: Front::default(),
             waiting: alloc::with_capacity(costs.stack)?,
-            local: alloc::filled(0, self.len())?,
+            local: alloc::filled(0, self.row_count())?,
             places: Vec::new(),
             diagonal: Vec::new(),
             work: Work { job: job.part(0.1, 1.0), whole: costs.work, done: 0.0, reported: 0.0 },
         };
-        let (entries, inverse) = (alloc::with_capacity(costs.entries)?, alloc::filled(0.0, self.len())?);
+        let (entries, inverse) = (alloc::with_capacity(costs.entries)?, alloc::filled(0.0, self.row_count())?);
         let mut factor = Factor { supernodes, entries, inverse };
         job.step(0.1, STAGE)?;
         for s in 0..factor.supernodes.len() {

@@ -322,7 +322,7 @@ fn the_host_is_asked_as_work_goes_on() {
     let run = |left: usize| {
         let patience = Patience { left: Cell::new(left), fraction: Cell::new(0.0) };
         let job = Job::new(1, &patience);
-        let mut x = vec![DVec3::ONE; a.len()];
+        let mut x = vec![DVec3::ONE; a.row_count()];
         let done = a.factor(&job.part(0.0, 0.5)).and_then(|factor| factor.solve(&mut x, &job.part(0.5, 1.0)));
         (done, left - patience.left.get())
     };

@@ -212,9 +212,7 @@ impl Kernel for Divide<'_> {
                     own[row..end].copy_from_slice(&column[j][..end - row]);
                 }
                 undivided[k] = column[j];
-                for i in 0..LANES {
-                    column[j][i] *= inverse[k];
-                }
+                column[j].iter_mut().for_each(|entry| *entry *= inverse[k]);
                 let (divided, factors) = (column[j], &own[group..group + SUMS]);
                 for later in j + 1..SUMS {
                     for i in 0..LANES {

@@ -45,7 +45,7 @@ impl Supernodes {
     /// The groups of a matrix; `below`: what it has below its diagonal. O(e log n) for the e rows
     /// of all groups.
     pub fn new(matrix: &Symmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
-        let n = matrix.len();
+        let n = matrix.row_count();
         if n <= MAX_SINGLE {
             return Supernodes::single(n);
         }

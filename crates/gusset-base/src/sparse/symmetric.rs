@@ -12,9 +12,9 @@ pub struct Symmetric {
 }
 
 impl Symmetric {
-    /// How many rows it has.
+    /// The number of rows.
     #[inline]
-    pub fn len(&self) -> usize {
+    pub fn row_count(&self) -> usize {
         self.diagonal.len()
     }
 
@@ -27,8 +27,8 @@ impl Symmetric {
     /// What is below the diagonal, column by column. 16 bytes an entry.
     #[inline]
     pub fn below(&self, job: &Job<'_>) -> Result<Buckets<(u32, f64)>> {
-        let columns = (0..self.len()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));
+        let columns = (0..self.row_count()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));
         let items = columns.map(|(k, i, value)| (i as usize, (k as u32, value)));
-        Buckets::new_cancellable(self.len(), (0, 0.0), items, job, "solving")
+        Buckets::new_cancellable(self.row_count(), (0, 0.0), items, job, "solving")
     }
 }

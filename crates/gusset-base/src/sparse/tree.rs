@@ -20,7 +20,7 @@ const REPORT_INTERVAL: usize = 1 << 15;
 
 /// The parents of all columns; `NONE` of a root.
 pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
-    let n = matrix.len();
+    let n = matrix.row_count();
     let mut parent = alloc::filled(NONE, n)?;
     // The farthest ancestor known: paths are walked once.
     let mut ancestor = alloc::filled(NONE, n)?;

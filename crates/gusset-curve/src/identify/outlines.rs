@@ -37,7 +37,7 @@ impl<'a> Points<'a> {
 
     /// The number of points.
     pub fn len(&self) -> usize {
-        self.elements.len()
+        self.elements.count()
     }
 
     /// True if there are none.

@@ -127,7 +127,8 @@ impl Arc {
     fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
         let mut velocity = frame.segment(controls);
         velocity.derive();
-        let turns = if velocity.len() > 2 { DistanceSlope::new(&velocity, DVec3::ZERO).roots() } else { Roots::new() };
+        let turns =
+            if velocity.len() > 2 { DistanceSlope::new(&velocity, DVec3::ZERO).roots() } else { Roots::default() };
         Arc { velocity, turns }
     }
 

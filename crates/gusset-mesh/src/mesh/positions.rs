@@ -62,7 +62,7 @@ impl<'a> Positions<'a> {
     /// The number of positions.
     #[inline]
     pub fn len(&self) -> usize {
-        self.points.len()
+        self.points.count()
     }
 
     /// True if there are none.

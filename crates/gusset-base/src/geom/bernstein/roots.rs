@@ -25,12 +25,13 @@ pub struct Roots {
     pub everywhere: bool,
 }
 
-impl Roots {
-    #[inline]
-    pub fn new() -> Self {
+impl Default for Roots {
+    fn default() -> Self {
         Roots { at: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
     }
+}
 
+impl Roots {
     #[inline]
     pub fn as_slice(&self) -> &[f64] {
         &self.at[..self.len]
@@ -107,7 +108,7 @@ const MAX_HALVINGS: u32 = 20_000;
 /// halving; a simple root takes about log2 of 1 over its distance from the next one, a root of
 /// multiplicity m about log2(1 / noise) / m.
 pub fn roots(c: &[f64], noise: f64) -> Roots {
-    let mut found = Roots::new();
+    let mut found = Roots::default();
     if c.is_empty() || c.len() > MAX_COEFFICIENTS {
         return found;
     }
