@@ -115,10 +115,10 @@ impl SectionNodes {
         normal: DVec3,
         job: &Job<'_>,
     ) -> Result<()> {
-        let crossings = curve.intersect_plane(point, normal, job)?;
+        let crossings = curve.intersect_plane(point, normal, &job.part(0.0, 0.9))?;
         let (mut hits, mut farthest) = (0, None);
         let mut greatest = 0.0;
-        for p in curve.points_at(&crossings.places, job)? {
+        for p in curve.points_at(&crossings.places, &job.part(0.9, 1.0))? {
             let distance = (p - point).dot(ray);
             hits += usize::from(distance > 0.0);
             if distance > greatest {
