@@ -112,7 +112,7 @@ static inline void torture_elements(enum torture_kind kind, const void *array, s
     for (size_t i = 0; i < count && i < 3; ++i) torture_slot(kind, (const char *)array + i * torture_width(kind), path);
 }
 
-/* Handles of two kinds, of which one at least is not the kind that is asked for. */
+/* A context or a scene: at least one of the two has another kind than a function wants. */
 static inline void *torture_alien(int which) {
     static gusset_scene *scene;
     if (!torture_alien_context && (gusset_context_create)(&torture_alien_context) != GUSSET_OK) abort();
@@ -120,7 +120,7 @@ static inline void *torture_alien(int which) {
     return which ? (void *)scene : (void *)torture_alien_context;
 }
 
-/* The n-th hostile value of a kind; 0 if there are no more. `was` is what it replaces. */
+/* Writes the n-th hostile value of a kind in place of `was`. Returns 0 after the last value. */
 static inline int torture_hostile(enum torture_kind kind, size_t n, const void *was, void *value) {
     static const double reals[] = {NAN, INFINITY, -INFINITY, 0, -0.0, -1, 1, 1e300, -1e300, DBL_MAX, 1e150, 1e-150, 1e-300, 5e-324};
     static const float floats[] = {NAN, INFINITY, -INFINITY, 0, -1, 1, FLT_MAX, -FLT_MAX, FLT_MIN};

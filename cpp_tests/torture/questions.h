@@ -1,8 +1,8 @@
 /* Which functions ask the host whether to continue.
  *
- * The host can only stop a call that asks: by its progress callback, or by looking for a cancel. A function that takes a context and
- * whose work grows with its input must ask at least once in one of its calls. Two kinds of functions may be silent: those whose
- * documented complexity is exactly O(1), and those of the list below. */
+ * A cancel stops only a call that asks: the call runs the progress callback, and looks for a cancel. A function that takes a context
+ * must ask in at least one of its calls if its work grows with its input. A function may be silent if its documented complexity is
+ * exactly O(1), or if the list below names it. */
 #ifndef TORTURE_QUESTIONS_H
 #define TORTURE_QUESTIONS_H
 
@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a function promises. */
+/* The promise of a function: it takes no context, its work is O(1), or it asks the host. */
 enum torture_promise { TORTURE_NO_CONTEXT, TORTURE_CONSTANT, TORTURE_ASKS };
 
-/* A function of the program, and what its calls did that nobody stopped. */
+/* A function that the program calls; its successful calls, and the questions that all its calls asked. */
 struct torture_questions {
     const char *function;
     enum torture_promise promise;
@@ -25,7 +25,7 @@ struct torture_questions {
 #define TORTURE_IN_PLACE "changes the caller's net or scene in place, and cannot stop half way"
 #define TORTURE_ONE_PASS "copies or reads its input once, at the speed of memory"
 
-/* Functions whose work grows with the input, and which do not ask: each with the reason. */
+/* The functions that do not ask although their work grows with the input, each with its reason. */
 static const struct { const char *function, *reason; } torture_silent[] = {
     {"gusset_net_clear_no_data", TORTURE_IN_PLACE},
     {"gusset_net_snap", TORTURE_IN_PLACE},
@@ -63,7 +63,7 @@ static inline struct torture_questions *torture_row(struct torture_questions *ta
     return NULL;
 }
 
-/* Prints the functions that should have asked, and those of the list that ask after all. Returns their number. */
+/* Prints each function that breaks its promise, and each listed function that asks. Returns their number. */
 static inline size_t torture_unheard(const struct torture_questions *table) {
     size_t failures = 0, asked = 0, silent = 0;
     for (size_t i = 0; i < TORTURE_MAX_FUNCTIONS && table[i].function; ++i) {

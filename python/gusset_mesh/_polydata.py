@@ -30,6 +30,6 @@ def polygons_of(polydata: Any) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]
 
 
 def surface_of(dataset: Any) -> Any:
-    """The surface of a dataset of PyVista that is no polygon mesh. Versions that can do it in several ways warn unless told which."""
+    """Returns the surface of a dataset of PyVista that is not a polygon mesh. Newer versions warn unless the algorithm is named."""
     told = {"algorithm": "dataset_surface"} if "algorithm" in inspect.signature(dataset.extract_surface).parameters else {}
     return dataset.extract_surface(**told)

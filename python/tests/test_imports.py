@@ -1,4 +1,4 @@
-"""The modules of the package import each other in one direction: there is no circle, not even by imports within functions."""
+"""The modules of the package import each other in one direction: imports within functions count too."""
 
 import ast
 import pathlib

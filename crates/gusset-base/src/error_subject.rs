@@ -1,4 +1,4 @@
-//! What an error is about: one of two inputs, a kind of element, a pair of loops.
+//! The subject of an error: one of two inputs, a kind of element, or a pair of loops.
 
 use std::fmt;
 

@@ -1,4 +1,5 @@
-//! Bounds of the distance of two segments, and descents to its minima: what [`near_misses`](super::near_misses) decides by.
+//! Bounds of the distance of two segments, and descents to its minima, for
+//! [`near_misses`](super::near_misses).
 
 use super::part::{Part, chord, separates};
 use crate::curve::segment::jet;
@@ -13,8 +14,10 @@ pub(super) struct Descent {
     pub(super) gradient: DVec2,
 }
 
-/// The mean of the derivative of an order over a part, n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n
-/// (B_i+1 - B_i), and the radius of the ball round it that holds all values.
+/// The mean of a derivative over a part, and the radius of a ball round it that holds all values.
+///
+/// The first derivative has the control points n (B_i+1 - B_i), and the second one n (n - 1)
+/// (B_i+2 - 2 B_i+1 + B_i).
 pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
     let mut derived = part.controls;
     (0..order).for_each(|_| derived.derive());
@@ -34,7 +37,7 @@ pub(super) fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
     let normal = u.cross(v).normalize_or_zero();
     let between = a[0] - b[0];
     let across = (between - between.dot(u) * u).normalize_or_zero();
-    // The directions are of length 1 but for rounding.
+    // The directions have length 1 up to rounding.
     let slack = within * (1.0 + 1e-12) + 1e-15;
     let axes = [normal, u, v, normal.cross(u), normal.cross(v), across];
     axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
@@ -47,7 +50,7 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
     let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_range(part, 2));
     let (gap, spread) = (here - there, r + rr);
-    // A bound of the difference of products from that of the means.
+    // Bounds how far a product is from the product of the means.
     let slack = |x: DVec3, rx: f64, y: DVec3, ry: f64| x.length() * ry + y.length() * rx + rx * ry;
     let sign = |slope: f64, slack: f64| if slope > slack { 1 } else { -i32::from(slope < -slack) };
     let signs = [sign(gap.dot(a), slack(gap, spread, a, ra)), sign(-gap.dot(b), slack(gap, spread, b, rb))];
@@ -60,7 +63,7 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let x = a.length_squared() + gap.dot(aa) - slack(a, ra, a, ra) - slack(gap, spread, aa, raa);
     let y = b.length_squared() - gap.dot(bb) - slack(b, rb, b, rb) - slack(gap, spread, bb, rbb);
     let z = a.dot(b).abs() + slack(a, ra, b, rb);
-    // Where the Hessian is indefinite, there is no least distance but at ends of segments.
+    // If the Hessian is indefinite, least distances are only at ends of segments.
     let inner = [p, q].iter().all(|part| part.from > 0.0 && part.to < 1.0);
     let [max_x, max_y] = [
         a.length_squared() + gap.dot(aa) + slack(a, ra, a, ra) + slack(gap, spread, aa, raa),
@@ -106,8 +109,8 @@ pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, 
             let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
             lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))
         };
-        // A step that leaves the box ends where its model is least on the side that it leaves by: a
-        // narrow valley that runs on beyond leads there and not to the nearest point of the box.
+        // If a step leaves the box, it ends on the side that it crosses, where its model is least.
+        // A narrow valley that continues outside leads there, not to the nearest point of the box.
         let along_sides = |step: DVec2, [x, y]: [f64; 2]| {
             let ahead = at - step;
             let end = ahead.clamp(low, high);
