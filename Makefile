@@ -145,7 +145,7 @@ test:
 
 # The tests have a program and an archive of their own: the program compiles in a third of the time of that of `make cli`.
 test_folder   := $(CURDIR)/build/test
-test_program  := program='$(test_folder)/cli' program_flags='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=100' archive='$(test_folder)/dist/$(notdir $(archive))'
+test_program  := pack_level=1 program='$(test_folder)/cli' program_flags='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=100' archive='$(test_folder)/dist/$(notdir $(archive))'
 test-hosts: openmfx
 	@$(MAKE) --no-print-directory dist $(test_program)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX='$(openmfx)' -DGUSSET_ARCHIVE='$(test_folder)/dist/$(notdir $(archive))' -DGUSSET_CLI='$(test_folder)/cli'
@@ -263,8 +263,9 @@ install-debug:
 	@$(MAKE) --no-print-directory install PROFILE=release-debug strip_shared= strip_static=
 
 # For those without Rust: docs/guides/linking.md.
+pack_level = 9
 dist: cli
-	@scripts/dist.sh '$(archive)' '$(DIST_URL)' '$(program)'
+	@scripts/dist.sh '$(archive)' '$(DIST_URL)' '$(program)' '$(pack_level)'
 
 # Compiled by itself: a shared library alone is another thing to cargo.
 wheel:

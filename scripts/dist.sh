@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # make dist: packs an installation into the archive $1, the same bytes wherever the same sources are built by the same compiler, with
 # its checksum; and beside it, in conan and vcpkg, the recipes of packaging/ for that archive, as it will be found under the URL $2. $3: where
-# the program is built. An archive of the same files is not packed again.
+# the program is built; $4: the level of gzip. An archive of the same files is not packed again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-archive=$1 url=${2%/} program=$3
+archive=$1 url=${2%/} program=$3 level=$4
 out=${archive%/*} file=${archive##*/}
 name=${file%.tar.gz}
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
@@ -22,7 +22,7 @@ pack() {
 packed=$(pack | sha256sum)
 if [ ! -f "$archive" ] || [ "$packed" != "$(cat "$out/packed" 2>/dev/null)" ]; then
   rm -f "$out/packed"
-  pack | gzip -9n >"$archive"
+  pack | gzip "-${level}n" >"$archive"
   echo "$packed" >"$out/packed"
 fi
 (cd "$out" && sha256sum "$file" | tee "$file.sha256")

@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 import browser  # noqa: E402
 
-WIDTH, HEIGHT = 900, 560
+WIDTH, HEIGHT = 640, 420
 
 
 class Page(unittest.TestCase):
@@ -31,16 +31,10 @@ class Page(unittest.TestCase):
         cls.Image, cls.Chops, cls.Keys, cls.By = Image, ImageChops, Keys, By
         cls.Actions = ActionChains
         cls.touch = staticmethod(lambda: ActionBuilder(cls.opened, mouse=PointerInput(POINTER_TOUCH, "finger")))
-        cls.context = browser.chromium(WIDTH, HEIGHT)
-        cls.opened = cls.context.__enter__()
         cls.opened.get(browser.url(cls.path))
         browser.drawn(cls.opened)
         described = cls.opened.execute_script("return document.getElementById('described').textContent")
         cls.showcases = {showcase["id"]: showcase for showcase in json.loads(described)}
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.context.__exit__(None, None, None)
 
     def element(self, name):
         return self.opened.find_element(self.By.ID, name)
@@ -207,9 +201,8 @@ if __name__ == "__main__":
     Page.folder.mkdir(parents=True, exist_ok=True)
     try:
         import PIL  # noqa: F401
-        with browser.chromium(WIDTH, HEIGHT):
-            pass
+        with browser.chromium(WIDTH, HEIGHT) as Page.opened:
+            unittest.main(argv=sys.argv[:1], verbosity=2)
     except (browser.Missing, ImportError) as missing:
         print(f"SKIPPED: {missing}; apt-get install chromium chromium-driver python3-selenium python3-pil")
         sys.exit(0)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
