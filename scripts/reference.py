@@ -37,7 +37,7 @@ def groups():
 def origins():
     """Where in src/capi each name of the interface is declared: the file, without its ending."""
     found, folder = {}, ROOT / "src/capi"
-    for path in sorted({*folder.glob("*.rs"), *folder.glob("*/*.rs")} - {*folder.glob("plugin/*"), *folder.glob("openmfx/*")}):
+    for path in sorted({*folder.glob("*.rs"), *folder.glob("*/*.rs")} - {*folder.glob("plugin/*")}):
         declared = r"^\s*pub (?:unsafe )?(?:extern \"C\" )?(?:const|fn|struct|type|enum) (\w+)"
         place = path.relative_to(folder).with_suffix("")
         place = place.parent if place.name == "mod" else place

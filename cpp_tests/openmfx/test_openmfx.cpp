@@ -1,4 +1,4 @@
-// The library with the feature `openmfx`, opened by a host that knows nothing of it but the standard, and the
+// libgusset_openmfx.so, opened by a host that knows nothing of it but the standard, and the
 // descriptor to compare with.
 #include "shapes.hpp"
 
