@@ -52,12 +52,12 @@
 //! file, and gives the same bytes for any number of threads. It has no global state, except the
 //! memory reserve of the libraries for C (feature `reserve`).
 
-pub mod attributes;
 pub mod capi;
-pub mod filters;
 
+pub use gusset_attributes as attributes;
 pub use gusset_base::{Element, Error, Job, PairFault, Progress, Result, Side, error, job};
 pub use gusset_curve as curve;
+pub use gusset_filters as filters;
 pub use gusset_mesh::{align, assemble, boundary, check, develop, fill, mesh, repair, stitch, trim, winged};
 pub use gusset_net as net;
 pub use gusset_surface as surface;

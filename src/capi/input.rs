@@ -13,10 +13,15 @@ use std::mem::MaybeUninit;
 use std::ptr;
 
 pub(super) fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
-    if pointer.is_null() {
+    aligned_to(align_of::<T>(), pointer.addr(), name)
+}
+
+/// It knows no type, so that it is compiled once.
+fn aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<(), Failure> {
+    if address == 0 {
         Err(Failure::null(name))
-    } else if !pointer.is_aligned() {
-        let message = format!("{name} is not aligned to {} bytes", align_of::<T>());
+    } else if !address.is_multiple_of(alignment) {
+        let message = format!("{name} is not aligned to {alignment} bytes");
         Err(Failure::new(GUSSET_ERROR_MISALIGNED_ARGUMENT, message))
     } else {
         Ok(())
@@ -243,14 +248,18 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     // over zeros gives a value of plain fields.
     unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
+    no_unknown(tail, value.reserved(), name)?;
+    Ok(value)
+}
+
+/// Fails if a host sets `reserved`, or fields behind those that this version knows.
+fn no_unknown(tail: &[u8], reserved: u32, name: &'static str) -> Result<(), Failure> {
     match tail.iter().find(|&&byte| byte != 0) {
         Some(&byte) => {
             Err(Failure::unknown(format_args!("a field of {name} that this version does not know"), byte.into()))
         }
-        None if value.reserved() != 0 => {
-            Err(Failure::unknown(format_args!("{name}.reserved"), value.reserved().into()))
-        }
-        None => Ok(value),
+        None if reserved != 0 => Err(Failure::unknown(format_args!("{name}.reserved"), reserved.into())),
+        None => Ok(()),
     }
 }
 
@@ -317,8 +326,12 @@ fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<us
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.
     let size = unsafe { pointer.cast::<usize>().read() };
-    if size < T::MIN_SIZE || size > 4096 {
-        let message = format!("{name}: struct_size is {size}, and this version has {}", size_of::<T>());
+    size_between(T::MIN_SIZE, size_of::<T>(), size, name)
+}
+
+fn size_between(min: usize, known: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
+    if size < min || size > 4096 {
+        let message = format!("{name}: struct_size is {size}, and this version has {known}");
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }
     Ok(size)

@@ -1,0 +1,233 @@
+//! A channel carried over to a result.
+
+use super::channel::{Channel, Rule};
+use super::domain::Domain;
+use super::origins::Origins;
+use super::table::Table;
+use super::values::{Output, ValueType};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_base::sort::select;
+use std::ops::Range;
+
+const STAGE: &str = "carrying values over";
+/// Elements that one thread does at a time.
+const CHUNK: usize = 1 << 14;
+/// Steps towards the mean of directions, of which each squares the error.
+const MAX_STEPS: usize = 16;
+const ROUNDING: f64 = 1e-15;
+
+/// Carries a channel over: writes the values of each vertex, corner or face of the result.
+///
+/// Elements of one source have its bits. What has no source, and what all sources of lack the
+/// channel, has the value 0. O(elements and sources), on the job's threads; memory for
+/// [`Rule::Texture`] alone, linear in the corners of new faces.
+///
+/// # Errors
+/// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`],
+/// [`Error::ArrayTooShort`] if `out` has no room for all, [`Error::OptionOutOfRange`] if its
+/// values are of another type or number, [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
+    channel.check(origins.inputs(), &job.part(0.0, 0.2))?;
+    let table = origins.table(channel.domain);
+    // Of the same values as the channel.
+    Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
+    let needed = (table.len() * out.stride).saturating_sub(out.stride - channel.size().min(out.stride));
+    if out.bytes.len() < needed {
+        return Err(Error::ArrayTooShort { what: "values", needed: needed as u64, given: out.bytes.len() as u64 });
+    }
+    let mixer = Mixer::new(origins, channel);
+    let chunks = out.bytes.chunks_mut(CHUNK * out.stride).zip(par::ranges(table.len(), CHUNK));
+    let chunks = alloc::collect(chunks)?;
+    let stride = out.stride;
+    let done = par::map_cancellable(&job.part(0.2, 0.9), STAGE, chunks.into_iter(), |(bytes, rows)| {
+        mixer.rows(rows, bytes, stride)
+    })?;
+    done.into_iter().collect::<Result<()>>()?;
+    if channel.rule == Rule::Texture && channel.domain == Domain::Corners {
+        origins.continuation.apply(out, &job.part(0.9, 1.0))?;
+    }
+    Ok(())
+}
+
+/// What mixes the values of sources.
+struct Mixer<'a> {
+    channel: &'a Channel<'a>,
+    table: &'a Table,
+    turned: Option<&'a BitSet>,
+    /// The first source of each input, and the number of all.
+    starts: &'a [u32],
+}
+
+impl<'a> Mixer<'a> {
+    fn new(origins: &'a Origins, channel: &'a Channel<'a>) -> Self {
+        let turned = origins.turned.as_ref().map(|sets| &sets[channel.domain as usize]);
+        let turned = turned.filter(|_| channel.rule == Rule::Normal);
+        Mixer { channel, table: origins.table(channel.domain), turned, starts: origins.starts(channel.domain) }
+    }
+
+    /// The values of a source, if its input has the channel.
+    #[inline]
+    fn source(&self, source: u32) -> Option<&'a [u8]> {
+        let input = match self.starts.len() {
+            2 => 0,
+            3 => usize::from(source >= self.starts[1]),
+            _ => self.starts.partition_point(|&start| start <= source) - 1,
+        };
+        let values = self.channel.inputs[input].as_ref()?;
+        Some(values.bytes((source - self.starts[input]) as usize))
+    }
+
+    fn rows(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
+        // Copies of a size that the compiler knows.
+        match self.channel.size() {
+            1 => self.rows_of::<1>(rows, out, stride),
+            2 => self.rows_of::<2>(rows, out, stride),
+            3 => self.rows_of::<3>(rows, out, stride),
+            4 => self.rows_of::<4>(rows, out, stride),
+            8 => self.rows_of::<8>(rows, out, stride),
+            12 => self.rows_of::<12>(rows, out, stride),
+            16 => self.rows_of::<16>(rows, out, stride),
+            24 => self.rows_of::<24>(rows, out, stride),
+            _ => self.rows_of::<0>(rows, out, stride),
+        }
+    }
+
+    /// Rows whose values have `SIZE` bytes, or any number if that is 0.
+    fn rows_of<const SIZE: usize>(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
+        let size = if SIZE == 0 { self.channel.size() } else { SIZE };
+        let components = self.channel.components;
+        let mut mean = alloc::filled(0.0, components)?;
+        let mut order = alloc::filled(0, if self.channel.rule == Rule::SkinWeights { components } else { 0 })?;
+        for (k, out) in rows.zip(out.chunks_mut(stride)) {
+            let out = &mut out[..size];
+            let (sources, weights) = self.table.row(k);
+            match sources {
+                &[source] if self.turned.is_none_or(|turned| !turned.contains(source)) => match self.source(source) {
+                    Some(values) => out.copy_from_slice(&values[..size]),
+                    None => out.fill(0),
+                },
+                _ => self.mix((sources, weights), &mut mean, &mut order, out),
+            }
+        }
+        Ok(())
+    }
+
+    /// The values of an element of several sources.
+    fn mix(&self, (sources, weights): (&[u32], &[f64]), mean: &mut [f64], order: &mut [u32], out: &mut [u8]) {
+        let entries = || sources.iter().zip(weights).filter_map(|(&s, &w)| Some((s, self.source(s)?, w)));
+        let value_type = self.channel.value_type;
+        let Some((_, first, _)) = entries().next() else {
+            return out.fill(0);
+        };
+        match self.channel.rule {
+            Rule::Nearest => {
+                let heavier =
+                    |best: (&'a [u8], f64), (_, values, weight)| if weight > best.1 { (values, weight) } else { best };
+                return out.copy_from_slice(entries().fold((first, f64::NEG_INFINITY), heavier).0);
+            }
+            Rule::Normal => {
+                let normal = |&(source, values, weight): &(u32, &[u8], f64)| {
+                    let sign = if self.turned.is_some_and(|turned| turned.contains(source)) { -1.0 } else { 1.0 };
+                    (sign * vector(value_type, values), weight)
+                };
+                let mut all = entries();
+                if let (Some(only), None) = (all.next(), all.next()) {
+                    // As it is, but turned.
+                    normal(&only).0.to_array().iter().zip(mean.iter_mut()).for_each(|(x, mean)| *mean = *x);
+                } else {
+                    let mean_normal = spherical_mean(|| entries().map(|entry| normal(&entry)));
+                    mean.copy_from_slice(&mean_normal.to_array());
+                }
+            }
+            Rule::Linear | Rule::SkinWeights | Rule::Texture => {
+                let total: f64 = entries().map(|(.., weight)| weight).sum();
+                // Relative to the first, so that equal values stay what they are.
+                let size = value_type.size();
+                for (c, mean) in mean.iter_mut().enumerate() {
+                    let at = |values: &[u8]| value_type.read(&values[c * size..]);
+                    let base = at(first);
+                    let off: f64 = entries().map(|(_, values, weight)| weight / total * (at(values) - base)).sum();
+                    *mean = if total > 0.0 { base + off } else { base };
+                    if !mean.is_finite() {
+                        // Differences are beyond the range of numbers, but no mean is.
+                        *mean = entries().map(|(_, values, weight)| weight / total * at(values)).sum();
+                    }
+                }
+                if self.channel.rule == Rule::SkinWeights {
+                    self.keep_largest(mean, order);
+                }
+            }
+        }
+        let size = value_type.size();
+        mean.iter().zip(out.chunks_exact_mut(size)).for_each(|(&mean, out)| value_type.write(mean, out));
+    }
+
+    /// Keeps the largest shares, the first of equal ones, and makes the sum that of the type.
+    fn keep_largest(&self, shares: &mut [f64], order: &mut [u32]) {
+        order.iter_mut().zip(0..).for_each(|(k, place)| *k = place);
+        let most = self.channel.max_influences;
+        if most > 0 && most < shares.len() {
+            select(order, most, |k| -shares[k as usize]);
+            order[most..].iter().for_each(|&k| shares[k as usize] = 0.0);
+        }
+        let total: f64 = shares.iter().sum();
+        if total <= 0.0 {
+            return;
+        }
+        let Some(whole) = self.channel.value_type.largest() else {
+            return shares.iter_mut().for_each(|share| *share /= total);
+        };
+        shares.iter_mut().for_each(|share| *share *= whole / total);
+        // What rounding down leaves goes to those that lost most.
+        let lost = whole - shares.iter().map(|share| share.floor()).sum::<f64>();
+        let lost = (lost.max(0.0) as usize).min(shares.len());
+        if lost > 0 && lost < shares.len() {
+            select(order, lost, |k| shares[k as usize].floor() - shares[k as usize]);
+        }
+        order[..lost].iter().for_each(|&k| shares[k as usize] = shares[k as usize].floor() + 1.0);
+        order[lost..].iter().for_each(|&k| shares[k as usize] = shares[k as usize].floor());
+    }
+}
+
+fn vector(value_type: ValueType, values: &[u8]) -> DVec3 {
+    let size = value_type.size();
+    DVec3::new(value_type.read(values), value_type.read(&values[size..]), value_type.read(&values[2 * size..]))
+}
+
+/// A vector of length 1, whatever the length given; 0 for 0.
+fn unit(v: DVec3) -> DVec3 {
+    let size = v.abs().max_element();
+    if size > 0.0 { (v / size).normalize() } else { DVec3::ZERO }
+}
+
+/// The mean of directions on the sphere, by weights; of length 1, but for directions without
+/// length.
+fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> DVec3 {
+    let units = || entries().map(|(direction, weight)| (unit(direction), weight));
+    let heaviest = units().fold((DVec3::ZERO, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best });
+    let mut mean = units().map(|(direction, weight)| direction * weight).sum::<DVec3>().normalize_or_zero();
+    if mean == DVec3::ZERO {
+        return heaviest.0;
+    }
+    let total: f64 = units().map(|(_, weight)| weight).sum();
+    for _ in 0..MAX_STEPS {
+        // To where the directions are on the plane that touches at the mean, by angles.
+        let step = units().map(|(direction, weight)| {
+            let off = direction - mean * direction.dot(mean);
+            off.normalize_or_zero() * (libm::atan2(off.length(), direction.dot(mean)) * weight / total)
+        });
+        let step: DVec3 = step.sum();
+        let angle = step.length();
+        if angle <= ROUNDING {
+            break;
+        }
+        let (sine, cosine) = libm::sincos(angle);
+        mean = (mean * cosine + step * (sine / angle)).normalize();
+    }
+    mean
+}

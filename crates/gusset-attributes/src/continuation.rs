@@ -1,0 +1,405 @@
+//! Texture coordinates across new faces.
+//!
+//! Across a gap texture coordinates are interpolated as other values are, if both sides are on one
+//! chart, as on scans of one object, or where a surface was cut. Where they are not, values between
+//! them mean nothing: each new face then goes on with the chart of its base, and the charts meet in
+//! a seam in the middle.
+//!
+//! **Charts.** Rim edges with a vertex in common are on one chart if their faces have the same
+//! values there. Whether charts of two rims are one is put to the vote of the new faces between
+//! them: a face says yes if the interpolated value at its corners across is nearer to the place where
+//! the chart of its base would go on than half the way there, or half the base.
+//!
+//! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old
+//! corners have different values. A new face between two rims has those on its own side of the cut:
+//! the ones nearest to where the chart of its base goes on, with the jump of a cut added where that
+//! is nearer: a texture that repeats is continuous so. A face whose values are far from there all the
+//! same goes on with the chart of its base.
+//!
+//! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
+//! corner at x along the base and at the distance y from its line has the value that the old face's
+//! affine map has at (x, -y), where the old face itself has its third corner at y > 0. These are
+//! affine weights for the three corners of the old face: the same for all channels.
+
+use super::rims::{End, Rims};
+use super::table::{FACES_PER_REPORT, STAGE, Table};
+use super::values::Output;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::mesh::{Mesh, NONE};
+use std::ops::Range;
+
+/// Charts go on at most so many heights of the old face: needles lead nowhere.
+const MAX_HEIGHTS: f64 = 64.0;
+/// A face whose height over its base is a smaller part of the base has no direction.
+const MIN_HEIGHT: f64 = 1e-6;
+/// Values on both sides agree if they differ by less than this part of the way from the base.
+const MAX_DEVIATION: f64 = 0.5;
+/// As many different jumps are told apart, there and back; those that differ by less than this part
+/// are the same.
+const MAX_JUMPS: usize = 32;
+const SAME_JUMP: f64 = 1e-3;
+/// Jumps, and values off where a chart would go on, are long if they are so many times the usual way
+/// along a base.
+const FAR: f64 = 4.0;
+/// Values at one vertex are the same if they differ by less than this part of the largest.
+const SAME: f64 = 1e-6;
+
+/// The base of a new face, in corners of the result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Base {
+    /// The old face's corners at both ends, and one off the line between them.
+    corners: [u32; 3],
+}
+
+/// Where charts are cut: whether anywhere, the long jumps there and back, and the square of the usual
+/// way along a base, which they are long against.
+struct Cuts {
+    any: bool,
+    jumps: Vec<Vec<f64>>,
+    usual_way: f64,
+}
+
+/// An old corner that a new one has its value from, beyond a cut if there is a jump.
+struct Side<'a> {
+    corner: u32,
+    jump: Option<&'a [f64]>,
+    weight: f64,
+}
+
+/// New faces, as texture coordinates need them.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Continuation {
+    /// Where the corners of each new face begin in the result, and where the last one ends.
+    offsets: Vec<u32>,
+    /// Per rim edge.
+    bases: Vec<Base>,
+    /// Per new face its rim edge, or [`NONE`].
+    base_of: Vec<u32>,
+    /// Per new corner, how much it has of the three corners of its base where that goes on.
+    weights: Vec<[f64; 3]>,
+    /// Per new corner, the old vertices whose values are interpolated there.
+    shares: Table,
+    /// Both ends of the rim edges, by vertex.
+    ends: Vec<End>,
+}
+
+impl Continuation {
+    /// `spread`: the old vertices that a vertex has its values from.
+    pub(super) fn new<I: Iterator<Item = (u32, f64)>>(
+        mesh: &Mesh,
+        first_face: usize,
+        rims: Rims,
+        spread: impl Fn(u32) -> I,
+        job: &Job<'_>,
+    ) -> Result<Continuation> {
+        let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
+        let bases = alloc::collect(rims.edges.iter().map(|&edge| Base::new(mesh, edge)))?;
+        let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
+        let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
+        let mut weights = alloc::with_capacity((end - first) as usize)?;
+        let mut shares = Table::with_capacity((end - first) as usize, (end - first) as usize)?;
+        for (f, (range, &base)) in offsets.windows(2).zip(&rims.bases).enumerate() {
+            job.step_every(FACES_PER_REPORT, f, rims.bases.len(), STAGE)?;
+            for corner in range[0]..range[1] {
+                let Some(own) = bases.get(base as usize) else {
+                    weights.push([0.0; 3]);
+                    shares.push(None)?;
+                    continue;
+                };
+                let v = mesh.corner(corner as usize);
+                let [start, end, _] = own.corners.map(|corner| mesh.corner(corner as usize));
+                weights.push(match v {
+                    v if v == start => [1.0, 0.0, 0.0],
+                    v if v == end => [0.0, 1.0, 0.0],
+                    _ => weights_beyond(own.corners.map(at), at(corner)),
+                });
+                shares.push(spread(v))?;
+            }
+        }
+        Ok(Continuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
+    }
+
+    /// Replaces the interpolated values of new corners by those of their bases' charts where the
+    /// charts are not one. `values`: of all corners of the result.
+    pub(super) fn apply(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
+        if self.base_of.is_empty() {
+            return Ok(());
+        }
+        let mut charts = self.along_rims(values, job)?;
+        let cuts = self.cuts(&mut charts, values, job)?;
+        let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
+        self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
+        let job = job.part(0.7, 1.0);
+        for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
+            job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
+            let corners = range[0]..range[1];
+            let mut all = corners.clone().flat_map(|corner| self.edges_at(&edges, corner));
+            let is_one = base == NONE || all.all(|edge| charts.find(edge) == charts.find(base));
+            if is_one
+                && !(cuts.any && base != NONE && self.is_across_cut(values, corners.clone(), base, cuts.usual_way))
+            {
+                continue;
+            }
+            for corner in corners {
+                for c in 0..values.components {
+                    let value = self.continued(values, corner, base, c);
+                    values.set(corner as usize, c, value);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The rim edges whose values are interpolated at a new corner.
+    fn edges_at<'a>(&self, edges: &'a [u32], corner: u32) -> impl Iterator<Item = u32> + 'a {
+        let own = &edges[self.shares.range((corner - self.offsets[0]) as usize)];
+        own.iter().copied().filter(|&edge| edge != NONE)
+    }
+
+    /// For each share the rim edge at whose end it takes its value, [`NONE`] if none ends at its
+    /// vertex. Where charts are cut, interpolates anew with the values on the base's side.
+    fn choose_sides(&self, cuts: &Cuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
+        let mut edges = alloc::filled(NONE, self.shares.sources().len())?;
+        let mut chosen = Vec::new();
+        let first = self.offsets[0];
+        for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
+            job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
+            for corner in range[0]..range[1] {
+                let places = self.shares.range((corner - first) as usize);
+                let mut other = false;
+                chosen.clear();
+                let shares = self.shares.entries((corner - first) as usize);
+                for (edge, (vertex, weight)) in edges[places.clone()].iter_mut().zip(shares) {
+                    let ends = self.ends_at(vertex);
+                    let Some(usual) = ends.iter().find(|end| end.edge == base).or(ends.first()) else { continue };
+                    let (end, jump) = match cuts.any && usual.edge != base {
+                        true => self.nearest_side(values, ends, (corner, base), cuts),
+                        false => (usual, None),
+                    };
+                    other |= end.corner != usual.corner || jump.is_some();
+                    *edge = end.edge;
+                    alloc::push(&mut chosen, Side { corner: end.corner, jump, weight })?;
+                }
+                if other && chosen.len() == places.len() {
+                    interpolate(values, corner, &chosen);
+                }
+            }
+        }
+        Ok(edges)
+    }
+
+    /// Of the ends at a vertex the one whose value is nearest to where the chart of a base goes on at
+    /// a new corner, and the jump that brings it there, if one does.
+    fn nearest_side<'a>(
+        &self,
+        values: &Output<'_>,
+        ends: &'a [End],
+        (corner, base): (u32, u32),
+        cuts: &'a Cuts,
+    ) -> (&'a End, Option<&'a [f64]>) {
+        let mut best = (f64::INFINITY, &ends[0], None);
+        for end in ends {
+            for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
+                let off = |c| lifted(values, end.corner, jump, c) - self.continued(values, corner, base, c);
+                let off: f64 = (0..values.components).map(|c| off(c).powi(2)).sum();
+                if off < best.0 {
+                    best = (off, end, jump);
+                }
+            }
+        }
+        (best.1, best.2)
+    }
+
+    /// Where charts are cut along the rims.
+    fn cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<Cuts> {
+        let mut cuts = Cuts { any: false, jumps: Vec::new(), usual_way: self.usual_way(values)? };
+        for (k, ends) in self.ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
+            job.step_within(k, STAGE)?;
+            let &[a, b] = ends else { continue };
+            // Where different charts meet it is no cut.
+            if are_same(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
+                continue;
+            }
+            cuts.any = true;
+            let jump = |c| values.get(a.corner as usize, c) - values.get(b.corner as usize, c);
+            let size: f64 = (0..values.components).map(|c| jump(c).powi(2)).sum();
+            let is_known = |known: &Vec<f64>| {
+                let off: f64 = known.iter().enumerate().map(|(c, x)| (jump(c) - x).powi(2)).sum();
+                off <= SAME_JUMP * SAME_JUMP * size
+            };
+            let is_long = size > FAR * FAR * cuts.usual_way;
+            if is_long && cuts.jumps.len() < MAX_JUMPS && !cuts.jumps.iter().any(is_known) {
+                for sign in [1.0, -1.0] {
+                    let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
+                    alloc::push(&mut cuts.jumps, there)?;
+                }
+            }
+        }
+        Ok(cuts)
+    }
+
+    /// The median of the squared lengths of bases, in values.
+    fn usual_way(&self, values: &Output<'_>) -> Result<f64> {
+        let way = |base: &Base| {
+            let [from, to, _] = base.corners.map(|corner| corner as usize);
+            (0..values.components).map(|c| (values.get(to, c) - values.get(from, c)).powi(2)).sum::<f64>()
+        };
+        let mut ways = alloc::collect(self.bases.iter().map(way))?;
+        let middle = ways.len() / 2;
+        Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
+    }
+
+    fn ends_at(&self, vertex: u32) -> &[End] {
+        let start = self.ends.partition_point(|end| end.vertex < vertex);
+        let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
+        &self.ends[start..start + count]
+    }
+
+    /// The charts of rim edges, as far as they can be told at their ends.
+    fn along_rims(&self, values: &Output<'_>, job: &Job<'_>) -> Result<DisjointSets> {
+        let mut charts = DisjointSets::new(self.bases.len())?;
+        let pairs = self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
+        for (k, pair) in pairs.enumerate() {
+            job.step_within(k, STAGE)?;
+            if are_same(values, [pair[0].corner, pair[1].corner]) {
+                charts.union(pair[0].edge, pair[1].edge);
+            }
+        }
+        Ok(charts)
+    }
+
+    /// Makes one of charts that most of the faces between them say are one.
+    fn vote(&self, charts: &mut DisjointSets, edges: &[u32], values: &Output<'_>, job: &Job<'_>) -> Result<()> {
+        let mut votes = Vec::new();
+        for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
+            job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
+            if base == NONE {
+                continue;
+            }
+            let own = charts.find(base);
+            for corner in range[0]..range[1] {
+                for edge in self.edges_at(edges, corner) {
+                    let other = charts.find(edge);
+                    if other != own {
+                        let agrees = self.agrees(values, corner, base);
+                        alloc::push(&mut votes, (own.min(other), own.max(other), agrees))?;
+                    }
+                }
+            }
+        }
+        let job = job.part(1.0, 1.0);
+        sort(&mut votes, Ord::cmp, &job, STAGE)?;
+        for (k, between) in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)).enumerate() {
+            job.step_within(k, STAGE)?;
+            let no = between.partition_point(|vote| !vote.2);
+            if between.len() - no > no {
+                charts.union(between[0].0, between[0].1);
+            }
+        }
+        Ok(())
+    }
+
+    /// True if the value at a new corner is about where the chart of its base goes on.
+    fn agrees(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
+        let (off, way) = self.off_and_way(values, corner, base);
+        off <= MAX_DEVIATION * MAX_DEVIATION * way
+    }
+
+    /// True if the value at a corner of a new face is much farther from where the chart of its base
+    /// goes on than faces are large.
+    fn is_across_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
+        corners.any(|corner| {
+            let (off, way) = self.off_and_way(values, corner, base);
+            off > FAR * FAR * way.max(usual)
+        })
+    }
+
+    /// Squared, how far the value at a new corner is from where the chart of its base goes on, and
+    /// how far that is from the base, or the base long.
+    fn off_and_way(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
+        let Base { corners: [start, end, _] } = self.bases[base as usize];
+        let value = |corner: u32, c: usize| values.get(corner as usize, c);
+        let (mut off, mut way) = (0.0, 0.0);
+        for c in 0..values.components {
+            let (there, [from, to]) = (self.continued(values, corner, base, c), [start, end].map(|at| value(at, c)));
+            off += (value(corner, c) - there).powi(2);
+            // Values may change along the base alone.
+            way += (there - f64::midpoint(from, to)).powi(2) + (to - from).powi(2);
+        }
+        (off, way)
+    }
+
+    /// A component of the value at a new corner where the chart of its base goes on.
+    fn continued(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
+        let weights = self.weights[(corner - self.offsets[0]) as usize];
+        let at = self.bases[base as usize].corners.map(|corner| values.get(corner as usize, c));
+        let there: f64 = at.iter().zip(weights).map(|(value, weight)| weight * value).sum();
+        // Beyond the range of numbers it goes on no further.
+        if there.is_finite() { there } else { at[0] }
+    }
+}
+
+impl Base {
+    /// With the corner of the face that is farthest from the line of the edge.
+    fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> Base {
+        let f = mesh.face_of(start);
+        let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
+        let (p, way) = (at(start), at(end) - at(start));
+        let off = |corner: u32| (at(corner) - p).reject_from_normalized(way.normalize_or_zero()).length_squared();
+        let others =
+            (mesh.face_offsets[f]..mesh.face_offsets[f + 1]).filter(|&corner| corner != start && corner != end);
+        let mut far = (f64::NEG_INFINITY, start);
+        for corner in others {
+            if off(corner) > far.0 {
+                far = (off(corner), corner);
+            }
+        }
+        Base { corners: [start, end, far.1] }
+    }
+}
+
+/// True if two old corners have the same values.
+fn are_same(values: &Output<'_>, corners: [u32; 2]) -> bool {
+    (0..values.components).all(|c| {
+        let [x, y] = corners.map(|corner| values.get(corner as usize, c));
+        (x - y).abs() <= SAME * x.abs().max(y.abs())
+    })
+}
+
+/// A component of the value at an old corner, beyond a cut if there is a jump.
+fn lifted(values: &Output<'_>, corner: u32, jump: Option<&[f64]>, c: usize) -> f64 {
+    values.get(corner as usize, c) + jump.map_or(0.0, |jump| jump[c])
+}
+
+/// Writes the weighted mean of old corners to a new one.
+fn interpolate(values: &mut Output<'_>, corner: u32, of: &[Side<'_>]) {
+    let total: f64 = of.iter().map(|side| side.weight).sum();
+    for c in 0..values.components {
+        let at = |side: &Side<'_>| lifted(values, side.corner, side.jump, c);
+        // Relative to the first, so that equal values stay what they are.
+        let first = at(&of[0]);
+        let off: f64 = of.iter().map(|side| side.weight * (at(side) - first)).sum();
+        values.set(corner as usize, c, first + off / total);
+    }
+}
+
+/// How much a point beyond a base has of its corners, which are at `[p, q, r]`.
+fn weights_beyond([p, q, r]: [DVec3; 3], at: DVec3) -> [f64; 3] {
+    let unit = common_unit(&[p - r, q - r, at - r]);
+    let [p, q, at] = [p, q, at].map(|point| (point - r) / unit);
+    let (length, along) = (p.distance(q), (q - p).normalize_or_zero());
+    let plane = |point: DVec3| {
+        let x = (point - p).dot(along);
+        (x, (point - p - x * along).length())
+    };
+    let ((x, y), (far_x, height)) = (plane(at), plane(DVec3::ZERO));
+    let third = if height > MIN_HEIGHT * length { -(y / height).min(MAX_HEIGHTS) } else { 0.0 };
+    let second = (x - third * far_x) / length;
+    if second.is_finite() { [1.0 - second - third, second, third] } else { [0.5, 0.5, 0.0] }
+}

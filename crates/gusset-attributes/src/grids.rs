@@ -1,0 +1,122 @@
+//! Origins of the meshes of nets and of sheets, whose sources are nodes and cells.
+
+use super::domain::Counts;
+use super::origins::{Kept, Origins};
+use super::table::{STAGE, Table};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::mesh::MeshView;
+use gusset_net::convert::{GridNet, NetMesh};
+use gusset_surface::SurfaceMesh;
+
+/// Of a grid of nodes: they are its vertices and its corners.
+fn counts(rows: usize, columns: usize) -> Counts {
+    let nodes = rows * columns;
+    Counts { vertices: nodes, corners: nodes, faces: rows.saturating_sub(1) * columns.saturating_sub(1) }
+}
+
+impl Origins {
+    /// Those of the mesh of a net: a vertex has the first of its nodes, a corner the node of its own
+    /// face's cell, on either side of a seam another, and a face its cell.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
+        let (mesh, columns) = (&net.mesh, net.columns);
+        let vertices = Table::of_single(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
+        let faces = Table::of_single(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
+        let mut corners = Table::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
+        for (f, (&cell, face)) in net.cell_of_face.iter().zip(mesh.faces()).enumerate() {
+            job.part(0.4, 1.0).step_within(f, STAGE)?;
+            let cell = cell as usize;
+            let first = cell / (columns - 1) * columns + cell % (columns - 1);
+            let nodes = [first, first + columns, first + columns + 1, first + 1];
+            for &v in face {
+                let node = nodes.into_iter().find(|&node| net.vertex_of_node[node] == v);
+                corners.push(node.map(|node| (node as u32, 1.0)))?;
+            }
+        }
+        let inputs = vec![counts(net.vertex_of_node.len() / columns, columns)];
+        Origins::of_kept(Kept { inputs, vertices, corners, faces })
+    }
+
+    /// Those of the mesh of a net that has some of the rows and columns of nodes that a mesh in rows
+    /// and columns has, by its vertices, corners and faces. A cell between rows that are no
+    /// neighbours has the face of the old cell at its first node, and its corners are those of the
+    /// outermost old cells in it.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_grid_mesh(
+        input: &MeshView<'_>,
+        grid: &GridNet,
+        [rows, columns]: [&[usize]; 2],
+        made: &NetMesh,
+        job: &Job<'_>,
+    ) -> Result<Origins> {
+        let (shape, faces) = (grid.net.shape(), input.faces());
+        let wide = |[i, j]: [usize; 2], columns: usize| i * columns + j;
+        let vertex_at = |node: [usize; 2]| {
+            let old = [rows[node[0]], columns[node[1]]];
+            grid.vertex_of_node[wide(old, shape.columns())]
+        };
+        let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
+        let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
+        let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
+        let vertices = Table::of_single(sources, &job.part(0.0, 0.2))?;
+        let count = made.mesh.face_count();
+        let mut corners = Table::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
+        let mut of_faces = Table::with_capacity(count, count)?;
+        for (f, (&cell, face)) in made.cell_of_face.iter().zip(made.mesh.faces()).enumerate() {
+            job.part(0.2, 1.0).step_within(f, STAGE)?;
+            let [i, j] = split(cell, made.columns - 1);
+            of_faces.push([(face_at([rows[i], columns[j]]), 1.0)])?;
+            for &v in face {
+                let ends = [[0, 0], [1, 0], [1, 1], [0, 1]].into_iter();
+                let end = ends
+                    .map(|[down, right]| ([i + down, j + right], [down, right]))
+                    .find(|&([i, j], _)| made.vertex_of_node[wide([i, j], made.columns)] == v);
+                let corner = end.and_then(|([i, j], [down, right])| {
+                    let old = face_at([rows[i] - down, columns[j] - right]);
+                    faces.range(old as usize).find(|&c| faces.corner(c as u32) == vertex_at([i, j]))
+                });
+                corners.push(corner.map(|corner| (corner as u32, 1.0)))?;
+            }
+        }
+        let inputs = vec![Counts::of_mesh(input)];
+        Origins::of_kept(Kept { inputs, vertices, corners, faces: of_faces })
+    }
+
+    /// Those of the mesh of a sheet: a vertex and a corner have the nodes of their cell, by its
+    /// parameters; at a seam each corner has those of its own face's side. Faces have their cells.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_surface_mesh(sheet: &SurfaceMesh, job: &Job<'_>) -> Result<Origins> {
+        let (mesh, lines) = (&sheet.mesh, &sheet.lines);
+        let [rows, columns] = lines.cells;
+        let nodes = |[i, j]: [u32; 2], [u, v]: [f64; 2]| {
+            let first = i * (columns as u32 + 1) + j;
+            let below = first + columns as u32 + 1;
+            [(first, (1.0 - u) * (1.0 - v)), (below, u * (1.0 - v)), (first + 1, (1.0 - u) * v), (below + 1, u * v)]
+        };
+        let mut vertices = Table::with_capacity(sheet.places.len(), 4 * sheet.places.len())?;
+        job.step(0.0, STAGE)?;
+        for (k, place) in sheet.places.iter().enumerate() {
+            job.part(0.0, 0.3).step_within(k, STAGE)?;
+            vertices.push(nodes(place.cell, [place.u, place.v]))?;
+        }
+        let mut corners = Table::with_capacity(mesh.face_corners.len(), 4 * mesh.face_corners.len())?;
+        let mut faces = Table::with_capacity(mesh.face_count(), mesh.face_count())?;
+        for (f, range) in mesh.face_offsets.windows(2).enumerate() {
+            job.part(0.3, 1.0).step_within(f, STAGE)?;
+            let (cell, parameters) = lines.of_face(range[0] as usize..range[1] as usize);
+            for place in parameters {
+                corners.push(nodes(cell, place))?;
+            }
+            faces.push([(cell[0] * columns as u32 + cell[1], 1.0)])?;
+        }
+        let inputs = vec![counts(rows + 1, columns + 1)];
+        Origins::of_kept(Kept { inputs, vertices, corners, faces })
+    }
+}

@@ -1,0 +1,177 @@
+//! Origins of results that keep all faces of their inputs: stitched, filled and oriented meshes,
+//! meshes side by side; and of strips.
+
+use super::domain::Counts;
+use super::origins::{Kept, Origins};
+use super::table::{STAGE, Table};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::job::Job;
+use gusset_mesh::develop::Developed;
+use gusset_mesh::fill::Filled;
+use gusset_mesh::mesh::{Mesh, MeshView};
+use gusset_mesh::repair::orient::Oriented;
+use gusset_mesh::stitch::{Ruled, Stitch};
+
+impl Origins {
+    /// Those of a stitched mesh.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`](gusset_base::Error::TooLarge),
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+    pub fn of_stitch(stitch: &Stitch, job: &Job<'_>) -> Result<Origins> {
+        let mesh = &stitch.mesh;
+        let (mut first_face, mut first_corner) = (0, 0);
+        let mut inputs = Vec::new();
+        for map in stitch.maps.iter().filter(|map| !map.faces.is_empty()) {
+            first_face += map.faces.len();
+            let end = mesh.face_offsets[first_face] as usize;
+            let (vertices, corners, faces) = (map.vertices.len(), end - first_corner, map.faces.len());
+            alloc::push(&mut inputs, Counts { vertices, corners, faces })?;
+            first_corner = end;
+        }
+        let mut turned = faces(mesh, &stitch.turned_outwards)?;
+        stitch.turned_faces.iter().for_each(|&f| turned.toggle(f));
+        let is_turned = |f: usize| turned.contains(f as u32);
+        let old = inputs.iter().map(|counts| counts.vertices).sum();
+        let kept = unchanged(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
+        let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
+            mesh,
+            |f| f < first_face && is_turned(f),
+            &job.part(0.9, 1.0),
+        )
+    }
+
+    /// Those of a mesh whose holes were filled.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_filled(filled: &Filled, job: &Job<'_>) -> Result<Origins> {
+        let mesh = &filled.mesh;
+        let new_faces = filled.holes.iter().map(|hole| hole.faces.start as usize).min();
+        let old_faces = new_faces.unwrap_or(mesh.face_count());
+        let old = mesh.positions.len() - filled.parents.len();
+        let turned = faces(mesh, &filled.turned_outwards)?;
+        let is_turned = |f: usize| turned.contains(f as u32);
+        let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
+        let kept = unchanged(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
+        let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
+            mesh,
+            |f| f < old_faces && is_turned(f),
+            &job.part(0.9, 1.0),
+        )
+    }
+
+    /// Those of an oriented mesh.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_oriented(oriented: &Oriented, job: &Job<'_>) -> Result<Origins> {
+        let (mesh, is_turned) = (&oriented.mesh, |f: usize| oriented.turned[f]);
+        let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
+        let counts = Counts { vertices, corners, faces };
+        let kept = unchanged(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
+        Origins::of_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+    }
+
+    /// Those of a development.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_developed(done: &Developed, job: &Job<'_>) -> Result<Origins> {
+        let (corners, faces) = (done.mesh.face_corners.len(), done.mesh.face_count());
+        Origins::of_kept(Kept {
+            inputs: vec![Counts { vertices: done.old_vertices, corners, faces }],
+            vertices: Table::of_single(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
+            corners: Table::of_single(0..corners as u32, &job.part(0.3, 0.7))?,
+            faces: Table::of_single(0..faces as u32, &job.part(0.7, 1.0))?,
+        })
+    }
+
+    /// Those of a mesh with the vertices and faces of the first of some inputs, the vertices elsewhere.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_moved(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let first = inputs.first().copied().unwrap_or_default();
+        first_of(inputs, first, job)
+    }
+
+    /// Those of a mesh with the vertices and faces of all inputs side by side, the vertices elsewhere
+    /// or where they were.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_side_by_side(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let sum = |of: fn(&Counts) -> usize| inputs.iter().map(of).sum();
+        let all = Counts { vertices: sum(|c| c.vertices), corners: sum(|c| c.corners), faces: sum(|c| c.faces) };
+        first_of(inputs, all, job)
+    }
+
+    /// Those of a strip between two polylines: its inputs are these, of points alone.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_ruled(ruled: &Ruled, job: &Job<'_>) -> Result<Origins> {
+        let [n, m] = ruled.counts;
+        let points = |count: u32| Counts { vertices: count as usize, ..Counts::default() };
+        let inputs = vec![points(n), points(m)];
+        let vertices = Table::of_single(0..n + m, &job.part(0.0, 0.1))?;
+        let none = || Table::with_capacity(0, 0);
+        let kept = Kept { inputs, vertices, corners: none()?, faces: none()? };
+        let parents = ruled.parents.iter().zip(&ruled.weights);
+        let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
+        Origins::new(&ruled.mesh, kept, parents, &job.part(0.1, 1.0))
+    }
+}
+
+/// Of a result whose elements are so many of the inputs', in their order.
+fn first_of(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
+    Origins::of_kept(Kept {
+        inputs,
+        vertices: Table::of_single(0..count.vertices as u32, &job.part(0.0, 0.2))?,
+        corners: Table::of_single(0..count.corners as u32, &job.part(0.2, 0.8))?,
+        faces: Table::of_single(0..count.faces as u32, &job.part(0.8, 1.0))?,
+    })
+}
+
+/// Faces of a mesh as a set.
+fn faces(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
+    let mut set = BitSet::new(mesh.face_count())?;
+    given.iter().for_each(|&f| set.insert(f));
+    Ok(set)
+}
+
+/// What a result keeps whose first vertices and faces are those of the inputs in their order.
+fn unchanged(
+    mesh: &Mesh,
+    inputs: Vec<Counts>,
+    vertices: usize,
+    faces: usize,
+    is_turned: impl Fn(usize) -> bool,
+    job: &Job<'_>,
+) -> Result<Kept> {
+    let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
+    for f in 0..faces {
+        job.step_within(f, STAGE)?;
+        corners.extend(places(mesh, f, is_turned(f)));
+    }
+    Ok(Kept {
+        inputs,
+        vertices: Table::of_single(0..vertices as u32, &job.part(0.2, 0.4))?,
+        corners: Table::of_single(corners.into_iter(), &job.part(0.4, 0.8))?,
+        faces: Table::of_single(0..faces as u32, &job.part(0.8, 1.0))?,
+    })
+}
+
+/// Where the corners of a face were before it was turned over, if it was: the first one stayed.
+pub(super) fn places(mesh: &Mesh, f: usize, turned: bool) -> impl Iterator<Item = u32> {
+    let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k]);
+    (first..end).map(move |corner| if turned && corner > first { end - (corner - first) } else { corner })
+}

@@ -1,0 +1,197 @@
+//! Where the elements of a result come from.
+
+use super::continuation::Continuation;
+use super::domain::{Counts, Domain};
+use super::rims::Rims;
+use super::table::{FACES_PER_REPORT, STAGE, Table};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::job::Job;
+use gusset_mesh::mesh::{Mesh, NONE};
+
+/// Of a vertex that very many old ones became, new vertices have no more sources than this.
+const MAX_SHARED: usize = 16;
+
+/// For each vertex, corner and face of a result the elements of the inputs that it has its values
+/// from.
+///
+/// Sources are numbered through all inputs: those of the first, then those of the second. What was
+/// there before has one source; a vertex that several became has all of them in equal parts. A new
+/// vertex has the vertices of the rims round it, by where it would be on plain triangles between
+/// them, without fairing. A new face has the face across the nearest edge of the rims, and at its
+/// corners what the old faces there have.
+#[derive(Debug, PartialEq)]
+pub struct Origins {
+    inputs: Vec<Counts>,
+    /// By domain, the first source of each input, and the number of all.
+    starts: [Vec<u32>; 3],
+    pub(super) tables: [Table; 3],
+    /// By domain, the sources whose faces were turned over; none of any if there is no set.
+    pub(super) turned: Option<[BitSet; 3]>,
+    pub(super) continuation: Continuation,
+}
+
+/// What a result has of old elements, which come before its new ones.
+pub(super) struct Kept {
+    pub(super) inputs: Vec<Counts>,
+    pub(super) vertices: Table,
+    /// Of the corners of old faces, as these run in the result.
+    pub(super) corners: Table,
+    pub(super) faces: Table,
+}
+
+/// Vertices of the result that a new one lies between, and how much it has of each.
+pub(super) type Parents = ([u32; 3], [f64; 3]);
+
+impl Origins {
+    /// The sources of the elements of a domain.
+    pub fn table(&self, domain: Domain) -> &Table {
+        &self.tables[domain as usize]
+    }
+
+    /// How many elements each input has.
+    pub fn inputs(&self) -> &[Counts] {
+        &self.inputs
+    }
+
+    /// The first source of each input in a domain, and after them the number of all sources.
+    pub fn starts(&self, domain: Domain) -> &[u32] {
+        &self.starts[domain as usize]
+    }
+
+    /// Of a result without new faces.
+    pub(super) fn of_kept(kept: Kept) -> Result<Origins> {
+        let Kept { inputs, vertices, corners, faces } = kept;
+        Origins::of_tables(inputs, [vertices, corners, faces], Continuation::default())
+    }
+
+    fn of_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: Continuation) -> Result<Origins> {
+        let starts = |domain| {
+            let mut starts = alloc::with_capacity(inputs.len() + 1)?;
+            starts.push(0);
+            for counts in &inputs {
+                let end = u64::from(starts[starts.len() - 1]) + counts.of(domain) as u64;
+                Error::check_count("sources", end, u32::MAX.into())?;
+                starts.push(end as u32);
+            }
+            Ok::<_, Error>(starts)
+        };
+        let starts = [starts(Domain::Vertices)?, starts(Domain::Corners)?, starts(Domain::Faces)?];
+        Ok(Origins { inputs, starts, tables, turned: None, continuation })
+    }
+
+    /// Of a result whose vertices after those kept have `parents`, which come before them, and whose
+    /// faces after those kept are new. O(H log n) for H corners, n of them of new faces.
+    pub(super) fn new(
+        mesh: &Mesh,
+        kept: Kept,
+        parents: impl ExactSizeIterator<Item = Parents>,
+        job: &Job<'_>,
+    ) -> Result<Origins> {
+        let (old_vertices, old_faces) = (kept.vertices.len(), kept.faces.len());
+        // New vertices by those that old faces have, in which chains of parents end: old ones, and new ones
+        // on edges of old faces.
+        let mut is_end = BitSet::new(mesh.positions.len())?;
+        (0..old_vertices as u32).for_each(|v| is_end.insert(v));
+        job.part(0.0, 0.0).ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
+            corners.for_each(|corner| is_end.insert(mesh.corner(corner)));
+            Ok(())
+        })?;
+        let mut spread = Table::with_capacity(parents.len(), 3 * parents.len())?;
+        let mut row = Vec::new();
+        for (k, (vertices, weights)) in parents.enumerate() {
+            job.step_within(k, STAGE)?;
+            row.clear();
+            for (v, weight) in vertices.into_iter().zip(weights) {
+                match is_end.contains(v) {
+                    true => alloc::push(&mut row, (v, weight))?,
+                    false => {
+                        let of_parent = spread.entries(v as usize - old_vertices);
+                        alloc::extend(&mut row, of_parent.map(|(v, share)| (v, weight * share)))?;
+                    }
+                }
+            }
+            spread.push(row.iter().copied())?;
+        }
+        let Kept { inputs, mut vertices, mut corners, mut faces } = kept;
+        for k in 0..spread.len() {
+            job.step_within(k, STAGE)?;
+            row.clear();
+            for (v, weight) in spread.entries(k) {
+                let all = vertices.row(v as usize).0.len();
+                if (v as usize) < old_vertices && all > MAX_SHARED {
+                    let own = vertices.entries(v as usize).take(MAX_SHARED);
+                    alloc::extend(&mut row, own.map(|(source, _)| (source, weight / MAX_SHARED as f64)))?;
+                } else {
+                    alloc::extend(&mut row, vertices.entries(v as usize).map(|(s, share)| (s, weight * share)))?;
+                }
+            }
+            vertices.push(row.iter().copied())?;
+        }
+        let rims = Rims::find(mesh, old_faces, &job.part(0.0, 0.7))?;
+        for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
+            job.part(0.7, 0.8).step_every(FACES_PER_REPORT, f - old_faces, rims.bases.len(), STAGE)?;
+            let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
+            for corner in first..end {
+                row.clear();
+                for (v, weight) in spread_of(&spread, &is_end, old_vertices, mesh.corner(corner)) {
+                    let corner = rims.corner_at(v, base);
+                    if corner != NONE {
+                        alloc::extend(
+                            &mut row,
+                            corners.entries(corner as usize).map(|(s, share)| (s, weight * share)),
+                        )?;
+                    }
+                }
+                corners.push(row.iter().copied())?;
+            }
+            let across = rims.edges.get(base as usize).map(|&[corner, _]| mesh.face_of(corner));
+            let source = across.map_or(NONE, |face| faces.main_source(face));
+            faces.push((source != NONE).then_some((source, 1.0)))?;
+        }
+        let continuation = Continuation::new(
+            mesh,
+            old_faces,
+            rims,
+            |v| spread_of(&spread, &is_end, old_vertices, v),
+            &job.part(0.8, 1.0),
+        )?;
+        Origins::of_tables(inputs, [vertices, corners, faces], continuation)
+    }
+
+    /// The same of a result in which the faces `is_turned` run the other way than their sources do.
+    pub(super) fn with_turned(mut self, mesh: &Mesh, is_turned: impl Fn(usize) -> bool, job: &Job<'_>) -> Result<Self> {
+        let set = |domain| BitSet::new(self.starts(domain).last().map_or(0, |&count| count as usize));
+        let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
+        let mut any = false;
+        job.ranges(STAGE, mesh.face_count(), |faces| {
+            for f in faces.filter(|&f| is_turned(f)) {
+                any = true;
+                let insert =
+                    |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
+                insert(&mut turned[2], &self.tables[2], f);
+                // Where pieces were welded, those of the face's own piece alone.
+                let face = self.tables[2].main_source(f);
+                let input = self.starts[2].partition_point(|&start| start <= face).saturating_sub(1);
+                let own = self.starts[0][input]..self.starts[0][(input + 1).min(self.inputs.len())];
+                for c in mesh.face_offsets[f] as usize..mesh.face_offsets[f + 1] as usize {
+                    insert(&mut turned[1], &self.tables[1], c);
+                    let vertices = self.tables[0].row(mesh.face_corners[c] as usize).0;
+                    vertices.iter().filter(|&source| own.contains(source)).for_each(|&s| turned[0].insert(s));
+                }
+            }
+            Ok(())
+        })?;
+        self.turned = any.then_some(turned);
+        Ok(self)
+    }
+}
+
+/// The vertices of old faces that a vertex of the result has its values from: itself, or those that
+/// a new one is spread over.
+fn spread_of(spread: &Table, is_end: &BitSet, old: usize, v: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
+    let row = (!is_end.contains(v)).then(|| v as usize - old);
+    let own = row.is_none().then_some((v, 1.0));
+    own.into_iter().chain(row.into_iter().flat_map(|k| spread.entries(k)))
+}

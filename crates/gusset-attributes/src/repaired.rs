@@ -1,0 +1,157 @@
+//! Origins of meshes some of whose vertices and faces are one now, or gone: welded, sewn, assembled
+//! and trimmed ones.
+
+use super::domain::Counts;
+use super::joined::places;
+use super::origins::{Kept, Origins};
+use super::table::{STAGE, Table};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::assemble::Assembly;
+use gusset_mesh::mesh::{Mesh, MeshView, NONE};
+use gusset_mesh::repair::corner_origins::{CornerOnEdge, CornerOrigins};
+use gusset_mesh::repair::sew::Sew;
+use gusset_mesh::repair::weld::Weld;
+use gusset_mesh::trim::Remains;
+
+impl Origins {
+    /// Those of a welded mesh.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_weld(weld: &Weld, job: &Job<'_>) -> Result<Origins> {
+        let (vertices, corners, faces) = (weld.vertex_map.len(), weld.old_corners, weld.face_map.len());
+        let repaired = Repaired {
+            mesh: &weld.mesh,
+            faces: weld.mesh.face_count(),
+            new_vertices: 0,
+            corner_origins: weld.corners_left.as_deref().map(|corners| (corners, &[][..])),
+        };
+        let face_origin =
+            alloc::gather(weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE).map(|(_, old)| old))?;
+        let counts = vec![Counts { vertices, corners, faces }];
+        let kept = repaired.kept(counts, weld.vertex_map.iter().copied(), Some(&face_origin), |_| false, job)?;
+        Origins::of_kept(kept)
+    }
+
+    /// Those of a sewn mesh.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_sew(sew: &Sew, job: &Job<'_>) -> Result<Origins> {
+        let repaired = Repaired {
+            mesh: &sew.mesh,
+            faces: sew.mesh.face_count(),
+            new_vertices: sew.new_vertices.len(),
+            corner_origins: sew.corner_origins.as_ref().map(parts),
+        };
+        let (vertices, corners, faces) = (sew.vertex_map.len(), sew.old_corners, sew.face_map.len());
+        let counts = vec![Counts { vertices, corners, faces }];
+        let map = sew.vertex_map.iter().copied();
+        let kept = repaired.kept(counts, map, Some(&sew.face_origin), |_| false, &job.part(0.0, 0.7))?;
+        let new = sew.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0]));
+        Origins::new(&sew.mesh, kept, new, &job.part(0.7, 1.0))
+    }
+
+    /// Those of an assembly.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_assembly(assembly: &Assembly, job: &Job<'_>) -> Result<Origins> {
+        let (mesh, history) = (&assembly.mesh, &assembly.history);
+        let repaired = Repaired {
+            mesh,
+            faces: assembly.turned.len(),
+            new_vertices: history.parents.len(),
+            corner_origins: history.corner_origins.as_ref().map(parts),
+        };
+        let counts = assembly.maps.iter().zip(&history.corner_counts);
+        let counts = alloc::collect(counts.map(|(map, &corners)| Counts {
+            vertices: map.vertices.len(),
+            corners,
+            faces: map.faces.len(),
+        }))?;
+        let mut map = alloc::with_capacity(counts.iter().map(|counts| counts.vertices).sum())?;
+        assembly.maps.iter().for_each(|piece| map.extend_from_slice(&piece.vertices));
+        let is_turned = |f: usize| assembly.turned.get(f) == Some(&true);
+        let origin = history.face_origin.as_deref();
+        let kept = repaired.kept(counts, map.into_iter(), origin, is_turned, &job.part(0.0, 0.3))?;
+        let new = history.parents.iter().copied().zip(history.weights.iter().copied());
+        Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned(mesh, is_turned, &job.part(0.9, 1.0))
+    }
+
+    /// Those of what is left of trimmed pieces, which are the inputs.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
+        Origins::of_kept(Kept {
+            inputs,
+            vertices: Table::of_map(count, map, &job.part(0.0, 0.3))?,
+            corners: Table::of_single(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: Table::of_single(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+        })
+    }
+}
+
+/// Old corners, and those on edges.
+type Corners<'a> = (&'a [u32], &'a [CornerOnEdge]);
+
+fn parts(origins: &CornerOrigins) -> Corners<'_> {
+    (&origins.corners, &origins.on_edges)
+}
+
+/// A repaired mesh, before it got new faces.
+struct Repaired<'a> {
+    mesh: &'a Mesh,
+    /// How many of its faces are old ones, or parts of such.
+    faces: usize,
+    /// How many of its vertices are no old ones; they are the last ones.
+    new_vertices: usize,
+    /// `None` if all corners are left.
+    corner_origins: Option<Corners<'a>>,
+}
+
+impl Repaired<'_> {
+    /// `map`: the vertex that each old one became; `face_origin`: the face that each was; faces
+    /// `is_turned` run the other way now.
+    fn kept(
+        &self,
+        inputs: Vec<Counts>,
+        map: impl ExactSizeIterator<Item = u32> + Clone,
+        face_origin: Option<&[u32]>,
+        is_turned: impl Fn(usize) -> bool,
+        job: &Job<'_>,
+    ) -> Result<Kept> {
+        let vertices = Table::of_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
+        let count = self.mesh.face_offsets[self.faces] as usize;
+        let mut corners = Table::with_capacity(count, count)?;
+        for f in 0..self.faces {
+            job.step_within(f, STAGE)?;
+            for corner in places(self.mesh, f, is_turned(f)) {
+                corners.push(self.corner(corner))?;
+            }
+        }
+        let faces = self.faces as u32;
+        let faces = match face_origin {
+            Some(origin) => Table::of_single(origin.iter().copied(), &job.part(0.8, 1.0))?,
+            None => Table::of_single(0..faces, &job.part(0.8, 1.0))?,
+        };
+        Ok(Kept { inputs, vertices, corners, faces })
+    }
+
+    /// The old corners that a corner has its values from.
+    fn corner(&self, corner: u32) -> impl Iterator<Item = (u32, f64)> {
+        let Some((corners, on_edges)) = self.corner_origins else {
+            return [(corner, 1.0), (corner, 0.0)].into_iter();
+        };
+        let start = corners[corner as usize];
+        match on_edges.binary_search_by_key(&corner, |on| on.corner) {
+            Ok(k) => [(start, 1.0 - on_edges[k].at), (on_edges[k].end, on_edges[k].at)].into_iter(),
+            Err(_) => [(start, 1.0), (start, 0.0)].into_iter(),
+        }
+    }
+}

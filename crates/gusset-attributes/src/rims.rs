@@ -1,0 +1,170 @@
+//! Where new faces hang on old ones.
+//!
+//! A **rim edge** is an edge of an old face that a new face has too. The **base** of a new face is a
+//! rim edge of its own, or that of a neighbour which is nearer to the rims: a search in breadth from
+//! all rim edges at once, so that the bases of a strip's faces meet in the middle.
+
+use super::table::STAGE;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::job::Job;
+use gusset_base::sort::{Buckets, sort};
+use gusset_mesh::mesh::{Mesh, NONE};
+
+/// An end of a rim edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct End {
+    pub(super) vertex: u32,
+    pub(super) edge: u32,
+    /// The corner of the old face there.
+    pub(super) corner: u32,
+}
+
+/// The rim edges of a result, and the bases of its new faces.
+pub(super) struct Rims {
+    /// The corners of each rim edge's old face at its start and its end.
+    pub(super) edges: Vec<[u32; 2]>,
+    /// Per new face, its base; [`NONE`] if it hangs on no old face.
+    pub(super) bases: Vec<u32>,
+    /// Both ends of all edges, by vertex and edge.
+    pub(super) ends: Vec<End>,
+    /// For other old vertices of new faces, by vertex: some corner of an old face.
+    loose: Vec<(u32, u32)>,
+}
+
+impl Rims {
+    /// Those of the faces from `first_face` on. O(H log n) for H corners of the mesh and n of new
+    /// faces.
+    pub(super) fn find(mesh: &Mesh, first_face: usize, job: &Job<'_>) -> Result<Rims> {
+        let first_corner = mesh.face_offsets[first_face];
+        let new = alloc::collect((first_corner as usize..mesh.face_corners.len()).map(|corner| mesh.corner(corner)))?;
+        let mut is_new = BitSet::new(mesh.positions.len())?;
+        new.iter().for_each(|&v| is_new.insert(v));
+
+        // All edges of new faces, and those of old ones that may be the same.
+        let mut sides = alloc::with_capacity(new.len())?;
+        for f in first_face..mesh.face_count() {
+            job.step_within(f, STAGE)?;
+            sides.extend(sides_of(mesh, f));
+        }
+        job.part(0.0, 0.4).ranges(STAGE, first_face, |faces| {
+            for f in faces {
+                let may = |&([u, v], _): &([u32; 2], u32)| is_new.contains(u) && is_new.contains(v);
+                alloc::extend(&mut sides, sides_of(mesh, f).filter(may))?;
+            }
+            Ok(())
+        })?;
+        // All three lists here are sorted as numbers by threes: what sorts is compiled once.
+        let mut keyed = alloc::collect(sides.iter().map(|&([u, v], corner)| (u.min(v), u.max(v), corner)))?;
+        sort(&mut keyed, Ord::cmp, &job.part(0.4, 0.6), STAGE)?;
+        let count = mesh.face_count() - first_face;
+        let face_of = |corner: u32| mesh.face_of(corner) as u32;
+        let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, together) in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).enumerate() {
+            job.part(0.6, 0.6).step_within(k, STAGE)?;
+            let old = together.partition_point(|&(_, _, corner)| corner < first_corner);
+            let faces = together[old..].iter().map(|&(_, _, corner)| face_of(corner) - first_face as u32);
+            if old > 0 && old < together.len() {
+                alloc::extend(
+                    &mut own,
+                    faces.zip(together[old..].iter()).map(|(f, side)| (side.2, f, edges.len() as u32)),
+                )?;
+                alloc::push(&mut edges, together[0].2)?;
+            } else if old == 0 {
+                alloc::extend(&mut links, faces.clone().zip(faces.skip(1)))?;
+            }
+        }
+        // In the order of the faces' corners.
+        sort(&mut own, Ord::cmp, &job.part(0.6, 0.7), STAGE)?;
+        let bases = bases(count, &own, &links, &job.part(0.7, 0.8))?;
+        job.step(0.8, STAGE)?;
+        let after = |corner: u32| {
+            let f = face_of(corner) as usize;
+            if corner + 1 == mesh.face_offsets[f + 1] { mesh.face_offsets[f] } else { corner + 1 }
+        };
+        let edges = alloc::collect(edges.into_iter().map(|corner| [corner, after(corner)]))?;
+        let at = |corner: u32| mesh.corner(corner as usize);
+        let mut ends = alloc::gather(
+            edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
+        )?;
+        sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
+        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| End { vertex, edge, corner }))?;
+        let mut rims = Rims { edges, bases, ends, loose: Vec::new() };
+        rims.find_loose(mesh, &new, &job.part(0.9, 1.0))?;
+        Ok(rims)
+    }
+
+    /// Corners of old faces at the old vertices of new faces that no rim edge ends at.
+    fn find_loose(&mut self, mesh: &Mesh, new: &[u32], job: &Job<'_>) -> Result<()> {
+        let old = mesh.face_corners.len() - new.len();
+        let mut wanted = BitSet::new(mesh.positions.len())?;
+        let mut any = false;
+        for (k, &v) in new.iter().enumerate() {
+            job.step_within(k, STAGE)?;
+            if self.first_end(v).is_none() {
+                wanted.insert(v);
+                any = true;
+            }
+        }
+        if any {
+            job.ranges(STAGE, old, |range| {
+                let named = range.map(|corner| (mesh.corner(corner), corner as u32));
+                let found = named.filter(|&(v, _)| wanted.contains(v));
+                alloc::extend(&mut self.loose, found)
+            })?;
+            sort(&mut self.loose, Ord::cmp, &job.part(1.0, 1.0), STAGE)?;
+            self.loose.dedup_by_key(|&mut (v, _)| v);
+        }
+        Ok(())
+    }
+
+    fn first_end(&self, v: u32) -> Option<&End> {
+        self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
+    }
+
+    /// The old corner whose values a new face with this base has at an old vertex; [`NONE`] where
+    /// there is none.
+    pub(super) fn corner_at(&self, v: u32, base: u32) -> u32 {
+        let key = (v, base);
+        let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
+        match own.or_else(|| self.first_end(v)) {
+            Some(end) => end.corner,
+            None => self.loose.binary_search_by_key(&v, |&(v, _)| v).map_or(NONE, |at| self.loose[at].1),
+        }
+    }
+}
+
+/// The sides of a face: both vertices, and the corner where each starts.
+fn sides_of(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + use<'_> {
+    let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
+    let after = move |corner: usize| if corner + 1 == end { first } else { corner + 1 };
+    (first..end).map(move |corner| ([mesh.corner(corner), mesh.corner(after(corner))], corner as u32))
+}
+
+/// The bases of so many faces. `own`: faces with rim edges of their own, as (face, _, edge);
+/// `links`: neighbours.
+fn bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<u32>> {
+    let both = links.iter().flat_map(|&(f, g)| [(f as usize, g), (g as usize, f)]);
+    let neighbours = Buckets::new(count, 0u32, both)?;
+    let mut bases = alloc::filled(NONE, count)?;
+    let mut queue = alloc::with_capacity(count)?;
+    for &(_, f, edge) in own {
+        if bases[f as usize] == NONE {
+            bases[f as usize] = edge;
+            queue.push(f);
+        }
+    }
+    let mut next = 0;
+    while let Some(&f) = queue.get(next) {
+        job.step_within(next, STAGE)?;
+        next += 1;
+        for &g in neighbours.get(f as usize) {
+            if bases[g as usize] == NONE {
+                bases[g as usize] = bases[f as usize];
+                queue.push(g);
+            }
+        }
+    }
+    Ok(bases)
+}

@@ -1,0 +1,153 @@
+//! Vertices that are kept apart for the values that they carry.
+//!
+//! Formats with one index for all that a vertex has split vertices where texture coordinates or
+//! normals jump. A merge map says which of them are one ([`MeshView::merged`]): operations see the
+//! surface, without borders at such seams. Afterwards the faces of the result get the split vertices
+//! back: old corners their own, and a new corner at an old vertex that of the old corner whose values
+//! it has ([`Origins`]). The result's own merge map says again which vertices are one.
+
+use super::domain::Domain;
+use super::origins::Origins;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::assemble::Assembly;
+use gusset_mesh::fill::Filled;
+use gusset_mesh::mesh::{Mesh, MeshView, NONE, Piece};
+use gusset_mesh::repair::orient::Oriented;
+use gusset_mesh::repair::sew::Sew;
+use gusset_mesh::repair::weld::Weld;
+use gusset_mesh::stitch::Stitch;
+use gusset_mesh::trim::Remains;
+
+const STAGE: &str = "keeping split vertices";
+
+/// A result whose inputs may have had vertices that are one with others.
+pub trait KeepSplits {
+    /// Gives the faces of the result the split vertices of its `inputs` back; nothing if they had
+    /// none. O(H log n) for H corners, n of them of new faces.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()>;
+}
+
+impl KeepSplits for Stitch {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let origins = Origins::of_stitch(self, &job.part(0.0, 0.6))?;
+        let [a, b] = &self.maps;
+        let map = |input: usize, v: u32| if input == 0 { a.vertices[v as usize] } else { b.vertices[v as usize] };
+        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Filled {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let origins = Origins::of_filled(self, &job.part(0.0, 0.6))?;
+        splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Assembly {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let origins = Origins::of_assembly(self, &job.part(0.0, 0.6))?;
+        let maps = &self.maps;
+        let map = |input: usize, v: u32| maps[input].vertices[v as usize];
+        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Weld {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let origins = Origins::of_weld(self, &job.part(0.0, 0.6))?;
+        let map = |_, v: u32| self.vertex_map[v as usize];
+        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Sew {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let origins = Origins::of_sew(self, &job.part(0.0, 0.6))?;
+        let map = |_, v: u32| self.vertex_map[v as usize];
+        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Oriented {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let origins = Origins::of_oriented(self, &job.part(0.0, 0.6))?;
+        splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+    }
+}
+
+/// The inputs side by side, and where each lies.
+impl KeepSplits for (Mesh, Vec<Piece>) {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let views = alloc::collect(inputs.iter().map(|&view| *view))?;
+        let origins = Origins::of_side_by_side(&views, &job.part(0.0, 0.6))?;
+        let (mesh, places) = self;
+        splits.restore(mesh, &origins, |input, v| places[input].first_vertex + v, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Remains {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let views = alloc::collect(inputs.iter().map(|&view| *view))?;
+        let origins = Origins::of_remains(&views, self, &job.part(0.0, 0.6))?;
+        let (map, places) = (&self.vertex_map, &self.places);
+        let map = |input: usize, v: u32| map[(places[input].first_vertex + v) as usize];
+        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+    }
+}
+
+/// The inputs of a result, some of whose vertices are one with others.
+struct Splits<'a>(&'a [&'a MeshView<'a>]);
+
+impl<'a> Splits<'a> {
+    /// `None` if no input has any.
+    fn of(inputs: &'a [&'a MeshView<'a>]) -> Option<Self> {
+        inputs.iter().any(|mesh| mesh.faces().is_merged()).then_some(Splits(inputs))
+    }
+
+    /// `map`: the vertex of the result that one of an input became.
+    fn restore(
+        &self,
+        mesh: &mut Mesh,
+        origins: &Origins,
+        map: impl Fn(usize, u32) -> u32,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let mut merge = alloc::collect(0..mesh.positions.len() as u32)?;
+        for (input, view) in self.0.iter().enumerate() {
+            for v in 0..view.positions().len() as u32 {
+                job.part(0.0, 0.3).step_within(v as usize, STAGE)?;
+                let (own, of) = (map(input, v), map(input, view.faces().merge_of(v)));
+                if own != NONE && of != NONE {
+                    merge[own as usize] = of;
+                }
+            }
+        }
+        let (starts, corners) = (origins.starts(Domain::Corners), origins.table(Domain::Corners));
+        for (k, corner) in mesh.face_corners.iter_mut().enumerate() {
+            job.part(0.3, 1.0).step_within(k, STAGE)?;
+            // A corner of several is between old ones, at a new vertex.
+            let &[source] = corners.row(k).0 else { continue };
+            let input = starts.partition_point(|&start| start <= source) - 1;
+            let own = map(input, self.0[input].faces().split_corner(source - starts[input]));
+            // What welding made one with others stays so, and what it dropped is gone.
+            if own != NONE && merge[own as usize] == *corner {
+                *corner = own;
+            }
+        }
+        mesh.merge = merge;
+        Ok(())
+    }
+}

@@ -1,0 +1,140 @@
+//! Rows of sources with weights, in compressed form.
+
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use gusset_mesh::mesh::NONE;
+use std::ops::Range;
+
+/// What hosts are told.
+pub(super) const STAGE: &str = "finding origins";
+/// New faces between two progress reports: each has many sources.
+pub(super) const FACES_PER_REPORT: usize = 1 << 12;
+
+/// For each element of a result its sources and how much it has of each.
+///
+/// Row k has the entries `offsets()[k]` to `offsets()[k + 1]`. A row without sources is an element
+/// that comes from nothing.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Table {
+    offsets: Vec<u32>,
+    sources: Vec<u32>,
+    weights: Vec<f64>,
+}
+
+impl Table {
+    /// No rows, with room for so many rows and sources.
+    pub(crate) fn with_capacity(rows: usize, sources: usize) -> Result<Table> {
+        let mut offsets = alloc::with_capacity(rows + 1)?;
+        offsets.push(0);
+        Ok(Table { offsets, sources: alloc::with_capacity(sources)?, weights: alloc::with_capacity(sources)? })
+    }
+
+    /// Rows of one source each, or of none for [`NONE`].
+    pub(crate) fn of_single(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
+        let mut table = Table::with_capacity(sources.len(), sources.len())?;
+        let (mut sources, count) = (sources, table.offsets.capacity() - 1);
+        job.ranges(STAGE, count, |range| {
+            for source in sources.by_ref().take(range.len()) {
+                if source != NONE {
+                    table.sources.push(source);
+                    table.weights.push(1.0);
+                }
+                table.offsets.push(table.sources.len() as u32);
+            }
+            Ok(())
+        })?;
+        Ok(table)
+    }
+
+    /// So many rows, each of all sources that a map leads to it, ascending and in equal parts;
+    /// [`NONE`] leads nowhere.
+    pub(crate) fn of_map(rows: usize, map: impl ExactSizeIterator<Item = u32> + Clone, job: &Job<'_>) -> Result<Table> {
+        job.step(0.0, STAGE)?;
+        let pairs = map.zip(0..).filter(|&(row, _)| row != NONE).map(|(row, source)| (row as usize, source));
+        let (offsets, sources) = Buckets::new(rows, 0u32, pairs)?.into_parts();
+        let mut weights = alloc::with_capacity(sources.len())?;
+        job.ranges(STAGE, rows, |range| {
+            for row in range {
+                let count = (offsets[row + 1] - offsets[row]) as usize;
+                weights.extend(std::iter::repeat_n(1.0 / count as f64, count));
+            }
+            Ok(())
+        })?;
+        Ok(Table { offsets, sources, weights })
+    }
+
+    /// Adds a row of few sources: those that repeat become one, and those of weight 0 are left out.
+    pub(crate) fn push(&mut self, row: impl IntoIterator<Item = (u32, f64)>) -> Result<()> {
+        let start = self.sources.len();
+        for (source, weight) in row.into_iter().filter(|&(_, weight)| weight != 0.0) {
+            match self.sources[start..].iter().position(|&other| other == source) {
+                Some(at) => self.weights[start + at] += weight,
+                None => {
+                    alloc::push(&mut self.sources, source)?;
+                    alloc::push(&mut self.weights, weight)?;
+                }
+            }
+        }
+        Error::check_count("sources", self.sources.len() as u64, u32::MAX.into())?;
+        alloc::push(&mut self.offsets, self.sources.len() as u32)
+    }
+
+    /// The number of rows.
+    pub fn len(&self) -> usize {
+        self.offsets.len().saturating_sub(1)
+    }
+
+    /// True if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The sources of an element and their weights.
+    #[inline]
+    pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
+        let range = self.range(k);
+        (&self.sources[range.clone()], &self.weights[range])
+    }
+
+    /// Where the sources of an element are among all.
+    #[inline]
+    pub(crate) fn range(&self, k: usize) -> Range<usize> {
+        self.offsets[k] as usize..self.offsets[k + 1] as usize
+    }
+
+    /// The sources of an element with their weights.
+    pub(crate) fn entries(&self, k: usize) -> impl Iterator<Item = (u32, f64)> + Clone {
+        let (sources, weights) = self.row(k);
+        sources.iter().copied().zip(weights.iter().copied())
+    }
+
+    /// The source that counts most, the first of equal ones; [`NONE`] without any.
+    #[inline]
+    pub(crate) fn main_source(&self, k: usize) -> u32 {
+        let (sources, weights) = self.row(k);
+        let mut main = (NONE, f64::NEG_INFINITY);
+        for (&source, &weight) in sources.iter().zip(weights) {
+            if weight > main.1 {
+                main = (source, weight);
+            }
+        }
+        main.0
+    }
+
+    /// Where the rows begin among sources and weights, and where the last one ends.
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// All sources, row after row.
+    pub fn sources(&self) -> &[u32] {
+        &self.sources
+    }
+
+    /// How much each counts; those of a row have the sum 1.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+}

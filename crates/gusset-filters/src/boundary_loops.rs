@@ -1,0 +1,55 @@
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
+use super::report::{BOUNDARY_LOOP, EDGE};
+use super::report::{Report, counted, push_line, push_more, short};
+use super::signatures::{MESH, TO_CURVES_TEXT};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
+
+/// The largest number of loops that the report lists.
+const MAX_LISTED: usize = 20;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "boundary_loops",
+    name: "Boundary loops",
+    category: "Boundary",
+    help: "Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface \
+           lies to the left of a loop. Where the boundary touches itself it is divided into simple loops.",
+    reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 1",
+    params: &[Param::choice("non_manifold", "Edges with three or more faces", NonManifold::CHOICES.texts)
+        .with_help("The course of a loop at an edge with three or more faces.")],
+    ..Filter::new(MESH, TO_CURVES_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let mesh = inputs[0].mesh()?;
+    let non_manifold = values.choice("non_manifold", NonManifold::CHOICES);
+    let boundary = boundary_loops(mesh, &Options { non_manifold, ..Options::default() }, job)?;
+    let mut curves = Curves::none();
+    for found in boundary.iter() {
+        curves.add(found.vertices.iter().map(|&v| mesh.positions().get(v)), !found.flags.any(LoopFlags::OPEN))?;
+    }
+    Ok(vec![Output::Curves(curves), Output::Text(report(&boundary))])
+}
+
+fn report(boundary: &Boundary) -> Report {
+    let mut text = format!("{}, {}\n", counted(boundary.len(), BOUNDARY_LOOP), counted(boundary.edge_count(), EDGE));
+    for (i, found) in boundary.iter().take(MAX_LISTED).enumerate() {
+        let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
+        push_line!(text, "{kind} {i}: {}, length {}", counted(found.half_edges.len(), EDGE), short(found.length));
+    }
+    push_more(&mut text, boundary.len(), MAX_LISTED);
+    if !boundary.defects().is_empty() {
+        push_line!(text, "{} of the mesh", counted(boundary.defects().len(), ["defect", "defects"]));
+    }
+    let length = boundary.iter().map(|found| found.length).sum();
+    let values = [
+        ("boundary_loops", boundary.len() as f64),
+        ("boundary_edges", boundary.edge_count() as f64),
+        ("length", length),
+        ("defects", boundary.defects().len() as f64),
+    ];
+    Report::new(text, &values)
+}

@@ -1,0 +1,109 @@
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, VERTEX};
+use super::report::{Report, counted};
+use super::signatures::{MESH, TO_TEXT};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::check::{Check, check};
+
+pub(super) const FILTER: Filter = Filter {
+    id: "check",
+    name: "Check the mesh",
+    category: "Repair",
+    help: "Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, \
+           non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the \
+           number of components, the Euler characteristic and the genus.",
+    reference: "Counts on half-edges; genus by Euler's formula",
+    params: &[Param::int("listed", "Elements listed", [0.0, 1e6], &[20.0])
+        .with_help("The largest number of elements that are listed for each kind of defect.")],
+    ..Filter::new(MESH, TO_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let mesh = inputs[0].mesh()?;
+    let found = check(mesh, job)?;
+    let mut text = summary(&found);
+    let max = values.number("listed") as usize;
+    let faces = mesh.faces();
+    let name = |kind: usize, element: u32| match kind {
+        // Edges are named by their ends, vertices and faces by their numbers.
+        0..EDGE_DEFECTS => format!("{}-{}", faces.corner(element), faces.corner(faces.next(element))),
+        _ => element.to_string(),
+    };
+    for (kind, (noun, _, elements)) in
+        defects(&found).into_iter().enumerate().filter(|(_, defect)| !defect.2.is_empty())
+    {
+        text += &format!("{}:", counted(elements.len(), noun));
+        elements.iter().take(max).for_each(|&element| text += &format!(" {}", name(kind, element)));
+        text += if elements.len() > max { " ...\n" } else { "\n" };
+    }
+    Ok(vec![Output::Text(Report::new(text, &numbers(&found)))])
+}
+
+/// The kinds of defects that are edges, the first ones.
+const EDGE_DEFECTS: usize = 3;
+
+/// Each kind of defect: its noun, its name for programs, and its elements.
+fn defects(found: &Check) -> [(Noun, &'static str, &[u32]); 9] {
+    [
+        (BOUNDARY_EDGE, "boundary_edges", &found.boundary_edges),
+        (
+            ["edge of three or more faces", "edges of three or more faces"],
+            "non_manifold_edges",
+            &found.non_manifold_edges,
+        ),
+        (
+            ["edge with inconsistently oriented faces", "edges with inconsistently oriented faces"],
+            "orientation_conflicts",
+            &found.orientation_conflicts,
+        ),
+        (["non-manifold vertex", "non-manifold vertices"], "non_manifold_vertices", &found.non_manifold_vertices),
+        (["vertex with several fans of faces", "vertices with several fans of faces"], "bow_ties", &found.bow_ties),
+        (["duplicate face", "duplicate faces"], "duplicate_faces", &found.duplicate_faces),
+        (["face with a repeated vertex", "faces with a repeated vertex"], "degenerate_faces", &found.degenerate_faces),
+        (["face without area", "faces without area"], "zero_area_faces", &found.zero_area_faces),
+        (["unused vertex", "unused vertices"], "unused_vertices", &found.unused_vertices),
+    ]
+}
+
+fn summary(found: &Check) -> String {
+    let yes = |is: bool, word: &'static str, other: &'static str| if is { word } else { other };
+    let genus = found.genus.map_or(String::new(), |genus| format!(", genus {genus}"));
+    format!(
+        "{}, {}, {}, {}, {}\n{}, {}, {}\nEuler characteristic {}{genus}\n",
+        counted(found.vertices, VERTEX),
+        counted(found.edges, EDGE),
+        counted(found.faces, FACE),
+        counted(found.components, PIECE),
+        counted(found.boundary_walks, ["walk round the boundary", "walks round the boundary"]),
+        yes(found.closed, "closed", "not closed"),
+        yes(found.manifold, "manifold", "not manifold"),
+        match (found.oriented, found.orientable) {
+            (true, _) => "oriented",
+            (false, true) => "not oriented, but faces can be turned over until it is",
+            (false, false) => "one-sided",
+        },
+        found.euler
+    )
+}
+
+fn numbers(found: &Check) -> Vec<(&'static str, f64)> {
+    let flag = |is: bool| f64::from(u8::from(is));
+    let mut values = vec![
+        ("vertices", f64::from(found.vertices)),
+        ("edges", f64::from(found.edges)),
+        ("faces", f64::from(found.faces)),
+        ("pieces", f64::from(found.components)),
+        ("boundary_walks", f64::from(found.boundary_walks)),
+        ("closed", flag(found.closed)),
+        ("manifold", flag(found.manifold)),
+        ("oriented", flag(found.oriented)),
+        ("orientable", flag(found.orientable)),
+        ("euler_characteristic", found.euler as f64),
+    ];
+    values.extend(found.genus.map(|genus| ("genus", f64::from(genus))));
+    values.extend(defects(found).map(|(_, name, elements)| (name, elements.len() as f64)));
+    values
+}

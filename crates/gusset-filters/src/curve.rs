@@ -1,0 +1,153 @@
+//! Common parts of filters of curves: the Bézier curves that interpolate polylines, and the plane
+//! that they lie in.
+
+use super::data::{Curves, Input};
+use super::extent::extent_of;
+use super::extent::plane_of;
+use super::filter::Defaults;
+use super::param::{Param, Values};
+use glam::DVec3;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::{alloc, choices};
+use gusset_curve::ops::Spacing;
+use gusset_curve::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
+
+pub(super) const CATEGORY: &str = "Curves";
+pub(super) const REFERENCE: &str = "T. Nadopta, Theoretical foundations of the identification of outline curves, 2008";
+
+choices! {
+    /// The interpolating curve; none for the polyline itself.
+    CURVES_THROUGH: Option<Mode> =
+        None => "Straight", "The polylines themselves.";
+        Some(Mode::Composite) => "Smooth", "Quadratic segments that meet smoothly, one for each point.";
+        Some(Mode::CubicC2) => "Cubic spline", "Cubic segments with continuous curvature.";
+}
+
+/// The interpolation of polylines.
+pub(super) const INTERPOLATION: Param = Param::choice("between", "Between the points", CURVES_THROUGH.texts)
+    .with_help("The curves through the given points.");
+
+/// The fineness of curves.
+pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error").with_help(
+    "The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves.",
+);
+
+/// The plane of curves.
+pub(super) const PLANE: Param = Param::plane("plane", "Plane").with_help(
+    "The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested.",
+);
+
+/// Suggests [`PLANE`].
+pub(super) fn suggest_plane(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
+    if let Some(Input::Curves(curves)) = inputs.first()
+        && let Some(plane) = plane_of(curves)
+    {
+        defaults.set(PLANE.id, &plane);
+    }
+}
+
+/// The curve through a polyline, without segments if there are fewer than two distinct points.
+///
+/// # Errors
+/// Those of [`fit`].
+fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -> Result<Curve> {
+    if let Some(mode) = mode.filter(|_| !points.is_empty()) {
+        let options = Options { mode, ..Options::default() };
+        let outlines = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
+        return fit(&outlines, &options, job)?.curve(0).to_owned();
+    }
+    let again = points.first().filter(|_| closed);
+    let mut controls = alloc::gather(points.iter().chain(again).map(|&point| DVec3::from(point)))?;
+    controls.dedup();
+    let ends = alloc::collect((0..controls.len().max(1)).map(|k| k as u32))?;
+    CurveView::new(&controls, &ends, closed)?.to_owned()
+}
+
+/// The curves through all polylines.
+///
+/// # Errors
+/// Those of [`Curves::each`] and [`fit`].
+pub(super) fn curves(given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    curves_of(given, values, job, |_, points| alloc::copied(points))
+}
+
+/// The curves through mapped polylines. `map` gets the number of the first point and the points.
+fn curves_of(
+    given: &Curves,
+    values: &Values<'_>,
+    job: &Job<'_>,
+    map: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
+) -> Result<Vec<Curve>> {
+    let (each, mode) = (given.each()?, values.choice(INTERPOLATION.id, CURVES_THROUGH));
+    let mut curves = alloc::with_capacity(each.len())?;
+    let mut first = 0;
+    for (c, (points, closed)) in each.iter().enumerate() {
+        let part = job.share(c, each.len());
+        part.step(0.0, "curves")?;
+        curves.push(curve(&map(first, points)?, *closed, mode, &part)?);
+        first += points.len();
+    }
+    Ok(curves)
+}
+
+/// The largest distance of chords.
+pub(super) fn chord(given: &Curves, values: &Values<'_>) -> f64 {
+    let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
+    (values.number(CHORD_ERROR.id) * size).max(f64::MIN_POSITIVE)
+}
+
+/// The points of a polyline along a curve; of a curve without segments its point.
+///
+/// # Errors
+/// Those of [`CurveView::sampled`].
+pub(super) fn sampled(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    job.step(0.0, "points along a curve")?;
+    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
+}
+
+/// A plane with axes, those of space for the plane z = 0.
+pub(super) struct CurvePlane {
+    origin: DVec3,
+    axes: [DVec3; 3],
+}
+
+impl CurvePlane {
+    /// The plane that is given as a parameter.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub(super) fn new(values: &Values<'_>) -> Result<Self> {
+        let (normal, distance) = values.plane(PLANE.id)?;
+        let (u, v) = normal.any_orthonormal_pair();
+        // Right-handed, so that orientation in the plane agrees with the view against its normal.
+        let v = if u.cross(v).dot(normal) < 0.0 { -v } else { v };
+        Ok(CurvePlane { origin: normal * distance, axes: [u, v, normal] })
+    }
+
+    /// All curves in coordinates of the plane, with z = 0.
+    ///
+    /// # Errors
+    /// [`Error::CurveNotPlane`] with a place among all points, and those of [`curves`].
+    pub(super) fn curves(&self, given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
+        let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
+        let slack = 1e-6 * size + 64.0 * f64::EPSILON * largest;
+        curves_of(given, values, job, |first, points| {
+            let mut flat = alloc::with_capacity(points.len())?;
+            for (k, &point) in points.iter().enumerate() {
+                let [x, y, z] = self.axes.map(|axis| axis.dot(DVec3::from(point) - self.origin));
+                if z.abs() > slack {
+                    return Err(Error::CurveNotPlane { point: (first + k) as u32 });
+                }
+                flat.push([x, y, 0.0]);
+            }
+            Ok(flat)
+        })
+    }
+
+    /// A point of the plane in space.
+    pub(super) fn point(&self, point: DVec3) -> DVec3 {
+        self.origin + point.x * self.axes[0] + point.y * self.axes[1]
+    }
+}

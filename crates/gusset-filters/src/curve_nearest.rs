@@ -1,0 +1,42 @@
+use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
+use super::data::{Curves, Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::Values;
+use super::report::{POINT, distances};
+use super::signatures::TO_CURVES_TEXT;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_curve::Curve;
+use gusset_curve::ops::nearest_of_any;
+
+/// Points between two progress reports.
+const POINTS_PER_REPORT: usize = 1 << 16;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "curve_nearest",
+    name: "Nearest points on curves",
+    category: CATEGORY,
+    help: "Finds for each point of the first input the nearest point on any curve of the second, draws the segments between them, \
+           and reports their lengths.",
+    reference: REFERENCE,
+    params: &[INTERPOLATION],
+    ..Filter::new(&[InputKind::Curves; 2], TO_CURVES_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let from = inputs[0].curves()?;
+    from.each()?;
+    let curves = curve::curves(inputs[1].curves()?, values, &job.part(0.0, 0.2))?;
+    let queries = alloc::collect(from.points.iter().map(|&point| DVec3::from(point)))?;
+    let views = alloc::collect(curves.iter().map(Curve::view))?;
+    let found = nearest_of_any(&views, &queries, &job.part(0.2, 0.9))?;
+    let (mut ways, drawing) = (Curves::none(), job.part(0.9, 1.0));
+    for (k, (&query, (_, nearest))) in queries.iter().zip(&found).enumerate() {
+        drawing.step_every(POINTS_PER_REPORT, k, queries.len(), "segments")?;
+        ways.add([query, nearest.point].into_iter(), false)?;
+    }
+    let report = distances(POINT, found.iter().map(|(_, nearest)| nearest.distance));
+    Ok(vec![Output::Curves(ways), Output::Text(report)])
+}

@@ -1,0 +1,59 @@
+use super::curve::{self, CATEGORY, CHORD_ERROR, CurvePlane, INTERPOLATION, PLANE};
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{COORDINATES, Param, Values};
+use super::report::{counted, push_line};
+use super::signatures::{CURVES, TO_CURVES_TEXT};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_curve::ops::{OffsetOptions, Spacing};
+
+/// The largest number of segments of an offset.
+const MAX_SEGMENTS: usize = 1 << 20;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "curve_offset",
+    name: "Offset curves",
+    category: CATEGORY,
+    help: "Draws the offset curves of plane curves, to their left seen against the normal of the plane. Corners are joined by \
+           straight segments; where the distance exceeds the radius of curvature the offset intersects itself.",
+    reference: "Hermite interpolation of the exact offset, halved until the deviation measured is small enough",
+    params: &[
+        INTERPOLATION,
+        PLANE,
+        Param::length("distance", "Distance", COORDINATES, &[0.1])
+            .with_help("The signed distance of the offset: to the left if positive, to the right if negative.")
+            .with_size_ratio(0.02),
+        CHORD_ERROR,
+    ],
+    suggest: Some(curve::suggest_plane),
+    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let (given, flat) = (inputs[0].curves()?, CurvePlane::new(values)?);
+    let curves = flat.curves(given, values, &job.part(0.0, 0.3))?;
+    let tolerance = curve::chord(given, values);
+    let options = OffsetOptions { degree: 3, tolerance: 0.5 * tolerance, max_segments: MAX_SEGMENTS };
+    let (mut drawn, mut text) = (Curves::none(), String::new());
+    for (c, curve) in curves.iter().enumerate() {
+        let part = job.part(0.3, 1.0).share(c, curves.len());
+        part.step(0.0, "offset")?;
+        if curve.view().is_empty() {
+            push_line!(text, "curve {c}: left out, without extent");
+            continue;
+        }
+        let offset = curve.view().offset(values.number("distance"), &options, &part.part(0.0, 0.8))?;
+        let points = curve::sampled(&offset.curve.view(), Spacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
+        drawn.add(points.iter().map(|&point| flat.point(point)), offset.curve.view().is_closed())?;
+        let tight = if offset.tight { ", some bends are tighter than the distance" } else { "" };
+        let reached = if offset.reached { "" } else { ", which is more than asked for" };
+        push_line!(
+            text,
+            "curve {c}: {}, at most {:.1e} from the true offset{reached}{tight}",
+            counted(offset.corners, ["corner", "corners"]),
+            offset.deviation
+        );
+    }
+    Ok(vec![Output::Curves(drawn), Output::Text(text.into())])
+}

@@ -1,0 +1,51 @@
+use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE, suggest_plane};
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
+use super::signatures::{CURVES, TO_TEXT};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_curve::CurveView;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "curve_svg",
+    name: "Curves as SVG paths",
+    category: CATEGORY,
+    help: "Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth \
+           curves are written as Bezier curves.",
+    reference: REFERENCE,
+    params: &[
+        INTERPOLATION,
+        PLANE,
+        Param::flag("downwards", "y downwards").with_help("Negates the second coordinate, as y points down in SVG."),
+    ],
+    suggest: Some(suggest_plane),
+    ..Filter::new(CURVES, TO_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let flat = CurvePlane::new(values)?;
+    let curves = flat.curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
+    let mut text = String::new();
+    for (c, curve) in curves.iter().enumerate() {
+        let part = job.part(0.5, 1.0).share(c, curves.len());
+        part.step(0.0, "writing a path")?;
+        let path = match values.is_set("downwards") {
+            true => turned_over(&curve.view(), &part)?,
+            false => curve.view().svg_path(&part)?,
+        };
+        let bytes = path.len() + 1;
+        text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
+        text += &path;
+        text.push('\n');
+    }
+    Ok(vec![Output::Text(text.into())])
+}
+
+/// The path of a curve whose second coordinate grows downwards.
+fn turned_over(curve: &CurveView<'_>, job: &Job<'_>) -> Result<String> {
+    let points = alloc::collect(curve.points().iter().map(|p| DVec3::new(p.x, -p.y, p.z)))?;
+    CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path(job)
+}

@@ -1,0 +1,91 @@
+use super::data::{Curves, Input, Output};
+use super::filter::Filter;
+use super::param::{NON_NEGATIVE, Param, Values};
+use super::quads::CATEGORY;
+use super::report::{EDGE, FACE};
+use super::report::{counted, short};
+use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::aabb;
+use gusset_base::job::Job;
+use gusset_mesh::mesh::MeshView;
+use gusset_net::analyse::analyse;
+use gusset_net::convert::{GridNet, net_of_grid};
+use gusset_net::{Coordinates, Net};
+
+pub(super) const FILTER: Filter = Filter {
+    id: "net_analyse",
+    name: "Analyse a deformation of a quad grid",
+    category: CATEGORY,
+    help: "Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as \
+           segments of the original grid, and quads that were folded over. Without any the deformation is soft.",
+    reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations",
+    params: &[
+        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0])
+            .with_help("The largest length that counts as 0; a billionth of the size is suggested.")
+            .with_size_ratio(1e-9),
+        Param::int("listed", "Faces listed", [0.0, 1e6], &[20.0])
+            .with_help("The largest number of folded faces that are listed."),
+    ],
+    ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let (before, after) = (inputs[0].mesh()?, inputs[1].mesh()?);
+    let grid = net_of_grid(before, None, &job.part(0.0, 0.4))?;
+    let moved = moved(&grid, before, after, &job.part(0.4, 0.5))?;
+    let found = analyse(&grid.net, &moved, values.number("tolerance"), &job.part(0.5, 1.0))?;
+    let mut edges = Curves::none();
+    let shape = grid.net.shape();
+    for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {
+        let ends = shape.ends(link).map(|node| before.positions().get(grid.vertex_of_node[node as usize]));
+        edges.add(ends.into_iter(), false)?;
+    }
+    let kind = if found.is_soft() { "soft" } else { "hard" };
+    let mut text = format!(
+        "a {kind} deformation: {} made points, {} torn, {} folded over\n\
+         lengths of edges times {}, areas of faces times {}\n",
+        counted(found.contracted.len(), EDGE),
+        found.torn.len(),
+        counted(found.folded.len(), FACE),
+        range(&found.links),
+        range(&found.cells)
+    );
+    let most = values.number("listed") as usize;
+    if !found.folded.is_empty() && most > 0 {
+        text += "folded:";
+        for &cell in found.folded.iter().take(most) {
+            text += &format!(" {}", grid.face_of_cell[cell as usize]);
+        }
+        text += if found.folded.len() > most { " ...\n" } else { "\n" };
+    }
+    Ok(vec![Output::Curves(edges), Output::Text(text.into())])
+}
+
+/// From the least number to the greatest.
+fn range(ratios: &[f64]) -> String {
+    let [min, max] = aabb::range(ratios.iter().copied());
+    format!("{} to {}", short(min), short(max))
+}
+
+/// The net with the positions of the other mesh, which must have the same faces.
+fn moved(grid: &GridNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
+    job.step(0.0, "looking for the same faces")?;
+    let (a, b) = (before.faces(), after.faces());
+    let same = before.positions().len() == after.positions().len()
+        && a.half_edge_count() == b.half_edge_count()
+        && a.corners(0..a.half_edge_count()).eq(b.corners(0..b.half_edge_count()));
+    if !same {
+        return Err(Error::InputUnfit { input: 1, why: "a mesh with the faces of the first one is needed" });
+    }
+    let shape = grid.net.shape();
+    let mut coordinates = Coordinates::zeroed(shape, after.positions().scalar())?;
+    for i in 0..shape.rows() {
+        job.step(0.1 + 0.9 * i as f64 / shape.rows() as f64, "positions to nodes")?;
+        for j in 0..shape.columns() {
+            let vertex = grid.vertex_of_node[shape.node(i, j) as usize];
+            coordinates.set(i, j, after.positions().get(vertex));
+        }
+    }
+    Ok(Net::new(coordinates, grid.net.topology().copied()?))
+}

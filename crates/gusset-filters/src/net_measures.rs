@@ -1,0 +1,62 @@
+use super::data::{Input, Output};
+use super::filter::Filter;
+use super::param::{Param, Values};
+use super::quads::{self, CATEGORY};
+use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW};
+use super::report::{Report, counted, short, short_point};
+use super::signatures::{MESH, TO_TEXT};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_net::complex::Complex;
+use gusset_net::measure::{measure, moments, planarity};
+
+pub(super) const FILTER: Filter = Filter {
+    id: "net_measures",
+    name: "Measure a quad grid",
+    category: CATEGORY,
+    help: "Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a \
+           closed one also volume, centroid and inertia tensor.",
+    reference: "The divergence theorem on bilinear patches, with Gauss's points",
+    params: &[Param::real("planarity", "Planarity limit", [0.0, 1.0], &[0.01]).with_help(
+        "Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted.",
+    )],
+    ..Filter::new(MESH, TO_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
+    let measures = measure(&net, &job.part(0.4, 0.5))?;
+    let plane = planarity(&net, values.number("planarity"), &job.part(0.5, 0.6))?;
+    let complex = Complex::of_topology(net.topology(), &job.part(0.6, 0.8))?;
+    let sided = if complex.orientable { "two-sided" } else { "one-sided" };
+    let mut text = format!(
+        "{}, {} of vertices\n{sided}, Euler characteristic {}, {}\narea {}, box {} to {}\n\
+         {} off the plane by more than the limit, mean {:.3e}, most {:.3e} (face {})\n",
+        counted(net.shape().rows(), ROW),
+        counted(net.shape().columns(), COLUMN),
+        complex.euler_characteristic(),
+        counted(complex.boundary.len(), BOUNDARY_LOOP),
+        short(measures.area),
+        short_point(measures.low),
+        short_point(measures.high),
+        counted(plane.above, QUAD),
+        plane.mean,
+        plane.worst.map_or(0.0, |worst| worst.0),
+        plane.worst.map_or(0, |worst| worst.1)
+    );
+    let mut values = vec![
+        ("rows", net.shape().rows() as f64),
+        ("columns", net.shape().columns() as f64),
+        ("euler_characteristic", complex.euler_characteristic() as f64),
+        ("boundary_loops", complex.boundary.len() as f64),
+        ("area", measures.area),
+    ];
+    if complex.is_closed() && complex.orientable {
+        let body = moments(&net, &job.part(0.8, 1.0))?;
+        let [x, y, z] = [0, 1, 2].map(|k| short_point(body.inertia.col(k)));
+        let (volume, centre) = (short(body.volume), short_point(body.centroid));
+        text += &format!("volume {volume}, centre {centre}\ninertia {x} {y} {z}\n");
+        values.push(("volume", body.volume));
+    }
+    Ok(vec![Output::Text(Report::new(text, &values))])
+}

@@ -1,0 +1,117 @@
+//! Common parts of filters of smooth surfaces: the surface through the vertices of a quad grid.
+
+use super::data::Curves;
+use super::param::{Param, Values};
+use super::report::{CURVE, FACE, POINT, VERTEX};
+use super::report::{Report, counted};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Element;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_mesh::mesh::{Mesh, MeshView};
+use gusset_net::convert::net_of_grid;
+use gusset_surface::contour::PointSpacing;
+use gusset_surface::{Closest, Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
+
+pub(super) const CATEGORY: &str = "Smooth surfaces";
+pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";
+
+/// The interpolation of the surface.
+pub(super) const SCHEME: Param = Param::choice("scheme", "Surface", Scheme::CHOICES.texts)
+    .with_help("The interpolation of the vertices, whose quads must form a grid of rows and columns.");
+
+/// The fineness of curves.
+pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error")
+    .with_help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
+
+/// The fineness of meshes: relative deviation, fewest parts of a cell, triangles or quads.
+pub(super) const FINENESS: [Param; 3] = [
+    Param::real("deviation", "Deviation", [1e-7, 1.0], &[1e-3])
+        .with_help("The largest distance of faces from the surface, relative to the diagonal of its box."),
+    Param::int("parts", "Parts", [1.0, 1000.0], &[1.0])
+        .with_help("The smallest number of parts of each side of a cell."),
+    Param::flag("triangles", "Triangles").with_help("Makes triangles instead of quads."),
+];
+
+/// The surface through a mesh, with its normals on the side that the faces are counter-clockwise
+/// from.
+pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Surface<'static>> {
+    let scheme = values.choice("scheme", Scheme::CHOICES);
+    let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;
+    let (rows, columns) = (found.net.shape().rows(), found.net.shape().columns());
+    let vertex = |i: usize, j: usize| found.vertex_of_node[i * columns + j];
+    // The surface's first parameter runs along rows, as faces do.
+    let closed_u = columns > 3 && (0..rows).all(|i| vertex(i, 0) == vertex(i, columns - 1));
+    let closed_v = rows > 3 && (0..columns).all(|j| vertex(0, j) == vertex(rows - 1, j));
+    let places = (0..columns).flat_map(|j| (0..rows).map(move |i| (i, j)));
+    let data = alloc::gather(places.flat_map(|(i, j)| mesh.positions().get(vertex(i, j)).to_array()))?;
+    let nodes = Nodes::strided(data, columns, rows, 0, 0)?;
+    let sheet = Sheet::Grid(Grid::new(nodes, [closed_u, closed_v], scheme)?);
+    Surface::new(vec![sheet], None, &job.part(0.6, 1.0))
+}
+
+/// The largest distance of chords.
+pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> PointSpacing {
+    let [low, high] = surface.bounds();
+    PointSpacing::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
+}
+
+/// The surface of one sheet as a mesh, and a report of one line.
+pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, Report)> {
+    let [low, high] = surface.bounds();
+    let options = SurfaceMeshOptions {
+        tolerance: (values.number("deviation") * low.distance(high)).max(f64::MIN_POSITIVE),
+        least: [values.number("parts") as u32; 2],
+        triangles: values.is_set("triangles"),
+    };
+    let made = surface.sheet(0).to_mesh(&options, job)?;
+    let (vertices, faces) = (made.places.len(), made.mesh.face_count());
+    let text = format!(
+        "{}, {}, at most {:.1e} from the surface\n",
+        counted(vertices, VERTEX),
+        counted(faces, FACE),
+        made.deviation
+    );
+    let values = [("vertices", vertices as f64), ("faces", faces as f64), ("deviation", made.deviation)];
+    Ok((made.mesh, Report::new(text, &values)))
+}
+
+/// The nearest points of all queries, which are elements of that kind.
+pub(super) fn nearest(
+    surface: &Surface<'_>,
+    queries: &[DVec3],
+    element: Element,
+    job: &Job<'_>,
+) -> Result<Vec<Closest>> {
+    let not_finite = |index: u64, value: f64| Error::NotFinite { element, index, value };
+    let found = surface.closest_all(queries, f64::INFINITY, job).map_err(|error| match error {
+        Error::NotFinite { index, value, .. } => not_finite(index, value),
+        error => error,
+    })?;
+    alloc::try_collect((0..).zip(found).zip(queries).map(|((index, found), query)| {
+        // Squares of distances would overflow.
+        let value = query.to_array().into_iter().fold(0.0, |most: f64, x| if x.abs() > most.abs() { x } else { most });
+        found.ok_or(Error::CoordinateTooLarge { element, index, value })
+    }))
+}
+
+/// Paths as polylines.
+pub(super) fn polylines(paths: &Paths) -> Result<Curves> {
+    Ok(Curves {
+        points: alloc::collect(paths.points.iter().map(DVec3::to_array))?,
+        offsets: if paths.ends.is_empty() { vec![0] } else { alloc::copied(&paths.ends)? },
+        closed: alloc::copied(&paths.closed)?,
+    })
+}
+
+/// A line on the number of curves.
+pub(super) fn summary(paths: &Paths) -> String {
+    let closed = paths.closed.iter().filter(|&&closed| closed).count();
+    format!(
+        "{}, {closed} of them closed, {}; {} unresolved\n",
+        counted(paths.len(), CURVE),
+        counted(paths.points.len(), POINT),
+        counted(paths.unresolved.len(), ["cell", "cells"])
+    )
+}

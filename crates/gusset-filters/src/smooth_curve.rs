@@ -1,0 +1,49 @@
+use super::curve::{self, INTERPOLATION};
+use super::data::{Curves, Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::Values;
+use super::report::HIT;
+use super::report::{counted, push_line, short, short_point};
+use super::signatures::TO_CURVES_TEXT;
+use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_surface::line_intersection::HitSelection;
+
+/// The largest number of intersections that the report lists.
+const MAX_LISTED: usize = 1000;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "smooth_curve",
+    name: "Intersections of curves with a smooth surface",
+    category: CATEGORY,
+    help: "Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each \
+           intersection. None is missed.",
+    reference: REFERENCE,
+    params: &[SCHEME, INTERPOLATION],
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let curves = curve::curves(inputs[1].curves()?, values, &job.part(0.0, 0.2))?;
+    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.2, 0.6))?;
+    let (mut points, mut text) = (Curves::none(), String::new());
+    let job = job.part(0.6, 1.0);
+    for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {
+        let part = job.share(c, curves.len());
+        let hits = surface.curve(&curve.view(), HitSelection::All, &part).map_err(|error| match error {
+            Error::OptionOutOfRange { .. } => Error::InputUnfit { input: 1, why: "coordinates up to 1e150 are needed" },
+            error => error,
+        })?;
+        for hit in hits {
+            points.add([hit.point].into_iter(), false)?;
+            if points.closed.len() <= MAX_LISTED {
+                let touches = if hit.tangent { ", touches" } else { "" };
+                let (t, point) = (short(hit.at.t), short_point(hit.point));
+                push_line!(text, "curve {c} at {} + {t}: {point}{touches}", hit.at.segment);
+            }
+        }
+    }
+    push_line!(text, "{}", counted(points.closed.len(), HIT));
+    Ok(vec![Output::Curves(points), Output::Text(text.into())])
+}

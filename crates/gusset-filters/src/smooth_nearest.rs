@@ -1,0 +1,40 @@
+use super::data::{Curves, Input, InputKind, Output};
+use super::filter::Filter;
+use super::param::Values;
+use super::report::Report;
+use super::report::{POINT, distances};
+use super::signatures::TO_CURVES_TEXT;
+use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Element;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "smooth_nearest",
+    name: "Nearest points on a smooth surface",
+    category: CATEGORY,
+    help: "Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, \
+           draws the segments between them, and reports their lengths.",
+    reference: REFERENCE,
+    params: &[SCHEME],
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let given = inputs[1].curves()?;
+    given.each()?;
+    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
+    let queries = alloc::collect(given.points.iter().map(|&point| DVec3::from(point)))?;
+    let nearest = smooth::nearest(&surface, &queries, Element::Query, &job.part(0.4, 1.0))?;
+    let mut ways = Curves::none();
+    for (&query, nearest) in queries.iter().zip(&nearest) {
+        ways.add([query, nearest.point].into_iter(), false)?;
+    }
+    let unproven = nearest.iter().filter(|nearest| !nearest.proven).count();
+    let found = distances(POINT, nearest.iter().map(|nearest| nearest.distance));
+    let text = format!("{found}{unproven} without proof\n");
+    let values = [found.values(), &[("unproven", unproven as f64)]].concat();
+    Ok(vec![Output::Curves(ways), Output::Text(Report::new(text, &values))])
+}
