@@ -34,7 +34,7 @@ fn the_manifest_of_the_guide_fits_the_workspace() {
         );
         folders += 1;
     }
-    assert_eq!(folders, 3);
+    assert_eq!(folders, 4);
     let glam = shown.lines().find_map(|line| line.strip_prefix("glam = ")).unwrap();
     assert!(
         workspace.contains(&format!("glam = {{ version = {glam}, ")),

@@ -10,7 +10,7 @@ use std::{env, fs, path::Path};
 const HEAD: &str = "# Filters
 
 Every capability of the library that makes sense on meshes or curves in a host, as plugin hosts list it. This page is made from
-the table in `src/filters` by `GUSSET_UPDATE=1 cargo test --test filters page`.
+the table in `crates/gusset-filters` by `GUSSET_UPDATE=1 cargo test --test filters page`.
 
 Meshes are polygon meshes, curves are polylines, open or closed, and text is for a log window. *Takes the place of its first
 input* means that a host shows the first output where the first input was. Defaults marked with a star are only what is taken if

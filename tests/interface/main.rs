@@ -3,6 +3,7 @@
 mod c_abi;
 mod circles;
 mod features;
+mod floors;
 mod lenders;
 mod messages;
 mod modules;

@@ -31,7 +31,7 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
-use gusset_mesh::mesh::{Mesh, NONE};
+use gusset_mesh::{Mesh, NONE};
 use std::ops::Range;
 
 /// Charts go on at most so many heights of the old face: needles lead nowhere.

@@ -1,6 +1,6 @@
 //! Kinds of elements, and how many of each an input has.
 
-use gusset_mesh::mesh::MeshView;
+use gusset_mesh::MeshView;
 
 /// What elements are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

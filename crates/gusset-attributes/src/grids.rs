@@ -5,7 +5,7 @@ use super::origins::{Kept, Origins};
 use super::table::{STAGE, Table};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::MeshView;
+use gusset_mesh::MeshView;
 use gusset_net::convert::{GridNet, NetMesh};
 use gusset_surface::SurfaceMesh;
 

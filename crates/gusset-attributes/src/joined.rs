@@ -8,11 +8,11 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
-use gusset_mesh::develop::Developed;
-use gusset_mesh::fill::Filled;
-use gusset_mesh::mesh::{Mesh, MeshView};
-use gusset_mesh::repair::orient::Oriented;
-use gusset_mesh::stitch::{Ruled, Stitch};
+use gusset_mesh::{Mesh, MeshView};
+use gusset_stitch::develop::Developed;
+use gusset_stitch::fill::Filled;
+use gusset_stitch::repair::orient::Oriented;
+use gusset_stitch::stitch::{Ruled, Stitch};
 
 impl Origins {
     /// Those of a stitched mesh.

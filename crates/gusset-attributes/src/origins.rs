@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::{Mesh, NONE};
+use gusset_mesh::{Mesh, NONE};
 
 /// Of a vertex that very many old ones became, new vertices have no more sources than this.
 const MAX_SHARED: usize = 16;

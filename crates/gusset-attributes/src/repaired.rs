@@ -8,12 +8,12 @@ use super::table::{STAGE, Table};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::assemble::Assembly;
-use gusset_mesh::mesh::{Mesh, MeshView, NONE};
-use gusset_mesh::repair::corner_origins::{CornerOnEdge, CornerOrigins};
-use gusset_mesh::repair::sew::Sew;
-use gusset_mesh::repair::weld::Weld;
-use gusset_mesh::trim::Remains;
+use gusset_mesh::{Mesh, MeshView, NONE};
+use gusset_stitch::assemble::Assembly;
+use gusset_stitch::repair::corner_origins::{CornerOnEdge, CornerOrigins};
+use gusset_stitch::repair::sew::Sew;
+use gusset_stitch::repair::weld::Weld;
+use gusset_stitch::trim::Remains;
 
 impl Origins {
     /// Those of a welded mesh.

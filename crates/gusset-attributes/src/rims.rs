@@ -10,7 +10,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
 use gusset_base::sort::{Buckets, sort};
-use gusset_mesh::mesh::{Mesh, NONE};
+use gusset_mesh::{Mesh, NONE};
 
 /// An end of a rim edge.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,14 +11,14 @@ use super::origins::Origins;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::assemble::Assembly;
-use gusset_mesh::fill::Filled;
-use gusset_mesh::mesh::{Mesh, MeshView, NONE, Piece};
-use gusset_mesh::repair::orient::Oriented;
-use gusset_mesh::repair::sew::Sew;
-use gusset_mesh::repair::weld::Weld;
-use gusset_mesh::stitch::Stitch;
-use gusset_mesh::trim::Remains;
+use gusset_mesh::{Mesh, MeshView, NONE, Piece};
+use gusset_stitch::assemble::Assembly;
+use gusset_stitch::fill::Filled;
+use gusset_stitch::repair::orient::Oriented;
+use gusset_stitch::repair::sew::Sew;
+use gusset_stitch::repair::weld::Weld;
+use gusset_stitch::stitch::Stitch;
+use gusset_stitch::trim::Remains;
 
 const STAGE: &str = "keeping split vertices";
 

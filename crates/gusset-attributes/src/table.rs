@@ -4,7 +4,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_mesh::mesh::NONE;
+use gusset_mesh::NONE;
 use std::ops::Range;
 
 /// What hosts are told.

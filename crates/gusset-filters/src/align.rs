@@ -9,7 +9,7 @@ use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_mesh::align::{Alignment, Options, Overlap, Pose, Reason, Start, align};
+use gusset_stitch::align::{Alignment, Options, Overlap, Pose, Reason, Start, align};
 
 pub(super) const FILTER: Filter = Filter {
     id: "align",

@@ -12,12 +12,12 @@ use gusset_base::choice::Choice;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_mesh::align::{self, Alignment, align};
-use gusset_mesh::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
-use gusset_mesh::fill;
-use gusset_mesh::repair::weld;
-use gusset_mesh::stitch::{self, Fairing, Finish, Meridians, Rows};
-use gusset_mesh::trim;
+use gusset_stitch::align::{self, Alignment, align};
+use gusset_stitch::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
+use gusset_stitch::fill;
+use gusset_stitch::repair::weld;
+use gusset_stitch::stitch::{self, Fairing, Finish, Meridians, Rows};
+use gusset_stitch::trim;
 
 pub(super) const FILTER: Filter = Filter {
     id: "assemble",

@@ -6,7 +6,7 @@ use super::report::{Report, counted, push_line, push_more, short};
 use super::signatures::{MESH, TO_CURVES_TEXT};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
+use gusset_stitch::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
 
 /// The largest number of loops that the report lists.
 const MAX_LISTED: usize = 20;

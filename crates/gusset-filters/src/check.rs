@@ -6,7 +6,7 @@ use super::report::{Report, counted};
 use super::signatures::{MESH, TO_TEXT};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::check::{Check, check};
+use gusset_stitch::check::{Check, check};
 
 pub(super) const FILTER: Filter = Filter {
     id: "check",

@@ -5,7 +5,7 @@ use glam::DVec3;
 use gusset_attributes::Origins;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
-use gusset_mesh::mesh::{Mesh, MeshView, PositionBuffer};
+use gusset_mesh::{Mesh, MeshView, PositionBuffer};
 
 /// The kind of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

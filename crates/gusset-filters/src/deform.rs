@@ -11,7 +11,7 @@ use gusset_base::choice::Choice;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_mesh::mesh::{Mesh, MeshView, PositionBuffer};
+use gusset_mesh::{Mesh, MeshView, PositionBuffer};
 use gusset_net::field::{Field, bend, shear, spherify, taper, twist};
 use gusset_net::transform::Axis;
 use std::f64::consts::PI;

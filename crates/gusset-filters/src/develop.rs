@@ -7,7 +7,7 @@ use super::signatures::{MESH, TO_MESH_TEXT};
 use gusset_attributes::Origins;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::develop::{Cuts, Developed, Distortion, Finish, Options, develop};
+use gusset_stitch::develop::{Cuts, Developed, Distortion, Finish, Options, develop};
 
 pub(super) const FILTER: Filter = Filter {
     id: "develop",
@@ -44,7 +44,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 fn report(done: &Developed) -> Report {
-    let all = |of: fn(&gusset_mesh::develop::Chart) -> f64| done.charts.iter().map(of).sum::<f64>();
+    let all = |of: fn(&gusset_stitch::develop::Chart) -> f64| done.charts.iter().map(of).sum::<f64>();
     let (area, flat) = (all(|chart| chart.area), all(|chart| chart.flat_area));
     let exact = done.charts.iter().filter(|chart| chart.finish == Finish::Exact).count();
     let folds = all(|chart| f64::from(chart.folds));

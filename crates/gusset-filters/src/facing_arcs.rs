@@ -8,7 +8,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::stitch::facing::{Centres, Options, Run, facing};
+use gusset_stitch::stitch::facing::{Centres, Options, Run, facing};
 
 pub(super) const FILTER: Filter = Filter {
     id: "facing_arcs",

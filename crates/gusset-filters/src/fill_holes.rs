@@ -9,12 +9,12 @@ use gusset_base::choice::Choice;
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::fill::{
+use gusset_mesh::MeshView;
+use gusset_stitch::fill::{
     Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
-use gusset_mesh::mesh::MeshView;
-use gusset_mesh::repair::orient::Outward;
-use gusset_mesh::stitch::Intersections;
+use gusset_stitch::repair::orient::Outward;
+use gusset_stitch::stitch::Intersections;
 
 pub(super) const FILTER: Filter = Filter {
     id: "fill_holes",

@@ -8,7 +8,7 @@ use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::aabb;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::MeshView;
+use gusset_mesh::MeshView;
 use gusset_net::analyse::analyse;
 use gusset_net::convert::{GridNet, net_of_grid};
 use gusset_net::{Coordinates, Net};

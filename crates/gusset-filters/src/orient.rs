@@ -7,7 +7,7 @@ use super::signatures::{MESH, TO_MESH_TEXT};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::repair::orient::{Options, Oriented, Outward, orient};
+use gusset_stitch::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.
 const MAX_LISTED: usize = 20;

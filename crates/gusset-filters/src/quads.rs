@@ -5,7 +5,7 @@ use super::param::{Param, Values};
 use gusset_attributes::Origins;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::{Mesh, MeshView};
+use gusset_mesh::{Mesh, MeshView};
 use gusset_net::Net;
 use gusset_net::convert::{Diagonal, GridNet, MeshOptions, NetMesh, net_of_grid};
 

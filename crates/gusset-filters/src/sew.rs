@@ -8,8 +8,8 @@ use super::weld::{TOLERANCES, UNUSED_PARAM, removes_unused, tolerance};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::repair::sew::{Sew, sew};
-use gusset_mesh::repair::weld::Options;
+use gusset_stitch::repair::sew::{Sew, sew};
+use gusset_stitch::repair::weld::Options;
 
 pub(super) const FILTER: Filter = Filter {
     id: "sew",

@@ -9,7 +9,7 @@ use gusset_base::alloc;
 use gusset_base::error::Element;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::mesh::{Mesh, MeshView};
+use gusset_mesh::{Mesh, MeshView};
 use gusset_net::convert::net_of_grid;
 use gusset_surface::contour::PointSpacing;
 use gusset_surface::{Closest, Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};

@@ -10,7 +10,7 @@ use gusset_base::alloc;
 use gusset_base::error::Element;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::PositionBuffer;
+use gusset_mesh::PositionBuffer;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_distance",

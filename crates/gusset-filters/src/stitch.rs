@@ -11,11 +11,11 @@ use gusset_base::choice::Choice;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_mesh::boundary::{self, boundary_loops};
-use gusset_mesh::mesh::MeshView;
-use gusset_mesh::repair::orient::Outward;
-use gusset_mesh::stitch::facing::Run;
-use gusset_mesh::stitch::{
+use gusset_mesh::MeshView;
+use gusset_stitch::boundary::{self, boundary_loops};
+use gusset_stitch::repair::orient::Outward;
+use gusset_stitch::stitch::facing::Run;
+use gusset_stitch::stitch::{
     Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Quality, Request, Rows, Stitch,
     stitch,
 };

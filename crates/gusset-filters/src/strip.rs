@@ -9,7 +9,7 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_mesh::stitch::{Cells, Meridians, RuledOptions, Start, ruled};
+use gusset_stitch::stitch::{Cells, Meridians, RuledOptions, Start, ruled};
 
 pub(super) const FILTER: Filter = Filter {
     id: "strip",

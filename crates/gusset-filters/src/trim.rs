@@ -9,8 +9,8 @@ use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::MeshView;
-use gusset_mesh::trim::{Options, Remains, Trimmed, trim};
+use gusset_mesh::MeshView;
+use gusset_stitch::trim::{Options, Remains, Trimmed, trim};
 use std::f64::consts::FRAC_PI_3;
 
 pub(super) const FILTER: Filter = Filter {

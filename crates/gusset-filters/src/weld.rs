@@ -8,7 +8,7 @@ use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::repair::weld::{Options, Vertices, Weld, weld};
+use gusset_stitch::repair::weld::{Options, Vertices, Weld, weld};
 
 pub(super) const FILTER: Filter = Filter {
     id: "weld",

@@ -1,47 +1,36 @@
-//! Polygon meshes that come in pieces: boundary loops, stitching, filling, repair.
+//! Polygon meshes: a validated view of the host's own arrays, an owned mesh for results, and the
+//! pairing of half-edges.
 //!
-//! The crate follows S. Nesterenko, *The algorithm for polygonal networks of cross-linking*: find
-//! the free boundary loops of two open meshes, and join them by a strip of new faces. The errata of
-//! the paper are in `docs/errata.md`. Other modules follow the articles that their pages name.
+//! * [`MeshView`] borrows positions and faces as they lie in the host's memory (any stride, any
+//!   alignment, `f32` or `f64`, polygons of any degree) and holds them to the rules once, so that
+//!   the algorithms need not.
+//! * [`Mesh`] owns its arrays; it is what the algorithms return.
+//! * [`concatenate`] puts many meshes side by side in one.
+//! * [`merge`]: which vertices are one, of those that are kept apart for the values that they carry.
+//! * [`Topology`] says which half-edges share an edge.
 //!
-//! Every operation takes a [`mesh::MeshView`] of the host's arrays and returns a [`mesh::Mesh`] with
-//! an account. Old vertices keep their bits. Positions are in single or double precision;
-//! computations are in double precision.
-//!
-//! | module | task | source |
-//! |---|---|---|
-//! | [`mesh`] | views the host's arrays, owns the meshes of results, pairs half-edges | |
-//! | [`boundary`] | finds free boundary loops | Nesterenko, algorithm 1 |
-//! | [`winged`] | builds winged-edge tables, and finds loops on them | Baumgart 1972; Nesterenko |
-//! | [`check`] | reports everything wrong or unusual in a mesh | |
-//! | [`repair`] | merges coincident vertices, sews borders, makes orientation consistent | |
-//! | [`align`] | finds the poses of overlapping pieces | Besl and McKay 1992; Neugebauer 1997 |
-//! | [`trim`] | removes what overlapping pieces cover twice | Turk and Levoy 1994 |
-//! | [`stitch`] | joins two loops by a strip of new faces | Nesterenko, algorithm 2 |
-//! | [`fill`] | closes holes by new faces | Barequet and Sharir 1995; Liepa 2003 |
-//! | [`assemble`] | joins many pieces into one mesh | |
-//! | [`develop`] | lays surfaces out in the plane | Rabinovich and others 2017 |
-//! | `blend` | replaces the coarse faces of a strip or patch by fine faces | Botsch and Kobbelt 2004 |
-//! | [`fair`] | moves new vertices to where a thin plate bends least | Liepa 2003 |
-//! | `remesh` | splits, flips and refines the triangles of a patch | |
-//! | `intersect` | finds intersecting triangles, exactly | Shewchuk 1997 |
-//!
-//! Modules use only modules below them: `assemble` and `develop` above [`fill`], then [`stitch`] and
-//! [`trim`], then `blend`, [`align`], [`check`] and [`winged`], then [`boundary`], [`repair`],
-//! [`fair`], `remesh` and `intersect`, and [`mesh`] below all.
+//! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of
+//! the corner array names and runs to the vertex of the next corner of the same face.
 
-pub mod align;
-pub mod assemble;
-mod blend;
-pub mod boundary;
-pub mod check;
-pub mod develop;
-pub mod fair;
-pub mod fill;
-mod intersect;
-pub mod mesh;
-mod remesh;
-pub mod repair;
-pub mod stitch;
-pub mod trim;
-pub mod winged;
+#[doc(hidden)]
+pub mod concat;
+mod defect;
+mod half_edge_pairing;
+pub mod merge;
+mod owned;
+mod positions;
+mod topology;
+mod view;
+
+pub use concat::{Piece, concatenate};
+pub use defect::Defect;
+pub use gusset_base::NONE;
+pub use half_edge_pairing::Topology;
+pub use owned::{Mesh, PositionBuffer};
+#[doc(hidden)]
+pub use positions::check_size;
+pub use positions::{MAX_ELEMENTS, Positions, Scalar};
+pub use topology::{Across, half_edges, unordered, vertex_components};
+#[doc(hidden)]
+pub use view::Visitor;
+pub use view::{Faces, MeshView};

@@ -15,7 +15,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::ParitySets;
 use gusset_base::job::Job;
 use gusset_base::par;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// The result of a fold test at a link or a cell.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use super::{Bridge, Planes, Real, Shape, Topology};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// The coordinate matrices of a net, in one of two types.
 #[derive(Debug)]

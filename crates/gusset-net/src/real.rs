@@ -1,6 +1,6 @@
 //! The two scalar types of coordinates.
 
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

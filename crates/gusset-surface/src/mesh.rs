@@ -11,7 +11,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
+use gusset_mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
 use std::ops::Range;
 
 /// How a sheet becomes a mesh.

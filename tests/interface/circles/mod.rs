@@ -1,7 +1,7 @@
 //! Circles of files: no two files of a crate use each other, directly or through others. Cargo
 //! holds the order of the crates.
 
-mod source;
+pub(super) mod source;
 
 use source::{Arrows, Crate};
 use std::collections::{BTreeMap, BTreeSet};

@@ -9,7 +9,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Arrows between files, each with a name that it is drawn for.
-pub(super) type Arrows = BTreeMap<(String, String), String>;
+pub(crate) type Arrows = BTreeMap<(String, String), String>;
 
 /// A module: the file it is written in, and the names that can be reached through it.
 #[derive(Default)]
@@ -32,7 +32,7 @@ struct Import {
 
 /// The modules of a crate by their paths, the crate's own being empty.
 #[derive(Default)]
-pub(super) struct Crate {
+pub(crate) struct Crate {
     modules: BTreeMap<Vec<String>, Module>,
     /// Macros that modules lend to the crate's root.
     exported: Vec<Import>,
@@ -40,7 +40,7 @@ pub(super) struct Crate {
 
 impl Crate {
     /// Reads `lib.rs` and every file that is declared from there.
-    pub(super) fn read(source: &dyn Fn(&str) -> Option<String>) -> Self {
+    pub(crate) fn read(source: &dyn Fn(&str) -> Option<String>) -> Self {
         let mut found = Self::default();
         found.read_file(Vec::new(), "lib.rs", source);
         let exported = std::mem::take(&mut found.exported);
@@ -131,8 +131,13 @@ impl Crate {
         None
     }
 
+    /// The modules that its `lib.rs` declares.
+    pub(crate) fn children(&self) -> BTreeSet<String> {
+        self.modules.keys().filter(|path| path.len() == 1).map(|path| path[0].clone()).collect()
+    }
+
     /// All arrows from one file to another.
-    pub(super) fn arrows(&self) -> Arrows {
+    pub(crate) fn arrows(&self) -> Arrows {
         let mut arrows = Arrows::new();
         for (path, module) in &self.modules {
             let used = |import: &&Import| !import.public || module.names.contains(&import.name);
@@ -149,7 +154,7 @@ impl Crate {
     }
 
     /// Paths into the crate that lead nowhere: this reader is blind to them.
-    pub(super) fn unresolved(&self) -> Vec<String> {
+    pub(crate) fn unresolved(&self) -> Vec<String> {
         let mut lost = Vec::new();
         for (path, module) in &self.modules {
             for used in module.imports.iter().map(|import| &import.path).chain(&module.paths) {

@@ -11,7 +11,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::{Across, MeshView, NONE, Topology as Pairing};
+use gusset_mesh::{Across, MeshView, NONE, Topology as Pairing};
 
 /// A net recognised in a mesh.
 #[derive(Debug)]

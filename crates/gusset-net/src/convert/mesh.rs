@@ -14,7 +14,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
-use gusset_mesh::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
+use gusset_mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
 use std::iter::repeat_n;
 
 /// Nodes between two progress reports.

@@ -16,7 +16,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_mesh::mesh::{Across, Faces, MeshView, NONE, Topology as Pairing};
+use gusset_mesh::{Across, Faces, MeshView, NONE, Topology as Pairing};
 
 /// Half-edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;

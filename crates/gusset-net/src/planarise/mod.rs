@@ -30,7 +30,7 @@ use super::Net;
 use constraints::Constraints;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 use net_vertices::Surface;
 pub use planarise_options::PlanariseOptions;
 use search::Search;

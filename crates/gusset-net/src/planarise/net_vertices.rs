@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;

@@ -10,7 +10,7 @@ use crate::{Coordinates, Net, Real, Shape, Sides, Topology, closure, each};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// The net of a shape whose dimensions are checked.
 pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {

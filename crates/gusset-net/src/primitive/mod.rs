@@ -16,7 +16,7 @@ pub use solid::Primitive;
 use super::{Net, Shape};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// A request for the net of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 use super::profile;
 use crate::closure::Cuboid;
 use gusset_base::error::{Error, Result};
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// A shape and its dimensions, all positive.
 #[derive(Debug, Clone, Copy, PartialEq)]

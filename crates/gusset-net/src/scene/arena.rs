@@ -9,7 +9,7 @@ use glam::DAffine3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::sort::sort_distinct;
-use gusset_mesh::mesh::NONE;
+use gusset_mesh::NONE;
 use std::sync::Arc;
 
 /// Nets and groups of them.

@@ -6,7 +6,7 @@ use glam::DAffine3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::mesh::NONE;
+use gusset_mesh::NONE;
 
 /// The largest number of instances that are listed, at 112 bytes each.
 pub const MAX_INSTANCES: u64 = 1 << 24;

@@ -3,7 +3,7 @@
 use super::bytes::{Reader, Writer, bad, checksum};
 use crate::Shape;
 use gusset_base::error::Result;
-use gusset_mesh::mesh::Scalar;
+use gusset_mesh::Scalar;
 
 /// The bytes of a header.
 pub const HEADER_SIZE: usize = 128;

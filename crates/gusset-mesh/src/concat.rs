@@ -1,0 +1,84 @@
+//! Concatenation of meshes into one: vertices and faces in the order of the pieces, positions
+//! bit for bit.
+
+use super::owned::{Mesh, PositionBuffer};
+use super::positions::{Scalar, check_size};
+use super::view::MeshView;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+
+const STAGE: &str = "putting the pieces together";
+
+/// Where a piece lies in the whole: its vertex v is `first_vertex + v` there, its face f is
+/// `first_face + f`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Piece {
+    /// The new index of its first vertex.
+    pub first_vertex: u32,
+    /// The new index of its first face.
+    pub first_face: u32,
+}
+
+/// One mesh of all pieces in their order, not joined: vertices, faces and corners follow each
+/// other, and positions keep their bits (in the scalar type of the first piece). O(size); no memory
+/// besides the result.
+///
+/// # Errors
+/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a
+/// later one `f64` positions, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
+    let mut whole = empty(pieces.iter(), [0; 3])?;
+    let mut places = alloc::with_capacity(pieces.len())?;
+    for piece in pieces {
+        places.push(append(&mut whole, piece, job, |_| false)?);
+    }
+    Ok((whole, places))
+}
+
+/// An empty mesh with room for `pieces` and for as many `extra` vertices, faces and corners, in the
+/// scalar type of the first.
+///
+/// # Errors
+/// As for [`concatenate`].
+pub fn empty<'m, 'a: 'm>(pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone, extra: [usize; 3]) -> Result<Mesh> {
+    let scalar = pieces.clone().next().ok_or(Error::EmptyMesh { what: "pieces" })?.positions().scalar();
+    if scalar == Scalar::F32 && pieces.clone().any(|p| p.positions().scalar() == Scalar::F64) {
+        return Err(Error::MixedScalars);
+    }
+    let mut counts = extra.map(|count| count as u64);
+    for piece in pieces {
+        counts[0] += piece.positions().len() as u64;
+        counts[1] += piece.faces().len() as u64;
+        counts[2] += piece.faces().half_edge_count() as u64;
+    }
+    check_size(counts[0], counts[2])?;
+    let mut face_offsets = alloc::with_capacity(counts[1] as usize + 1)?;
+    face_offsets.push(0);
+    let positions = PositionBuffer::with_capacity(scalar, counts[0] as usize)?;
+    Ok(Mesh::new(positions, face_offsets, alloc::with_capacity(counts[2] as usize)?))
+}
+
+/// Appends a piece to a mesh that has room for it; the faces that `turn` names are turned over,
+/// each from its own first corner.
+pub fn append(
+    whole: &mut Mesh,
+    piece: &MeshView<'_>,
+    job: &Job<'_>,
+    mut turn: impl FnMut(usize) -> bool,
+) -> Result<Piece> {
+    let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
+    let (positions, place_them) = (piece.positions(), job.part(0.0, 0.0));
+    place_them.ranges(STAGE, positions.len(), |range| whole.positions.append(positions, range))?;
+    job.step(0.0, STAGE)?;
+    for f in 0..piece.faces().len() {
+        job.step_within(f, STAGE)?;
+        let start = whole.face_corners.len();
+        whole.face_corners.extend(piece.face(f).map(|v| v + place.first_vertex));
+        if turn(f) {
+            whole.face_corners[start + 1..].reverse();
+        }
+        whole.face_offsets.push(whole.face_corners.len() as u32);
+    }
+    Ok(place)
+}

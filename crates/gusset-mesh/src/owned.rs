@@ -1,0 +1,177 @@
+//! The mesh that the library returns: positions in the input's scalar type, faces as offsets
+//! and corners.
+
+use super::positions::{Positions, Scalar};
+use super::view::{Faces, MeshView};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::distance;
+use gusset_base::job::Job;
+use std::ops::Range;
+
+/// Positions of one scalar type, packed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PositionBuffer {
+    /// 32-bit coordinates.
+    F32(Vec<[f32; 3]>),
+    /// 64-bit coordinates.
+    F64(Vec<[f64; 3]>),
+}
+
+impl PositionBuffer {
+    /// Creates an empty buffer with room for `capacity` positions.
+    #[inline]
+    pub fn with_capacity(scalar: Scalar, capacity: usize) -> Result<Self> {
+        Ok(match scalar {
+            Scalar::F32 => PositionBuffer::F32(alloc::with_capacity(capacity)?),
+            Scalar::F64 => PositionBuffer::F64(alloc::with_capacity(capacity)?),
+        })
+    }
+
+    /// Appends positions `range` of `from`: the same bits where the types agree, exact where `f32`
+    /// becomes `f64`.
+    #[inline]
+    pub fn append(&mut self, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
+        match self {
+            PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from, range),
+            PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_bits(out, from, range),
+            _ => self.extend(range.map(|v| from.get(v as u32))),
+        }
+    }
+
+    /// Appends points, rounded to the buffer's type.
+    pub fn extend(&mut self, points: impl Iterator<Item = DVec3>) -> Result<()> {
+        match self {
+            PositionBuffer::F32(out) => alloc::extend(out, points.map(|p| p.as_vec3().to_array())),
+            PositionBuffer::F64(out) => alloc::extend(out, points.map(|p| p.to_array())),
+        }
+    }
+
+    /// Positions `vertices` of this buffer, bit for bit.
+    pub fn select(&self, vertices: &[u32]) -> Result<PositionBuffer> {
+        Self::gather(&self.view(), vertices)
+    }
+
+    /// Positions `vertices` of `from`, bit for bit.
+    pub fn gather(from: &Positions<'_>, vertices: &[u32]) -> Result<PositionBuffer> {
+        Ok(match from.scalar() {
+            Scalar::F32 => PositionBuffer::F32(gather_bits(from, vertices)?),
+            Scalar::F64 => PositionBuffer::F64(gather_bits(from, vertices)?),
+        })
+    }
+
+    /// The number of positions.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.view().len()
+    }
+
+    /// True if there are none.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// A view of them.
+    #[inline]
+    pub fn view(&self) -> Positions<'_> {
+        match self {
+            PositionBuffer::F32(p) => Positions::from(p.as_slice()),
+            PositionBuffer::F64(p) => Positions::from(p.as_slice()),
+        }
+    }
+
+    /// Position `v` in double precision.
+    #[inline]
+    pub fn get(&self, v: u32) -> DVec3 {
+        self.view().get(v)
+    }
+}
+
+fn append_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
+    alloc::reserve(out, range.len())?;
+    match from.packed_bytes() {
+        Some(bytes) => {
+            let bytes = &bytes[range.start * size_of::<T>()..range.end * size_of::<T>()];
+            out.extend(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>));
+        }
+        None => out.extend(range.map(|v| bytemuck::pod_read_unaligned::<T>(from.bits(v)))),
+    }
+    Ok(())
+}
+
+fn gather_bits<T: bytemuck::Pod>(from: &Positions<'_>, vertices: &[u32]) -> Result<Vec<T>> {
+    alloc::collect(vertices.iter().map(|&v| bytemuck::pod_read_unaligned(from.bits(v as usize))))
+}
+
+/// An owned polygon mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// The positions.
+    pub positions: PositionBuffer,
+    /// Where each face's corners start; one entry more than there are faces.
+    pub face_offsets: Vec<u32>,
+    /// Vertex indices, face after face.
+    pub face_corners: Vec<u32>,
+    /// For each vertex the one that it is one with, where faces name vertices that are kept apart for
+    /// the values that they carry, see [`MeshView::merged`]; empty if none is one with another.
+    pub merge: Vec<u32>,
+}
+
+impl Mesh {
+    /// A mesh none of whose vertices is one with another.
+    #[inline]
+    pub fn new(positions: PositionBuffer, face_offsets: Vec<u32>, face_corners: Vec<u32>) -> Mesh {
+        Mesh { positions, face_offsets, face_corners, merge: Vec::new() }
+    }
+
+    /// The vertex at a corner, as the one that it is one with.
+    #[inline]
+    pub fn corner(&self, corner: usize) -> u32 {
+        let v = self.face_corners[corner];
+        self.merge.get(v as usize).copied().unwrap_or(v)
+    }
+
+    /// The face that a corner belongs to, by bisection.
+    #[inline]
+    pub fn face_of(&self, corner: u32) -> usize {
+        self.face_offsets.partition_point(|&start| start <= corner) - 1
+    }
+
+    /// The number of faces.
+    #[inline]
+    pub fn face_count(&self) -> usize {
+        self.face_offsets.len() - 1
+    }
+
+    /// The corners of each face.
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        self.face_offsets.windows(2).map(|w| &self.face_corners[w[0] as usize..w[1] as usize])
+    }
+
+    /// Turns face `f` over: it keeps its first corner, and has the others in reverse order.
+    pub fn turn_face(&mut self, f: usize) {
+        let [first, end] = [f, f + 1].map(|k| self.face_offsets[k] as usize);
+        self.face_corners[first + 1..end].reverse();
+    }
+
+    /// The mean length of the faces' sides; infinite if none has a length.
+    pub fn mean_side(&self) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for face in self.faces() {
+            for (k, &u) in face.iter().enumerate() {
+                sum += distance(self.positions.get(u), self.positions.get(face[(k + 1) % face.len()]));
+                count += 1.0;
+            }
+        }
+        if sum > 0.0 { sum / count } else { f64::INFINITY }
+    }
+
+    /// A validated view, in which no vertex is one with another; see [`MeshView::new`] for the
+    /// errors.
+    #[inline]
+    pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
+        MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)
+    }
+}

@@ -1,0 +1,416 @@
+//! The borrowed, validated view of a polygon mesh.
+
+use super::positions::{MAX_ELEMENTS, Positions, check_size};
+use gusset_base::alloc;
+use gusset_base::error::{Element, Error, Result};
+use gusset_base::job::Job;
+use gusset_base::par;
+use std::ops::Range;
+
+/// Elements that one thread checks at a time.
+const CHUNK: usize = 1 << 16;
+
+/// Packed 32-bit indices at any alignment.
+#[derive(Debug, Clone, Copy)]
+struct Indices<'a>(&'a [u8]);
+
+impl<'a> Indices<'a> {
+    #[inline]
+    fn get(&self, i: usize) -> u32 {
+        bytemuck::pod_read_unaligned(&self.0[4 * i..4 * i + 4])
+    }
+
+    fn slice(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
+        self.0[4 * range.start..4 * range.end].chunks_exact(4).map(bytemuck::pod_read_unaligned)
+    }
+
+    #[inline]
+    fn len(&self) -> usize {
+        self.0.len() / 4
+    }
+
+    /// Taken as face offsets: they start at 0, and each is at least 3 more than the one before.
+    fn check(self, job: &Job<'_>) -> Result<()> {
+        if self.get(0) != 0 {
+            return Err(Error::BadOffsets { entry: 0, value: self.get(0) });
+        }
+        let check = |mut faces: Range<usize>| {
+            faces.try_for_each(|f| match self.get(f + 1).checked_sub(self.get(f)) {
+                None => Err(Error::BadOffsets { entry: f as u32 + 1, value: self.get(f + 1) }),
+                Some(corners) if corners < 3 => Err(Error::FaceTooSmall { face: f as u32, corners }),
+                Some(_) => Ok(()),
+            })
+        };
+        par::map(job.threads(), par::ranges(self.len() - 1, CHUNK), check)?.into_iter().collect()
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Layout<'a> {
+    /// Every face has this many corners.
+    Uniform(u32),
+    /// Face f has the corners offsets\[f\] .. offsets\[f + 1\].
+    Offsets(Indices<'a>),
+}
+
+/// Somebody whom [`Faces::visit`] shows faces to.
+pub trait Visitor {
+    /// A face, its first half-edge and its vertices. To be inlined: triangles and quads are arrays,
+    /// whose length the compiler then knows.
+    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()>;
+}
+
+/// Faces as they lie in memory: vertex indices, face after face.
+#[derive(Debug, Clone, Copy)]
+pub struct Faces<'a> {
+    corners: Indices<'a>,
+    layout: Layout<'a>,
+    count: usize,
+    /// Where vertices are one with others.
+    split: Option<Split<'a>>,
+}
+
+/// Faces before vertices are made one.
+#[derive(Debug, Clone, Copy)]
+struct Split<'a> {
+    /// For each vertex the one that it is one with.
+    merge: Indices<'a>,
+    corners: Indices<'a>,
+}
+
+impl<'a> Faces<'a> {
+    /// `face_size` corners for every face; `corners` holds `count * face_size` native-endian `u32`.
+    ///
+    /// # Errors
+    /// [`Error::FaceTooSmall`], [`Error::TooLarge`], [`Error::ArrayTooShort`].
+    pub fn uniform(corners: &'a [u8], face_size: u32, count: usize) -> Result<Self> {
+        let needed = Self::corner_count(face_size, count)? * 4;
+        Ok(Faces {
+            corners: indices(corners, needed, "corners")?,
+            layout: Layout::Uniform(face_size),
+            count,
+            split: None,
+        })
+    }
+
+    /// Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`; both are native-endian
+    /// `u32`, and `offsets` has one entry more than there are faces.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. The offsets themselves are checked by
+    /// [`MeshView::new`].
+    pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
+        let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
+        let needed = offsets.get(count) as usize * 4;
+        Ok(Faces {
+            corners: indices(corners, needed, "corners")?,
+            layout: Layout::Offsets(offsets),
+            count,
+            split: None,
+        })
+    }
+
+    /// True if some vertices may be one with others.
+    #[inline]
+    pub fn is_merged(&self) -> bool {
+        self.split.is_some()
+    }
+
+    /// The vertex that one is one with; itself if it is beyond all.
+    #[inline]
+    pub fn merge_of(&self, v: u32) -> u32 {
+        match self.split {
+            Some(split) if (v as usize) < split.merge.len() => split.merge.get(v as usize),
+            _ => v,
+        }
+    }
+
+    /// The vertex at corner `h` before vertices are made one.
+    #[inline]
+    pub fn split_corner(&self, h: u32) -> u32 {
+        self.split.map_or(self.corners, |split| split.corners).get(h as usize)
+    }
+
+    /// The number of corners of `count` faces of `face_size` corners.
+    ///
+    /// # Errors
+    /// [`Error::FaceTooSmall`], [`Error::TooLarge`].
+    pub fn corner_count(face_size: u32, count: usize) -> Result<usize> {
+        if face_size < 3 {
+            return Err(Error::FaceTooSmall { face: 0, corners: face_size });
+        }
+        let total = (count as u64).saturating_mul(u64::from(face_size));
+        check_size(0, total)?;
+        Ok(total as usize)
+    }
+
+    /// The number of offsets of `count` faces.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    #[inline]
+    pub fn offset_count(count: usize) -> Result<usize> {
+        Error::check_count("faces", count as u64, MAX_ELEMENTS)?;
+        Ok(count + 1)
+    }
+
+    /// Holds the offsets of `count` faces to the rules before anybody has seen the corners, and
+    /// returns how many corners there must be. For callers that learn the length of the corner
+    /// array from the offsets alone.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`],
+    /// [`Error::FaceTooSmall`].
+    #[inline]
+    pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
+        let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
+        offsets.check(job)?;
+        let corners = offsets.get(count);
+        check_size(0, corners.into())?;
+        Ok(corners as usize)
+    }
+
+    /// Triangles.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    #[inline]
+    pub fn triangles(corners: &'a [[u32; 3]]) -> Result<Self> {
+        Self::uniform(bytemuck::cast_slice(corners), 3, corners.len())
+    }
+
+    /// Polygons: see [`Faces::with_offsets`].
+    ///
+    /// # Errors
+    /// [`Error::BadOffsets`] for empty offsets, and as there.
+    #[inline]
+    pub fn polygons(offsets: &'a [u32], corners: &'a [u32]) -> Result<Self> {
+        let count = offsets.len().checked_sub(1).ok_or(Error::BadOffsets { entry: 0, value: 0 })?;
+        Self::with_offsets(bytemuck::cast_slice(offsets), bytemuck::cast_slice(corners), count)
+    }
+
+    /// The number of faces.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// True if there are none.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The range of corners (half-edges) of face `f`.
+    #[inline]
+    pub fn range(&self, f: usize) -> Range<usize> {
+        match self.layout {
+            Layout::Uniform(n) => f * n as usize..(f + 1) * n as usize,
+            Layout::Offsets(offsets) => offsets.get(f) as usize..offsets.get(f + 1) as usize,
+        }
+    }
+
+    /// The face that corner (half-edge) `h` belongs to: at once for uniform faces, else by
+    /// bisection.
+    #[inline]
+    pub fn face_of(&self, h: u32) -> u32 {
+        match self.layout {
+            Layout::Uniform(n) => h / n,
+            Layout::Offsets(offsets) => {
+                let (mut low, mut high) = (0, self.count);
+                while high - low > 1 {
+                    let middle = usize::midpoint(low, high);
+                    if offsets.get(middle) <= h { low = middle } else { high = middle }
+                }
+                low as u32
+            }
+        }
+    }
+
+    /// The half-edge that follows `h` in its face.
+    #[inline]
+    pub fn next(&self, h: u32) -> u32 {
+        let range = self.range(self.face_of(h) as usize);
+        if h as usize + 1 == range.end { range.start as u32 } else { h + 1 }
+    }
+
+    /// The vertex at corner `h`, where half-edge `h` starts.
+    #[inline]
+    pub fn corner(&self, h: u32) -> u32 {
+        self.corners.get(h as usize)
+    }
+
+    /// The vertices of the corners in `range`.
+    pub fn corners(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
+        self.corners.slice(range)
+    }
+
+    /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has
+    /// more than four corners.
+    #[doc(hidden)]
+    pub fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
+        if let Layout::Uniform(3) = self.layout {
+            let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
+            for (f, triangle) in faces.zip(corners) {
+                visitor.face(3 * f as u32, &bytemuck::pod_read_unaligned::<[u32; 3]>(triangle))?;
+            }
+            return Ok(());
+        }
+        let mut polygon = Vec::new();
+        for f in faces {
+            let range = self.range(f);
+            let first = range.start as u32;
+            let corner = |i: u32| self.corner(first + i);
+            match range.len() {
+                3 => visitor.face(first, &[corner(0), corner(1), corner(2)])?,
+                4 => visitor.face(first, &[corner(0), corner(1), corner(2), corner(3)])?,
+                n => {
+                    polygon.clear();
+                    alloc::reserve(&mut polygon, n)?;
+                    polygon.extend(self.corners(range));
+                    visitor.face(first, &polygon)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of corners, which is the number of half-edges.
+    #[inline]
+    pub fn half_edge_count(&self) -> usize {
+        self.corners.len()
+    }
+}
+
+fn indices<'a>(bytes: &'a [u8], needed: usize, what: &'static str) -> Result<Indices<'a>> {
+    match bytes.get(..needed) {
+        Some(bytes) => Ok(Indices(bytes)),
+        None => Err(Error::ArrayTooShort { what, needed: needed as u64, given: bytes.len() as u64 }),
+    }
+}
+
+/// A polygon mesh in the host's memory that keeps the rules: at least one vertex and one face,
+/// monotone offsets, at least three corners a face, every index in range, and finite coordinates at
+/// every vertex that a face uses.
+///
+/// Vertices that no face uses may hold anything, as the empty cells of a range scan do; they are
+/// carried along untouched.
+#[derive(Debug, Clone, Copy)]
+pub struct MeshView<'a> {
+    positions: Positions<'a>,
+    faces: Faces<'a>,
+}
+
+impl<'a> MeshView<'a> {
+    /// Checks the rules, in O(vertices + corners), on the job's threads.
+    ///
+    /// # Errors
+    /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`],
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], each with the first offending element;
+    /// [`Error::Cancelled`].
+    pub fn new(positions: Positions<'a>, faces: Faces<'a>, job: &Job<'_>) -> Result<Self> {
+        let mesh = MeshView { positions, faces };
+        if positions.is_empty() {
+            return Err(Error::EmptyMesh { what: "vertices" });
+        }
+        if faces.is_empty() {
+            return Err(Error::EmptyMesh { what: "faces" });
+        }
+        job.step(0.0, "checking the mesh")?;
+        if let Layout::Offsets(offsets) = faces.layout {
+            offsets.check(job)?;
+        }
+        job.step(0.3, "checking the mesh")?;
+        // Both arrays in as many parts, so that the threads start once.
+        let (corners, vertices) = (faces.half_edge_count(), positions.len());
+        let count = corners.max(vertices).div_ceil(CHUNK);
+        let part = |len: usize, i: usize| {
+            let length = len.div_ceil(count);
+            len.min(i * length)..len.min((i + 1) * length)
+        };
+        let checked = par::map(job.threads(), 0..count, |i| {
+            (mesh.check_corners(part(corners, i)), positions.are_finite(part(vertices, i)))
+        })?;
+        checked.iter().try_for_each(|&(corners, _)| corners)?;
+        if !checked.iter().all(|&(_, finite)| finite) {
+            // Rare: find out whether a face uses such a vertex.
+            let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
+            let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad))?;
+            if let Some(&h) = firsts.iter().flatten().next() {
+                let vertex = faces.corner(h as u32);
+                Error::check_finite(Element::Vertex, vertex.into(), positions.get(vertex))?;
+            }
+        }
+        job.step(1.0, "checking the mesh")?;
+        Ok(mesh)
+    }
+
+    /// The positions.
+    #[inline]
+    pub fn positions(&self) -> &Positions<'a> {
+        &self.positions
+    }
+
+    /// The faces.
+    #[inline]
+    pub fn faces(&self) -> &Faces<'a> {
+        &self.faces
+    }
+
+    /// The corners of the mesh where vertices are one with others: `merge` holds for each vertex a
+    /// native-endian `u32`, the vertex that it is one with, itself or one that is so. For
+    /// [`MeshView::merged`]. O(V + H).
+    ///
+    /// # Errors
+    /// [`Error::ArrayTooShort`], [`Error::BadMerge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn merged_corners(&self, merge: &[u8], job: &Job<'_>) -> Result<Vec<u32>> {
+        const STAGE: &str = "merging vertices";
+        let count = self.positions.len();
+        let merge = indices(merge, 4 * count, "merged vertices")?;
+        let is_bad = |&v: &usize| {
+            let of = merge.get(v);
+            of as usize >= count || merge.get(of as usize) != of
+        };
+        job.part(0.0, 0.3).ranges(STAGE, count, |mut range| match range.find(is_bad) {
+            Some(v) => Err(Error::BadMerge { vertex: v as u32, value: merge.get(v) }),
+            None => Ok(()),
+        })?;
+        let mut corners = alloc::with_capacity(self.faces.half_edge_count())?;
+        job.part(0.3, 1.0).ranges(STAGE, self.faces.half_edge_count(), |range| {
+            corners.extend(self.faces.corners(range).map(|v| merge.get(v as usize)));
+            Ok(())
+        })?;
+        Ok(corners)
+    }
+
+    /// The mesh whose faces have these [`merged_corners`](MeshView::merged_corners) by `merge`; its
+    /// own are kept beside them.
+    #[must_use]
+    #[inline]
+    pub fn merged<'b>(&self, merge: &'b [u8], corners: &'b [u32]) -> MeshView<'b>
+    where
+        'a: 'b,
+    {
+        let split = Split { merge: Indices(&merge[..4 * self.positions.len()]), corners: self.faces.corners };
+        let corners = Indices(bytemuck::cast_slice(corners));
+        MeshView { positions: self.positions, faces: Faces { corners, split: Some(split), ..self.faces } }
+    }
+
+    /// The vertices of face `f`, in order.
+    #[inline]
+    pub fn face(&self, f: usize) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
+        self.faces.corners(self.faces.range(f))
+    }
+
+    fn check_corners(&self, range: Range<usize>) -> Result<()> {
+        let count = self.positions.len();
+        // Whether at all first: a loop without an exit runs several times as fast.
+        let beyond = |any, v: u32| any | u32::from(v >= count as u32);
+        if self.faces.corners(range.clone()).fold(0, beyond) == 0 {
+            return Ok(());
+        }
+        let corner = self.faces.corners(range.clone()).position(|v| v as usize >= count).unwrap_or(0);
+        let corner = (range.start + corner) as u32;
+        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex: self.faces.corner(corner) })
+    }
+}

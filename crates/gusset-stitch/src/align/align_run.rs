@@ -1,0 +1,140 @@
+//! Alignment from the meshes to the account.
+
+use super::align_request::{Aligned, Alignment, Options, Reason, Start};
+use super::axes::by_axes;
+use super::judge::{NEAR, ON, judge};
+use super::member::Member;
+use super::pose::Pose;
+use super::rim_features::by_rims;
+use super::sampled_rim::{Rim, common_step};
+use super::scan::Scan;
+use super::scene::Scene;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_mesh::MeshView;
+
+/// Samples of a piece, if the caller says nothing.
+const SAMPLES: u32 = 2000;
+/// Rounds, if the caller says nothing.
+const ROUNDS: u32 = 100;
+/// Pairs are no farther apart than this part of the diagonal of the largest piece's box, if the
+/// caller says nothing.
+const REACH: f64 = 0.1;
+/// A pose that differs from a rotation by more is none.
+const MAX_SKEW: f64 = 1e-6;
+
+/// Moves pieces that overlap rigidly to where they fit; the first one stays.
+///
+/// Pieces are told apart by where they are to begin with, which must be within `max_distance` of
+/// right, see [`Start`]. Those that lie on no other stay where they are. What is trusted, and why
+/// not: see [`Reason`].
+///
+/// O(V log V) for the pieces' vertices, and O(samples log V) for each piece and each of its
+/// neighbours in each round, on the job's threads. Memory: linear in the vertices and faces.
+///
+/// # Errors
+/// [`Error::EmptyMesh`] without pieces, [`Error::OptionOutOfRange`] for a distance that is not
+/// above 0 or not finite, [`Error::InputsDiffer`] for fewer poses than pieces,
+/// [`Error::NotRigid`] for a pose that is no rotation and translation, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Alignment> {
+    if pieces.is_empty() {
+        return Err(Error::EmptyMesh { what: "pieces" });
+    }
+    if let Some(distance) = options.max_distance {
+        Error::require(distance > 0.0 && distance < f64::INFINITY, "max_distance", distance)?;
+    }
+    if let Start::Poses(poses) = options.start {
+        check_poses(poses, pieces.len())?;
+    }
+    let unit = common_unit_of(pieces, job)?;
+    let prepare = job.part(0.0, 0.2);
+    let mut scans = alloc::with_capacity(pieces.len())?;
+    for (k, piece) in pieces.iter().enumerate() {
+        scans.push(Scan::new(piece, unit, None, &prepare.share(k, pieces.len()))?);
+    }
+    let trees = alloc::try_collect(scans.iter().map(|scan| scan.tree(&prepare.part(1.0, 1.0))))?;
+    let count = if options.samples == 0 { SAMPLES } else { options.samples } as usize;
+    let samples = alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.samples(tree.order(), count)))?;
+    let mut rims = Vec::new();
+    if options.start == Start::Rims {
+        let step = common_step(pieces, unit, &prepare.part(1.0, 1.0))?;
+        for (piece, scan) in pieces.iter().zip(&scans) {
+            alloc::push(&mut rims, Rim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
+        }
+    }
+    let rim_trees =
+        alloc::try_collect(rims.iter().map(|rim| KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")))?;
+    let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
+    let reach = options.max_distance.map_or(REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
+    let members = alloc::collect((0..pieces.len()).map(|k| Member {
+        scan: &scans[k],
+        tree: &trees[k],
+        samples: &samples[k],
+        rim: rims.get(k).zip(rim_trees.get(k)),
+    }))?;
+    let scene = Scene { members, reach };
+
+    // Positions are counted from the centre of their own piece, and places from that of the first,
+    // so that nothing is lost far from the origin.
+    let origin = scans[0].centre;
+    let started = job.part(0.2, 0.4);
+    let mut poses = match options.start {
+        Start::AsGiven => alloc::collect(scans.iter().map(|scan| shifted(scan.centre - origin)))?,
+        Start::Poses(given) => alloc::collect(scans.iter().zip(given).map(|(scan, pose)| {
+            Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }.straightened()
+        }))?,
+        Start::PrincipalAxes => by_axes(&scene, &started)?,
+        Start::Rims => by_rims(&scene, &started)?,
+    };
+    let rounds = if options.max_rounds == 0 { ROUNDS } else { options.max_rounds };
+    let (rounds, converged) = scene.relax(&mut poses, rounds, &job.part(0.4, 0.9))?;
+    let found = scene.find_within(&poses, NEAR, ON, &job.part(0.9, 1.0))?;
+    let (overlaps, known) = judge(&scene.members, &found, unit)?;
+    let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
+        // Rounding is not to move what stays.
+        if *pose == shifted(scan.centre - origin) {
+            return Aligned { pose: Pose::IDENTITY, reason, hold };
+        }
+        let back = pose.rotation * scan.centre;
+        Aligned { pose: Pose { translation: unit * (pose.translation + origin - back), ..*pose }, reason, hold }
+    });
+    let pieces: Vec<Aligned> = alloc::collect(pieces)?;
+    if pieces.iter().any(|piece| piece.reason != Reason::Trusted) {
+        job.note("not every piece is trusted to lie right: the account of the alignment says why");
+    }
+    Ok(Alignment { pieces, overlaps, rounds, converged })
+}
+
+fn shifted(by: glam::DVec3) -> Pose {
+    Pose { translation: by, ..Pose::IDENTITY }
+}
+
+fn check_poses(poses: &[Pose], count: usize) -> Result<()> {
+    if poses.len() < count {
+        return Err(Error::InputsDiffer { given: poses.len() as u64, needed: count as u64 });
+    }
+    for (k, pose) in poses.iter().enumerate() {
+        // The skew of what is not finite says nothing: NaN is no maximum.
+        let is_finite = pose.rotation.is_finite() && pose.translation.is_finite();
+        if !is_finite || pose.skew() > MAX_SKEW {
+            return Err(Error::NotRigid { pose: k as u32 });
+        }
+    }
+    Ok(())
+}
+
+/// A power of two of the size of all coordinates that faces use.
+pub(crate) fn common_unit_of(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<f64> {
+    let mut largest = glam::DVec3::ZERO;
+    for piece in pieces {
+        for f in 0..piece.faces().len() {
+            job.step_within(f, "looking at the pieces")?;
+            piece.face(f).for_each(|v| largest = largest.max(piece.positions().get(v).abs()));
+        }
+    }
+    Ok(common_unit(&[largest]))
+}

@@ -1,0 +1,112 @@
+//! The rims of a piece at equal steps. Each sample has a frame, of the rim's direction, the
+//! surface's normal and the conormal, and a signature: where the rim is some steps before and after
+//! it, in that frame.
+
+use super::scan::Scan;
+use crate::boundary::{self, LoopFlags, boundary_loops};
+use glam::{DMat3, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::MeshView;
+
+pub(super) const STAGE: &str = "comparing rims";
+/// Samples of all rims of a piece at the most.
+const MAX_SAMPLES: f64 = 512.0;
+/// Where a signature looks, in steps before and after.
+const OFFSETS: [usize; 4] = [3, 6, 12, 24];
+/// The least cosine between the normals of rims that run alike, and between their directions, one
+/// against the other.
+pub(super) const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Of a sample, where the rim is some steps before and after it.
+pub(super) type Signature = [DVec3; 2 * OFFSETS.len()];
+
+/// The rims of a piece at equal steps.
+pub(super) struct Rim {
+    pub(crate) points: Vec<DVec3>,
+    pub(super) directions: Vec<DVec3>,
+    pub(crate) normals: Vec<DVec3>,
+    /// Where each loop starts, and the end.
+    starts: Vec<usize>,
+    pub(super) step: f64,
+}
+
+/// The step for the rims of all pieces: the longest mean edge of their rims, or what keeps the
+/// samples few.
+pub(super) fn common_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> Result<f64> {
+    let mut step = 0.0f64;
+    for (k, mesh) in meshes.iter().enumerate() {
+        let found = boundary_loops(mesh, &boundary::Options::default(), &job.share(k, meshes.len()))?;
+        let length = found.iter().map(|rim| rim.length / unit).sum::<f64>();
+        step = step.max(length / MAX_SAMPLES).max(length / found.edge_count().max(1) as f64);
+    }
+    Ok(step)
+}
+
+impl Rim {
+    /// O(F) and the samples.
+    pub(super) fn new(mesh: &MeshView<'_>, scan: &Scan, step: f64, job: &Job<'_>) -> Result<Rim> {
+        let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
+        let mut rim = Rim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
+        for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
+            rim.enter(walk.vertices, scan)?;
+        }
+        Ok(rim)
+    }
+
+    /// Enters the samples of one loop.
+    fn enter(&mut self, vertices: &[u32], scan: &Scan) -> Result<()> {
+        let n = vertices.len();
+        let at = |i: usize| scan.points[vertices[i % n] as usize];
+        let lengths = alloc::collect((0..n).map(|i| at(i).distance(at(i + 1))))?;
+        let whole: f64 = lengths.iter().sum();
+        let count = (whole / self.step).round();
+        if count.is_nan() || count < 3.0 {
+            return Ok(());
+        }
+        let (mut i, mut before) = (0, 0.0);
+        let first = self.points.len();
+        for k in 0..count as usize {
+            let place = whole * k as f64 / count;
+            while i + 1 < n && before + lengths[i] <= place {
+                before += lengths[i];
+                i += 1;
+            }
+            let t = if lengths[i] > 0.0 { ((place - before) / lengths[i]).clamp(0.0, 1.0) } else { 0.0 };
+            alloc::push(&mut self.points, at(i).lerp(at(i + 1), t))?;
+            let [m, n] = [i, i + 1].map(|i| scan.normals[vertices[i % n] as usize]);
+            alloc::push(&mut self.normals, m.lerp(n, t).normalize_or(m))?;
+        }
+        let samples = &self.points[first..];
+        let around = |k: usize, by: usize| samples[(k + by) % samples.len()];
+        let directions = (0..samples.len()).map(|k| around(k, 1) - around(k, samples.len() - 1));
+        alloc::extend(&mut self.directions, directions.map(DVec3::normalize_or_zero))?;
+        alloc::push(&mut self.starts, self.points.len())
+    }
+
+    /// The frame of a sample; `turned`: as of a rim that runs against it.
+    pub(super) fn frame(&self, k: usize, turned: bool) -> DMat3 {
+        let along = if turned { -self.directions[k] } else { self.directions[k] };
+        let normal = (self.normals[k] - along * along.dot(self.normals[k])).normalize_or_zero();
+        DMat3::from_cols(along, normal, along.cross(normal))
+    }
+
+    /// The signatures of all samples; `turned`: as of a rim that runs against it.
+    pub(super) fn signatures(&self, turned: bool) -> Result<Vec<Signature>> {
+        let mut all = alloc::with_capacity(self.points.len())?;
+        for range in self.starts.windows(2) {
+            let n = range[1] - range[0];
+            for k in range[0]..range[1] {
+                let back = self.frame(k, turned).transpose();
+                all.push(std::array::from_fn(|i| {
+                    let offset = OFFSETS[i / 2] % n;
+                    let by = if (i % 2 == 0) == turned { n - offset } else { offset };
+                    let other = self.points[range[0] + (k - range[0] + by) % n];
+                    back * (other - self.points[k]) / (OFFSETS[i / 2] as f64 * self.step)
+                }));
+            }
+        }
+        Ok(all)
+    }
+}

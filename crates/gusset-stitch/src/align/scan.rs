@@ -1,0 +1,142 @@
+//! A piece made ready: its points in a common unit, smoothed normals, borders, and the samples that
+//! look for their like on other pieces.
+
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
+use gusset_mesh::{MeshView, Topology, half_edges};
+
+const STAGE: &str = "looking at the pieces";
+/// Passes of smoothing over the normals: those of scans are noisy.
+const SMOOTHINGS: usize = 3;
+
+/// A piece, with positions from its own centre in the common unit.
+pub(crate) struct Scan {
+    /// The positions of vertices that faces use; of others the centre.
+    pub(crate) points: Vec<DVec3>,
+    /// Of unit length; 0 of a vertex that no face with an area uses.
+    pub(crate) normals: Vec<DVec3>,
+    /// The vertices on borders, and on edges with three or more faces.
+    pub(crate) rim: BitSet,
+    /// The vertices with a normal, ascending.
+    pub(crate) used: Vec<u32>,
+    /// The centre of its box in the common unit, from the origin of the positions.
+    pub(crate) centre: DVec3,
+    /// The box round it.
+    pub(crate) bounds: Aabb,
+    /// The mean of its faces' corners, by area, and their covariance.
+    pub(crate) mean: DVec3,
+    /// See above.
+    pub(crate) covariance: [[f64; 3]; 3],
+    /// The root of the mean squared distance from there.
+    pub(crate) radius: f64,
+    /// The mean length of its faces' sides.
+    pub(crate) spacing: f64,
+}
+
+impl Scan {
+    /// `centre`: what positions are counted from, in the unit, if not from its own. O(H log V).
+    pub(crate) fn new(mesh: &MeshView<'_>, unit: f64, centre: Option<DVec3>, job: &Job<'_>) -> Result<Scan> {
+        let count = mesh.positions().len();
+        job.step(0.0, STAGE)?;
+        let at = |v: u32| mesh.positions().get(v) / unit;
+        let mut is_used = BitSet::new(count)?;
+        for f in 0..mesh.faces().len() {
+            job.step_within(f, STAGE)?;
+            mesh.face(f).for_each(|v| is_used.insert(v));
+        }
+        job.step(0.0, STAGE)?;
+        let all = Aabb::of((0..count as u32).filter(|&v| is_used.contains(v)).map(at));
+        job.step(0.0, STAGE)?;
+        let centre = centre.unwrap_or(if all.is_empty() { DVec3::ZERO } else { all.centre() });
+        let mut points = alloc::filled(DVec3::ZERO, count)?;
+        for v in (0..count as u32).filter(|&v| is_used.contains(v)) {
+            points[v as usize] = at(v) - centre;
+        }
+        let topology = Topology::new(mesh, &job.part(0.1, 0.4))?;
+        let mut rim = BitSet::new(count)?;
+        for h in topology.border(&job.part(0.4, 0.4))? {
+            [h, mesh.faces().next(h)].into_iter().for_each(|h| rim.insert(mesh.faces().corner(h)));
+        }
+        let (normals, spacing) = normals(mesh, &points, &job.part(0.4, 0.8))?;
+        job.step(0.8, STAGE)?;
+        let bounds = Aabb::of((0..count).filter(|&v| normals[v] != DVec3::ZERO).map(|v| points[v]));
+        let used = alloc::gather((0..count as u32).filter(|&v| normals[v as usize] != DVec3::ZERO))?;
+        let (mean, covariance) = moments(mesh, &points, &job.part(0.8, 1.0))?;
+        let radius = (0..3).map(|k| covariance[k][k]).sum::<f64>().sqrt();
+        Ok(Scan { points, normals, rim, used, centre, bounds, mean, covariance, radius, spacing })
+    }
+
+    /// The tree over its points.
+    pub(crate) fn tree(&self, job: &Job<'_>) -> Result<KdTree<'_>> {
+        KdTree::new(&self.points, job, STAGE)
+    }
+
+    /// So many of its vertices that are on no rim, spread evenly over those there are.
+    pub(crate) fn samples(&self, order: &[u32], count: usize) -> Result<Vec<u32>> {
+        let inside = |&&v: &&u32| self.normals[v as usize] != DVec3::ZERO && !self.rim.contains(v);
+        let all = alloc::gather(order.iter().filter(inside).copied())?;
+        let count = count.min(all.len());
+        alloc::collect((0..count).map(|k| all[k * all.len() / count]))
+    }
+}
+
+/// The normals of vertices, by the areas of their faces and smoothed over their neighbours, and the
+/// mean length of sides.
+fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<DVec3>, f64)> {
+    let mut normals = alloc::filled(DVec3::ZERO, points.len())?;
+    let (mut length, mut sides) = (0.0, 0.0);
+    for f in 0..mesh.faces().len() {
+        job.step_within(f, STAGE)?;
+        // Newell's normal: twice the area, of polygons too.
+        let mut normal = DVec3::ZERO;
+        for (_, u, v) in half_edges(mesh, f) {
+            let [p, q] = [u, v].map(|v| points[v as usize]);
+            normal += p.cross(q);
+            length += p.distance(q);
+            sides += 1.0;
+        }
+        mesh.face(f).for_each(|v| normals[v as usize] += normal);
+    }
+    job.step(0.0, STAGE)?;
+    normals.iter_mut().for_each(|n| *n = n.normalize_or_zero());
+    for pass in 0..SMOOTHINGS {
+        let before = alloc::copied(&normals)?;
+        let job = job.share(pass, SMOOTHINGS);
+        job.step(0.0, STAGE)?;
+        for f in 0..mesh.faces().len() {
+            job.step_within(f, STAGE)?;
+            let sum = mesh.face(f).map(|v| before[v as usize]).sum::<DVec3>();
+            mesh.face(f).for_each(|v| normals[v as usize] += sum);
+        }
+        for (n, old) in normals.iter_mut().zip(&before) {
+            *n = n.normalize_or(*old);
+        }
+    }
+    Ok((normals, if sides > 0.0 { length / sides } else { 0.0 }))
+}
+
+/// The mean and the covariance of the corners of faces, by the areas of these.
+fn moments(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(DVec3, [[f64; 3]; 3])> {
+    let (mut sum, mut area) = (DVec3::ZERO, 0.0);
+    let mut square = [[0.0; 3]; 3];
+    for f in 0..mesh.faces().len() {
+        job.step_within(f, STAGE)?;
+        let normal = half_edges(mesh, f).map(|(_, u, v)| points[u as usize].cross(points[v as usize])).sum::<DVec3>();
+        let part = normal.length() / mesh.face(f).len() as f64;
+        for p in mesh.face(f).map(|v| points[v as usize]) {
+            (sum, area) = (sum + part * p, area + part);
+            (0..3).for_each(|i| (0..3).for_each(|j| square[i][j] += part * p[i] * p[j]));
+        }
+    }
+    if area <= 0.0 {
+        return Ok((DVec3::ZERO, [[0.0; 3]; 3]));
+    }
+    let mean = sum / area;
+    let covariance = std::array::from_fn(|i| std::array::from_fn(|j| square[i][j] / area - mean[i] * mean[j]));
+    Ok((mean, covariance))
+}

@@ -1,0 +1,83 @@
+//! Components that face each other made to agree in orientation: union-find with parity.
+
+use super::assemble_request::{Assembly, Outcome};
+use super::base::Base;
+use super::candidates::Facing;
+use super::piece_loops::Loops;
+use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::ParitySets;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::NONE;
+
+impl Base {
+    /// Decides which components are turned over, turns them, and says of each pair whether it can
+    /// be joined.
+    pub(super) fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
+        let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
+        if keep {
+            return Ok(outcomes);
+        }
+        let mut components = alloc::collect(loops.candidates.iter().map(|candidate| candidate.component))?;
+        sort_distinct(&mut components);
+        let place = |component: u32| components.partition_point(|&other| other < component) as u32;
+        let mut agreement = ParitySets::new(components.len())?;
+        // What overlaps agrees already, whatever loops seem to say.
+        let mut first_of = alloc::filled(NONE, self.done.maps.len())?;
+        for candidate in loops.candidates.iter().filter(|candidate| candidate.piece != NONE) {
+            let (first, own) = (&mut first_of[candidate.piece as usize], place(candidate.component));
+            if *first == NONE {
+                *first = own;
+            }
+            if !self.alike.is_empty() {
+                agreement.union(*first, own, false);
+            }
+        }
+        for [first, second] in self.alike.iter().map(|pair| pair.map(|k| first_of[k as usize])) {
+            if first != NONE && second != NONE {
+                agreement.union(first, second, false);
+            }
+        }
+        for (facing, outcome) in found.iter().zip(&mut outcomes) {
+            let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
+            let [a, b] = loops.sides(facing)?;
+            let against = match facing.arcs {
+                None => rims_disagree(&a, &b)?,
+                Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
+            };
+            // Turning is no way out within one component: such loops are taken as they are.
+            if i != j && !agreement.union(place(i), place(j), against) {
+                *outcome = Outcome::OrientationConflict;
+            }
+        }
+        let mut turned = alloc::copied(&components)?;
+        turned.retain(|&component| agreement.find(place(component)).1);
+        let is_turned = |component: u32| turned.binary_search(&component).is_ok();
+        let Assembly { mesh, turned: faces_turned, .. } = &mut self.done;
+        for (face, turned) in mesh.face_offsets.windows(2).zip(faces_turned) {
+            let corners = &mut mesh.face_corners[face[0] as usize..face[1] as usize];
+            if is_turned(loops.components.find(corners[0])) {
+                corners[1..].reverse();
+                *turned ^= true;
+            }
+        }
+        for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
+            if is_turned(candidate.component) {
+                rim.turn();
+            }
+        }
+        // Places are counted along the loops as they run now.
+        for facing in found {
+            if let Some(arcs) = &mut facing.arcs {
+                for (arc, r) in arcs.iter_mut().zip(facing.rims) {
+                    let (n, component) = (loops.rims[r].vertices.len(), loops.candidates[r].component);
+                    if is_turned(component) {
+                        arc.first = (2 * n - arc.first - arc.count) % n;
+                    }
+                }
+            }
+        }
+        Ok(outcomes)
+    }
+}

@@ -1,0 +1,152 @@
+//! The pieces put together: welded, oriented, and in the end filled and turned outwards.
+
+use super::assemble_request::{Assembly, Options};
+use super::history::History;
+use crate::boundary::{self, boundary_loops};
+use crate::fill::{self, Selection, fill_holes};
+use crate::repair::orient::{self, Outward, turn_outwards};
+use crate::repair::sew::{Sew, sew};
+use crate::repair::weld::weld;
+use crate::stitch::{IndexMap, Intersections};
+use crate::trim::{Remains, Trimmed};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::{Defect, MeshView, NONE, concat};
+
+/// The pieces put together, welded and oriented.
+pub(super) struct Base {
+    pub(super) done: Assembly,
+    /// Per vertex of the mesh, the piece that it comes from first.
+    pub(super) piece: Vec<u32>,
+    /// The vertices that sewing made of several, ascending.
+    pub(super) seam: Vec<u32>,
+    /// Pairs of pieces that agree in which side is the front, as they overlap.
+    pub(super) alike: Vec<[u32; 2]>,
+}
+
+impl Base {
+    /// `trimmed`: what is left of the pieces, if they were trimmed.
+    pub(super) fn new(
+        pieces: &[MeshView<'_>],
+        trimmed: Option<&Trimmed>,
+        options: &Options<'_>,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let start = &job.part(0.0, 0.0);
+        let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
+            Some(trimmed) => Remains::of(pieces, trimmed, start)?,
+            None => untrimmed(pieces, start)?,
+        };
+        let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
+        let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
+        let mut seam = Vec::new();
+        let mut history = History::of(pieces)?;
+        if let Some(how) = &options.weld {
+            let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
+            let sewn = match options.edge_to_edge {
+                true => Sew::of(weld(&view, how, &part)?)?,
+                false => sew(&view, how, &part)?,
+            };
+            (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
+            let through = |before: &mut [u32], after: &[u32]| {
+                before.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = after[*v as usize]);
+            };
+            through(&mut vertex_map, &sewn.vertex_map);
+            through(&mut face_map, &sewn.face_map);
+            (mesh, seam) = (sewn.mesh, sewn.seam_vertices);
+            (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
+            history.enter(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
+        }
+        if trimmed.is_some() {
+            history.before_trimming(faces, corners);
+        }
+        let mut turned = alloc::filled(false, mesh.face_count())?;
+        let mut one_sided = Vec::new();
+        if !options.keep_orientation && mesh.face_count() > 0 {
+            let how = orient::Options::default();
+            let oriented = orient::orient(&mesh.view(&job.part(0.5, 0.6))?, &how, &job.part(0.6, 1.0))?;
+            (mesh, turned) = (oriented.mesh, oriented.turned);
+            one_sided = alloc::collect(oriented.one_sided.iter().map(|component| component.face))?;
+        }
+        let mut piece = alloc::filled(NONE, mesh.positions.len())?;
+        let mut maps = alloc::with_capacity(pieces.len())?;
+        for (k, (view, place)) in pieces.iter().zip(&places).enumerate() {
+            let vertices = &vertex_map[place.first_vertex as usize..][..view.positions().len()];
+            let faces = &face_map[place.first_face as usize..][..view.faces().len()];
+            for &v in vertices.iter().filter(|&&v| v != NONE) {
+                piece[v as usize] = piece[v as usize].min(k as u32);
+            }
+            maps.push(IndexMap { vertices: alloc::copied(vertices)?, faces: alloc::copied(faces)? });
+        }
+        let done = Assembly {
+            mesh,
+            maps,
+            turned,
+            trimmed_faces,
+            welded_vertices,
+            sewn_edges,
+            splits,
+            one_sided,
+            zero_volume: Vec::new(),
+            joints: Vec::new(),
+            left: Vec::new(),
+            holes: Vec::new(),
+            hole_rims: Vec::new(),
+            history,
+            loops_left: 0,
+            near_loops_left: 0,
+            non_manifold_edges: 0,
+        };
+        let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
+        Ok(Base { done, piece, seam, alike })
+    }
+
+    /// Fills and turns, as the options say. Also the pairs of faces that patches cut.
+    pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
+        let mut done = self.done;
+        let mut cuts = Vec::new();
+        if done.mesh.face_count() == 0 {
+            return Ok((done, cuts));
+        }
+        if let Some(how) = &options.fill {
+            // What cuts is not in the account of an assembly.
+            let intersections = match how.intersections {
+                Intersections::Report => Intersections::Ignore,
+                other => other,
+            };
+            let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
+            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
+            (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+            cuts = filled.intersections.unwrap_or_default();
+            done.history.enter(filled.parents.into_iter().zip(filled.weights))?;
+        }
+        if !(options.keep_orientation || options.keep_inside_out) {
+            let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;
+            done.zero_volume = outwards.zero_volume;
+            if !done.zero_volume.is_empty() {
+                job.note("a closed component encloses no volume, as one piece given twice does");
+            }
+            for f in outwards.turned {
+                // Faces of strips and patches come after those of the pieces.
+                if let Some(turned) = done.turned.get_mut(f as usize) {
+                    *turned ^= true;
+                }
+            }
+        }
+        let view = done.mesh.view(&job.part(0.6, 0.7))?;
+        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
+        done.loops_left = boundary.len() as u32;
+        let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
+        done.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        Ok((done, cuts))
+    }
+}
+
+/// The pieces side by side, without what the faces and corners that are left were: all are left.
+fn untrimmed(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
+    let (mesh, places) = concat::concatenate(pieces, job)?;
+    let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
+    let face_map = alloc::collect(0..mesh.face_count() as u32)?;
+    Ok(Remains { mesh, places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
+}

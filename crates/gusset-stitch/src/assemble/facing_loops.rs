@@ -1,0 +1,212 @@
+//! Loops that face each other across a gap.
+//!
+//! Loops that look at each other are joined as wholes (`whole_loops`). Of the others, runs of
+//! neighbouring vertices whose nearest vertices lie on one loop, mutually, form facing arcs, as at
+//! the border of two scans that overlap others elsewhere. Two loops that are the only ones, of two
+//! pieces, are joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
+//!
+//! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
+
+use super::candidates::{Facing, FacingSearch, Looks, LoopVertices, STAGE};
+use super::whole_loops::{Seen, add_shares, conormals};
+use crate::stitch::facing::{Arc, cyclic_runs};
+use crate::stitch::loop_pairing::mean_gap;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::NONE;
+
+/// Largest gap between facing arcs, in mean edge lengths, unless one is given.
+const MAX_ARC_GAP: f64 = 4.0;
+
+const MIN_ARC_VERTICES: usize = 2;
+
+/// An arc is at least this part of its loop's vertices.
+const MIN_ARC_SHARE: f64 = 1.0 / 64.0;
+
+/// The least that two arcs look at each other in sum: those of tubes side by side do not.
+const MIN_SUM_OF_LOOKS_OF_ARCS: f64 = 0.3;
+
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 12;
+
+#[derive(Clone, Copy)]
+struct NearestVertex {
+    /// The loop, or [`NONE`].
+    rim: u32,
+    place: u32,
+    distance: f64,
+}
+
+impl FacingSearch<'_> {
+    /// The greatest distance between arcs of loops `r` and `k`.
+    fn arc_limit(&self, r: usize, k: usize) -> f64 {
+        let [r, k] = [&self.candidates[r], &self.candidates[k]];
+        self.max_gap.unwrap_or((MAX_ARC_GAP * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
+    }
+
+    /// The pairs, in no special order. No loop is in two pairs of wholes; arcs do not overlap.
+    ///
+    /// O(V log V) for V vertices on loops that have others near them.
+    pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
+        let nearest_vertices = self.nearest_vertices(&job.part(0.0, 0.3))?;
+        let mut found = self.whole_loops(&neighbours(&nearest_vertices)?, &job.part(0.3, 1.0))?;
+        let mut whole = alloc::filled(false, self.rims.len())?;
+        found.iter().flat_map(|facing| facing.rims).for_each(|r| whole[r] = true);
+        if self.arcs {
+            self.find_arcs(&nearest_vertices, &whole, &mut found)?;
+        }
+        if found.is_empty() {
+            alloc::extend(&mut found, self.lone_pair(&job.part(1.0, 1.0))?)?;
+        }
+        Ok(found)
+    }
+
+    /// The only two loops, if they are of two pieces and may be joined, and no gap is given.
+    fn lone_pair(&self, job: &Job<'_>) -> Result<Option<Facing>> {
+        let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
+        if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
+            return Ok(None);
+        }
+        Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
+    }
+
+    /// What each vertex of each loop has nearest to it, within twice the limit of arcs.
+    fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
+        let LoopVertices { points, owners, groups, firsts } = self.all_vertices()?;
+        let total = points.len();
+        let tree = KdTree::grouped(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
+        let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
+        let mut done = 0;
+        let looks = Looks::default();
+        for (r, rim) in self.rims.iter().enumerate() {
+            let mut of_rim = alloc::with_capacity(rim.points.len())?;
+            let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
+            let own = groups[firsts[r] as usize];
+            for &p in &rim.points {
+                if done % REPORT_INTERVAL == 0 || looks.were_many() {
+                    job.step(0.1 + 0.9 * done as f64 / total as f64, STAGE)?;
+                }
+                done += 1;
+                let limit = 4.0 * widest * widest;
+                let accept = |v: u32| {
+                    looks.add();
+                    owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize)
+                };
+                let nearest = if self.used[r] { None } else { tree.nearest_elsewhere(p, limit, own, accept) };
+                of_rim.push(match nearest {
+                    Some((squared, v)) => {
+                        let k = owners[v as usize];
+                        NearestVertex { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
+                    }
+                    None => NearestVertex { rim: NONE, place: NONE, distance: f64::INFINITY },
+                });
+            }
+            nearest_vertices.push(of_rim);
+        }
+        Ok(nearest_vertices)
+    }
+
+    /// Adds the arcs that face each other of loops that are not joined as wholes.
+    fn find_arcs(
+        &self,
+        nearest_vertices: &[Vec<NearestVertex>],
+        whole: &[bool],
+        found: &mut Vec<Facing>,
+    ) -> Result<()> {
+        let near = |r: usize, look: &NearestVertex| {
+            look.rim != NONE
+                && look.distance <= self.arc_limit(r, look.rim as usize)
+                && !whole[r]
+                && !whole[look.rim as usize]
+        };
+        // A vertex sees another loop if that looks back at its loop, and not at a part of it that
+        // is far nearer.
+        let sees = |r: usize, look: &NearestVertex| {
+            near(r, look) && {
+                let k = look.rim as usize;
+                let back = nearest_vertices[k][look.place as usize];
+                let spacing = self.candidates[r].spacing.max(self.candidates[k].spacing);
+                near(k, &back) && back.rim as usize == r && look.distance <= 2.0 * back.distance + spacing
+            }
+        };
+        // (loop, loop it faces, arc), and for each vertex the number of its arc.
+        let mut arcs: Vec<(usize, usize, Arc)> = Vec::new();
+        let mut of_vertex = alloc::with_capacity(nearest_vertices.len())?;
+        for (r, of_rim) in nearest_vertices.iter().enumerate() {
+            let mut numbers = alloc::filled(NONE, of_rim.len())?;
+            let mut faced = alloc::collect(of_rim.iter().map(|look| if sees(r, look) { look.rim } else { NONE }))?;
+            sort_distinct(&mut faced);
+            for &k in faced.iter().filter(|&&k| k != NONE) {
+                for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
+                    let arc = trimmed(arc, of_rim);
+                    let least = MIN_ARC_VERTICES.max((MIN_ARC_SHARE * of_rim.len() as f64).ceil() as usize);
+                    if arc.count >= least && arc.count < of_rim.len() {
+                        arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
+                        alloc::push(&mut arcs, (r, k as usize, arc))?;
+                    }
+                }
+            }
+            of_vertex.push(numbers);
+        }
+        // Each arc faces the one that holds most of its nearest vertices; arcs that face each other
+        // are joined.
+        let partner = |&(r, k, arc): &(usize, usize, Arc)| -> Result<(u32, f64)> {
+            let mut facing = alloc::with_capacity(arc.count)?;
+            let places = arc.places(nearest_vertices[r].len());
+            facing.extend(places.clone().map(|i| of_vertex[k][nearest_vertices[r][i].place as usize]));
+            facing.sort_unstable();
+            let groups = facing.chunk_by(|x, y| x == y).filter(|group| group[0] != NONE);
+            let most = groups.rev().max_by_key(|group| group.len()).map_or(NONE, |group| group[0]);
+            Ok((most, places.map(|i| nearest_vertices[r][i].distance).sum::<f64>() / arc.count as f64))
+        };
+        let partners = alloc::try_collect(arcs.iter().map(partner))?;
+        let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
+        let look = |&(r, k, arc): &(usize, usize, Arc)| {
+            let cosine = |i: usize| {
+                let way = self.rims[k].points[nearest_vertices[r][i].place as usize] - self.rims[r].points[i];
+                if way == DVec3::ZERO { 1.0 } else { way.dot(conormals[r][i]) / way.length() }
+            };
+            arc.places(nearest_vertices[r].len()).map(cosine).sum::<f64>() / arc.count as f64
+        };
+        for (x, &(y, gap)) in partners.iter().enumerate() {
+            if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
+                let (first, second) = (arcs[x], arcs[y as usize]);
+                if look(&first) + look(&second) < MIN_SUM_OF_LOOKS_OF_ARCS {
+                    continue;
+                }
+                let gap = gap.max(partners[y as usize].1);
+                alloc::push(found, Facing { rims: [first.0, second.0], arcs: Some([first.2, second.2]), gap })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Trims end vertices that share their nearest vertex with their neighbour, from farther away: they
+/// look back at a corner.
+fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
+    let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
+    let (mut first, mut last) = (0, arc.count.saturating_sub(1));
+    let behind = |i: usize, next: usize| look(i).place == look(next).place && look(i).distance > look(next).distance;
+    while first < last && behind(first, first + 1) {
+        first += 1;
+    }
+    while first < last && behind(last, last - 1) {
+        last -= 1;
+    }
+    Arc { first: (arc.first + first) % nearest_vertices.len(), count: last + 1 - first }
+}
+
+/// On which loops the nearest vertices of each lie, in ascending order.
+fn neighbours(nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<Seen>> {
+    let mut seen = Vec::new();
+    for (of_rim, r) in nearest_vertices.iter().zip(0u32..) {
+        let others = alloc::gather(of_rim.iter().map(|nearest| nearest.rim).filter(|&k| k != NONE))?;
+        add_shares(r, others, of_rim.len(), &mut seen)?;
+    }
+    Ok(seen)
+}

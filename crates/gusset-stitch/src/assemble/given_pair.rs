@@ -1,0 +1,58 @@
+//! Pairs of loops that the caller names: what they name is looked up, or the fault is said.
+
+use super::assemble_request::Selector;
+use crate::stitch::IndexMap;
+use gusset_base::error::{Error, PairFault, Result, Side};
+use gusset_mesh::NONE;
+
+/// One of the pairs of an option.
+pub(super) struct GivenPair<'a> {
+    pub(super) option: &'static str,
+    /// Its number among those given.
+    pub(super) number: u32,
+    pub(super) pair: &'a [Selector; 2],
+}
+
+impl GivenPair<'_> {
+    fn error(&self, k: usize, fault: PairFault) -> Error {
+        let (Selector { piece, vertex }, side) = (self.pair[k], [Side::A, Side::B][k]);
+        Error::BadLoopPair { option: self.option, pair: self.number, side, piece, vertex, fault }
+    }
+
+    /// Both pieces exist, and of each the vertex, if one is named.
+    pub(super) fn check_exists(&self, maps: &[IndexMap]) -> Result<()> {
+        for (k, selector) in self.pair.iter().enumerate() {
+            let map = maps.get(selector.piece as usize).ok_or_else(|| self.error(k, PairFault::NoPiece))?;
+            if selector.vertex != NONE && selector.vertex as usize >= map.vertices.len() {
+                return Err(self.error(k, PairFault::NoVertex));
+            }
+        }
+        Ok(())
+    }
+
+    /// The two rims that the pair names, each by a vertex: different ones that are not `taken` yet,
+    /// or twice one that sewing left of two. `named` gives those that a selector names.
+    pub(super) fn rims(
+        &self,
+        named: impl Fn(Selector) -> Result<Vec<usize>>,
+        taken: &[bool],
+        is_slit: impl Fn(usize) -> bool,
+    ) -> Result<[usize; 2]> {
+        let mut rims = [0; 2];
+        for (k, &selector) in self.pair.iter().enumerate() {
+            let fault = match named(selector)?.as_slice() {
+                _ if selector.vertex == NONE => PairFault::VertexMissing,
+                [] => PairFault::NoLoop,
+                &[r] if taken[r] => PairFault::LoopTaken,
+                &[r] if k == 1 && rims[0] == r && !is_slit(r) => PairFault::SameLoop,
+                &[r] => {
+                    rims[k] = r;
+                    continue;
+                }
+                _ => PairFault::SeveralLoops,
+            };
+            return Err(self.error(k, fault));
+        }
+        Ok(rims)
+    }
+}

@@ -1,0 +1,182 @@
+//! The boundary of the pieces put together.
+
+use super::assemble_request::{LeftLoop, MaxGap, Options, Reason, Selector};
+use super::base::Base;
+use super::candidates::{Candidate, Facing, FacingSearch, STAGE, Slit};
+use super::edges::{Edges, entries_of};
+use crate::boundary::{self, Boundary, boundary_loops};
+use crate::stitch::stitch_rim::{Rim, is_usable};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::{Mesh, NONE, vertex_components};
+
+/// What is left of a seam is at least so many times as long as wide.
+const LEAST_LENGTH: f64 = 10.0;
+/// Loops between two progress reports.
+const LOOPS_PER_REPORT: usize = 1 << 12;
+
+/// The boundary of the base: loops that can carry a strip, and others.
+pub(super) struct Loops {
+    pub(super) rims: Vec<Rim>,
+    pub(super) candidates: Vec<Candidate>,
+    pub(super) components: DisjointSets,
+    /// Of each loop, if sewing left it of two borders, how its sides lie.
+    pub(super) slits: Vec<Option<Slit>>,
+    /// The loops that cannot, with the reason.
+    pub(super) others: Vec<LeftLoop>,
+    /// What the rims' points are multiplied by.
+    pub(super) unit: f64,
+}
+
+impl Loops {
+    pub(super) fn of(base: &Base, job: &Job<'_>) -> Result<Self> {
+        let mesh = &base.done.mesh;
+        let mut loops = Loops {
+            rims: Vec::new(),
+            candidates: Vec::new(),
+            components: DisjointSets::default(),
+            slits: Vec::new(),
+            others: Vec::new(),
+            unit: 1.0,
+        };
+        if mesh.face_count() == 0 {
+            return Ok(loops);
+        }
+        let view = mesh.view(&job.part(0.0, 0.3))?;
+        let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        job.step(1.0, STAGE)?;
+        loops.components = vertex_components(&view)?;
+        for (number, found) in boundary.iter().enumerate() {
+            job.part(1.0, 1.0).step_every(LOOPS_PER_REPORT, number, boundary.len(), STAGE)?;
+            if is_usable(&found) {
+                alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
+            } else {
+                let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
+                alloc::push(
+                    &mut loops.others,
+                    LeftLoop { vertices: alloc::copied(found.vertices)?, reason, gap: f64::INFINITY, allowed_gap: 0.0 },
+                )?;
+            }
+        }
+        loops.unit = common_unit(loops.rims.iter().flat_map(|rim| &rim.points));
+        let sizes = component_sizes(mesh, &mut loops.components, &loops.rims)?;
+        for ((rim, size), found) in loops.rims.iter_mut().zip(sizes).zip(boundary.iter().filter(is_usable)) {
+            rim.points.iter_mut().for_each(|p| *p /= loops.unit);
+            alloc::push(&mut loops.slits, Slit::of(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?)?;
+            let component = loops.components.find(rim.vertices[0]);
+            let piece = base.piece[rim.vertices[0] as usize];
+            alloc::push(&mut loops.candidates, Candidate::new(rim, component, piece, size / loops.unit))?;
+        }
+        Ok(loops)
+    }
+
+    /// The two loops, or arcs of them, each with its surface on the left.
+    pub(super) fn sides(&self, facing: &Facing) -> Result<[Rim; 2]> {
+        let [r, k] = facing.rims;
+        let (mut a, mut b) = (self.rims[r].try_clone()?, self.rims[k].try_clone()?);
+        if let Some([arc_a, arc_b]) = facing.arcs {
+            a.cut(arc_a)?;
+            b.cut(arc_b)?;
+        }
+        Ok([a, b])
+    }
+
+    /// True if they are of two components, or both sides are many times as long as the gap is wide:
+    /// what is left of a seam, and no two holes beside each other, which a strip would make a
+    /// handle of.
+    pub(super) fn is_seam(&self, facing: &Facing) -> bool {
+        let [a, b] = facing.rims.map(|r| self.candidates[r].component);
+        a != b
+            || (0..2).all(|side| {
+                let own = &self.candidates[facing.rims[side]];
+                let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
+                vertices as f64 * own.spacing >= LEAST_LENGTH * facing.gap
+            })
+    }
+
+    /// The edges that the mesh has between vertices of rims. A vertex may be on several.
+    pub(super) fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
+        let places = self.places()?;
+        let mut on_rim = alloc::filled(false, mesh.positions.len())?;
+        places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
+        let mut edges = Edges { of: Vec::new(), places };
+        for face in mesh.faces() {
+            for (k, &u) in face.iter().enumerate() {
+                let v = face[(k + 1) % face.len()];
+                if on_rim[u as usize] && on_rim[v as usize] {
+                    edges.enter(u, v)?;
+                }
+            }
+        }
+        sort_distinct(&mut edges.of);
+        Ok(edges)
+    }
+
+    pub(super) fn search<'a>(
+        &'a self,
+        options: &Options<'_>,
+        used: &'a [bool],
+        excluded: &'a [[u32; 2]],
+    ) -> FacingSearch<'a> {
+        let max_gap = match options.max_gap {
+            MaxGap::Given(gap) => Some(gap / self.unit),
+            MaxGap::Auto => None,
+        };
+        FacingSearch {
+            rims: &self.rims,
+            candidates: &self.candidates,
+            used,
+            slits: &self.slits,
+            excluded,
+            within_components: options.within_components,
+            arcs: !options.whole_loops_only,
+            max_gap,
+        }
+    }
+
+    /// Each vertex on a loop with the loop, in ascending order.
+    pub(super) fn places(&self) -> Result<Vec<(u32, u32)>> {
+        let mut places = alloc::with_capacity(self.rims.iter().map(|rim| rim.vertices.len()).sum())?;
+        for (rim, r) in self.rims.iter().zip(0u32..) {
+            places.extend(rim.vertices.iter().map(|&v| (v, r)));
+        }
+        places.sort_unstable();
+        Ok(places)
+    }
+
+    /// The loops that a selector names, in ascending order.
+    pub(super) fn named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
+        let Some(map) = base.done.maps.get(selector.piece as usize) else {
+            return Ok(Vec::new());
+        };
+        if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
+            return alloc::collect(entries_of(places, vertex).iter().map(|&(_, r)| r as usize));
+        }
+        if selector.vertex != NONE {
+            return Ok(Vec::new());
+        }
+        let mut of_piece = alloc::filled(false, base.done.mesh.positions.len())?;
+        map.vertices.iter().filter(|&&v| v != NONE).for_each(|&v| of_piece[v as usize] = true);
+        let has_one = |&r: &usize| self.rims[r].vertices.iter().any(|&v| of_piece[v as usize]);
+        alloc::gather((0..self.rims.len()).filter(has_one))
+    }
+}
+
+/// For each rim, the largest extent of its component along an axis.
+fn component_sizes(mesh: &Mesh, components: &mut DisjointSets, rims: &[Rim]) -> Result<Vec<f64>> {
+    let of_rims = alloc::collect(rims.iter().map(|rim| components.find(rim.vertices[0])))?;
+    let mut roots = alloc::copied(&of_rims)?;
+    sort_distinct(&mut roots);
+    let mut boxes = alloc::filled(Aabb::EMPTY, roots.len())?;
+    for v in 0..mesh.positions.len() as u32 {
+        if let Ok(place) = roots.binary_search(&components.find(v)) {
+            boxes[place].add(mesh.positions.get(v));
+        }
+    }
+    alloc::collect(of_rims.iter().map(|&root| boxes[roots.partition_point(|&other| other < root)].size().max_element()))
+}

@@ -1,0 +1,184 @@
+//! What has to go of trimmed pieces once what is left of them has been joined.
+
+use super::assemble_request::Assembly;
+use crate::trim::Trimmed;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_mesh::{MeshView, NONE};
+use std::ops::Range;
+
+/// A patch that cuts.
+#[derive(Debug, Clone, PartialEq)]
+struct Patch {
+    faces: Range<u32>,
+    /// Vertices of its rims.
+    rim: usize,
+    /// Those of them that are beside what was trimmed.
+    beside: usize,
+    /// Faces of the part that it closes.
+    part: usize,
+}
+
+impl Patch {
+    /// True if its rim goes round most of what it closes, rather than round a gap that trimming
+    /// left or a hole in it. A disc of F triangles has a rim of some 2.3 sqrt(F) edges, and a square
+    /// one of 2.8 sqrt(F).
+    fn lies_on_surface(&self) -> bool {
+        2 * self.beside <= self.rim && self.rim * self.rim > 2 * self.part
+    }
+}
+
+/// The patches that cut, in the order of their faces.
+struct Patches(Vec<Patch>);
+
+impl Patches {
+    /// `beside`: the vertices beside what was trimmed; `size`: the faces of the part that a vertex
+    /// is of. O(size + c log c) for c cuts.
+    fn of(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<Patches> {
+        let mut cutting = alloc::copied(cuts.as_flattened())?;
+        cutting.sort_unstable();
+        let mut patches: Vec<Patch> = Vec::new();
+        let patched = done.holes.iter().filter(|hole| !hole.faces.is_empty());
+        let mut holes = alloc::gather(patched)?;
+        holes.sort_unstable_by_key(|hole| (hole.faces.start, hole.rim.start));
+        for hole in holes {
+            let at = |end: u32| cutting.partition_point(|&f| f < end);
+            if at(hole.faces.end) == at(hole.faces.start) {
+                continue;
+            }
+            // Several loops may have one patch.
+            if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
+                alloc::push(&mut patches, Patch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
+            }
+            let last = patches.len() - 1;
+            let rim = &done.hole_rims[hole.rim.clone()];
+            patches[last].rim += rim.len();
+            patches[last].part = patches[last].part.max(rim.first().map_or(0, |&v| size(v) as usize));
+            patches[last].beside += rim.iter().filter(|&&v| beside.contains(v)).count();
+        }
+        Ok(Patches(patches))
+    }
+
+    /// That of a face, if it has one that cuts.
+    fn cutting(&self, face: u32) -> Option<&Patch> {
+        let after = self.0.partition_point(|patch| patch.faces.start <= face);
+        self.0[..after].last().filter(|patch| patch.faces.contains(&face))
+    }
+}
+
+/// What has to go: small parts that nothing joined with the rest, where they were cut; and, round
+/// what cuts, one ring of what patches and strips hang on.
+pub(super) struct Spoilt {
+    /// Vertices of the result.
+    vertices: BitSet,
+    /// Faces of it.
+    alone: BitSet,
+    cuts: bool,
+    parts: bool,
+}
+
+impl Spoilt {
+    /// `cuts`: pairs of faces that cut each other. `least`: what has fewer faces is small;
+    /// `whole`: patches that cut lose their rims whole. O(size).
+    pub(super) fn of(
+        pieces: &[MeshView<'_>],
+        done: &Assembly,
+        cuts: &[[u32; 2]],
+        least: u32,
+        whole: bool,
+        job: &Job<'_>,
+    ) -> Result<Spoilt> {
+        let mesh = &done.mesh;
+        let old = done.turned.len();
+        let mut spoilt = BitSet::new(mesh.positions.len())?;
+        let (mut parts_alone, mut alone) = (false, BitSet::new(mesh.face_count())?);
+        // Vertices beside what was trimmed.
+        let mut beside = BitSet::new(mesh.positions.len())?;
+        for (map, piece) in done.maps.iter().zip(pieces) {
+            for f in (0..map.faces.len()).filter(|&f| map.faces[f] == NONE) {
+                let left = piece.face(f).map(|v| map.vertices[v as usize]).filter(|&v| v != NONE);
+                left.for_each(|v| beside.insert(v));
+            }
+        }
+        // Parts that strips and seams hold together, patches apart.
+        let unfilled = done.holes.iter().map(|hole| hole.faces.start).min().unwrap_or(mesh.face_count() as u32);
+        let mut parts = DisjointSets::new(mesh.positions.len())?;
+        for (k, face) in mesh.faces().take(unfilled as usize).enumerate() {
+            job.step_within(k, "putting the pieces together")?;
+            face.windows(2).for_each(|side| {
+                parts.union(side[0], side[1]);
+            });
+        }
+        let roots = parts.into_roots(job, "putting the pieces together")?;
+        let mut sizes = alloc::filled(0u32, roots.len())?;
+        mesh.faces().take(unfilled as usize).for_each(|face| sizes[roots[face[0] as usize] as usize] += 1);
+        // The corners of what cuts, and whole rims of patches where that has not helped. A patch
+        // over the border of an open surface lies on it: nothing is to go for that.
+        let size = |v: u32| sizes[roots[v as usize] as usize];
+        let patches = Patches::of(done, cuts, &beside, size)?;
+        let mut is_spoilt = false;
+        for pair in cuts {
+            if pair.iter().filter_map(|&f| patches.cutting(f)).any(Patch::lies_on_surface) {
+                continue;
+            }
+            is_spoilt = true;
+            for &face in pair {
+                let corners = mesh.face_offsets[face as usize]..mesh.face_offsets[face as usize + 1];
+                corners.for_each(|corner| spoilt.insert(mesh.corner(corner as usize)));
+            }
+        }
+        for hole in &done.holes {
+            if patches.cutting(hole.faces.start).is_some_and(|patch| whole && !patch.lies_on_surface()) {
+                done.hole_rims[hole.rim.clone()].iter().for_each(|&v| spoilt.insert(v));
+            }
+        }
+        let largest = sizes.iter().copied().max().unwrap_or(0);
+        // Those that were cut have a vertex of a face that is gone.
+        let mut is_cut = alloc::filled(false, roots.len())?;
+        for v in (0..mesh.positions.len()).filter(|&v| beside.contains(v as u32)) {
+            is_cut[roots[v] as usize] = true;
+        }
+        for (f, face) in mesh.faces().take(old).enumerate() {
+            let root = roots[face[0] as usize] as usize;
+            if sizes[root] < least.min(largest) && is_cut[root] {
+                parts_alone = true;
+                alone.insert(f as u32);
+            }
+        }
+        Ok(Spoilt { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
+    }
+
+    /// True if there are parts that nothing joined.
+    pub(super) fn has_alone(&self) -> bool {
+        self.parts
+    }
+
+    /// Takes it out of what is left of the pieces, parts that are alone only if `parts` says so;
+    /// false if there was nothing to take.
+    pub(super) fn take_out(
+        &self,
+        pieces: &[MeshView<'_>],
+        trimmed: &mut Trimmed,
+        done: &Assembly,
+        parts: bool,
+    ) -> bool {
+        if !(self.cuts || self.parts && parts) {
+            return false;
+        }
+        let mut less = false;
+        for ((kept, map), piece) in trimmed.kept.iter_mut().zip(&done.maps).zip(pieces) {
+            let before = kept.len();
+            kept.retain(|&f| {
+                let name = map.faces[f as usize];
+                let is_alone = parts && name != NONE && self.alone.contains(name);
+                let mut corners = piece.face(f as usize).map(|v| map.vertices[v as usize]);
+                !is_alone && !corners.any(|v| v != NONE && self.vertices.contains(v))
+            });
+            less |= kept.len() < before;
+        }
+        less
+    }
+}

@@ -1,0 +1,287 @@
+//! All boundary loops of a mesh: options, results and the entry point.
+//!
+//! Chooses between `fast`, which reads the faces once, and the exact walk of `walk` over paired
+//! half-edges, and orders the loops by their smallest half-edge. O(H log d) for H half-edges
+//! and at most d at a vertex; linear extra memory.
+
+use super::fast::ordinary_walks;
+use super::options::{Options, Survey};
+use super::simple_loops::{STAGE, split_simple};
+use super::walk::{Dart, Walker};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::distance;
+use gusset_base::job::Job;
+use gusset_mesh::{Defect, MeshView, NONE, Topology};
+use std::ops::Range;
+
+/// What is unusual about a loop; a set of bits, 0 for an ordinary closed loop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LoopFlags(pub u32);
+
+impl LoopFlags {
+    /// The chain does not close: it has one vertex more than it has edges. (A chain that ends at
+    /// the vertex where it began, in another fan, counts as closed.)
+    pub const OPEN: u32 = 1;
+    /// It passes a vertex where the surface touches itself.
+    pub const BOW_TIE: u32 = 2;
+    /// It was cut from a longer walk at a vertex that the walk passed twice.
+    pub const SPLIT: u32 = 4;
+    /// It runs along, or ends at, an edge with three or more faces.
+    pub const NON_MANIFOLD: u32 = 8;
+    /// The faces along it disagree in orientation.
+    pub const NOT_ORIENTED: u32 = 16;
+    /// It has an edge of length 0.
+    pub const ZERO_LENGTH: u32 = 32;
+
+    /// True if any of `bits` is set.
+    pub fn any(self, bits: u32) -> bool {
+        self.0 & bits != 0
+    }
+}
+
+/// What is unusual about one edge of a loop; a set of bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct EdgeFlags(pub u8);
+
+impl EdgeFlags {
+    /// The loop runs this edge against its face.
+    pub const REVERSED: u8 = 1;
+    /// The edge has three or more faces.
+    pub const NON_MANIFOLD: u8 = 2;
+    /// The edge has length 0.
+    pub const ZERO_LENGTH: u8 = 4;
+}
+
+/// One loop, or one open chain. Edge `i` runs from vertex `i` to vertex `i + 1`, the last one of a
+/// closed loop back to vertex 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Loop<'a> {
+    /// The vertices, each once.
+    pub vertices: &'a [u32],
+    /// The half-edge (corner index) that each edge is.
+    pub half_edges: &'a [u32],
+    /// The face that each edge borders.
+    pub faces: &'a [u32],
+    /// [`EdgeFlags`] of each edge.
+    pub edge_flags: &'a [u8],
+    /// [`LoopFlags`].
+    pub flags: LoopFlags,
+    /// The number of the closed walk or chain that this loop was cut from; walks are numbered from
+    /// 0.
+    pub walk: u32,
+    /// The sum of the edges' lengths, in the unit of the positions.
+    pub length: f64,
+}
+
+struct Record {
+    /// The smallest half-edge.
+    smallest: u32,
+    vertices: Range<usize>,
+    edges: Range<usize>,
+    flags: u32,
+    walk: u32,
+    length: f64,
+}
+
+/// The boundary of a mesh.
+#[derive(Default)]
+pub struct Boundary {
+    records: Vec<Record>,
+    vertices: Vec<u32>,
+    half_edges: Vec<u32>,
+    faces: Vec<u32>,
+    edge_flags: Vec<u8>,
+    defects: Vec<Defect>,
+    walks: u32,
+}
+
+impl Boundary {
+    /// The number of loops and open chains.
+    pub fn len(&self) -> usize {
+        self.records.len()
+    }
+
+    /// True if the mesh is closed.
+    pub fn is_empty(&self) -> bool {
+        self.records.is_empty()
+    }
+
+    /// Loop `i`, in the order of each loop's smallest half-edge, which is where a closed loop
+    /// starts.
+    pub fn get(&self, i: usize) -> Option<Loop<'_>> {
+        self.records.get(i).map(|r| Loop {
+            vertices: &self.vertices[r.vertices.clone()],
+            half_edges: &self.half_edges[r.edges.clone()],
+            faces: &self.faces[r.edges.clone()],
+            edge_flags: &self.edge_flags[r.edges.clone()],
+            flags: LoopFlags(r.flags),
+            walk: r.walk,
+            length: r.length,
+        })
+    }
+
+    /// All loops in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Loop<'_>> {
+        (0..self.len()).map(|i| self.get(i).expect("i < len"))
+    }
+
+    /// The number of edges of all loops.
+    pub fn edge_count(&self) -> usize {
+        self.half_edges.len()
+    }
+
+    /// The number of walks before they were cut into simple loops.
+    pub fn walk_count(&self) -> u32 {
+        self.walks
+    }
+
+    /// What is wrong or unusual, sorted: degenerate faces, orientation conflicts and non-manifold
+    /// edges of the whole mesh, and the bow-tie vertices that loops pass.
+    pub fn defects(&self) -> &[Defect] {
+        &self.defects
+    }
+}
+
+/// Walks between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 12;
+
+/// Finds every free boundary loop of `mesh`.
+///
+/// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of
+/// [`Topology`], 5 bytes a vertex, and the border several times over. With [`Survey::BoundaryOnly`]
+/// O(H + B log B) for a boundary of B edges, and 4 bytes a vertex for each thread, of which at most
+/// 8 take part, unless the boundary is odd.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled). Odd places of the mesh are no errors: see
+/// [`LoopFlags`] and [`Boundary::defects`].
+pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Boundary> {
+    if options.survey == Survey::BoundaryOnly
+        && let Some(walks) = ordinary_walks(mesh, &job.part(0.0, 0.5))?
+    {
+        let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
+        let walking = job.part(0.5, 1.0);
+        for (number, darts) in walks.iter().enumerate() {
+            walking.step_every(REPORT_INTERVAL, number, walks.len(), STAGE)?;
+            let piece = Piece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
+            boundary.add(mesh, &piece, None, &walking.share(number, walks.len()))?;
+        }
+        job.step(1.0, STAGE)?;
+        return Ok(boundary);
+    }
+    let done = if options.survey == Survey::BoundaryOnly { 0.5 } else { 0.0 };
+    let job = &job.part(done, 1.0);
+    let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
+    job.step(0.9, STAGE)?;
+    let mut boundary = Boundary { defects: alloc::copied(topology.defects())?, ..Boundary::default() };
+    let mut walker = Walker::new(mesh, &topology, options.non_manifold, job)?;
+    job.step(0.9, STAGE)?;
+    let mut place = alloc::filled(NONE, mesh.positions().len())?;
+    let mut walk = Vec::new();
+    let mut walking = job.part(0.9, 1.0);
+    while let Some(walk_closed) = walker.next_walk(&mut walk, &walking)? {
+        walking = job.part(0.9 + 0.1 * walker.fraction(), 1.0);
+        walking.step(0.0, STAGE)?;
+        let number = boundary.walks;
+        boundary.walks += 1;
+        let add = |darts: &[Dart], closed: bool| {
+            let piece = Piece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
+            boundary.add(mesh, &piece, Some(&walker), &walking)
+        };
+        split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
+    }
+    // In place: a stable sort would ask for memory that may not be there.
+    boundary.records.sort_unstable_by_key(|r| r.smallest);
+    alloc::extend(&mut boundary.defects, walker.bow_ties().map(|vertex| Defect::BowTie { vertex }))?;
+    job.step(1.0, STAGE)?;
+    Ok(boundary)
+}
+
+/// A simple loop or chain, and what it inherits from the walk that it was cut from.
+struct Piece<'a> {
+    darts: &'a [Dart],
+    closed: bool,
+    walk: u32,
+    walk_closed: bool,
+    /// The walk has other pieces.
+    is_split: bool,
+}
+
+impl Piece<'_> {
+    /// The darts in the order in which they become edges: `turned` round if most run against their
+    /// faces, and from the smallest half-edge on if closed.
+    fn edges(&self, turned: bool) -> impl Iterator<Item = Dart> {
+        let n = self.darts.len();
+        let smallest = (0..n).min_by_key(|&i| self.darts[i].half_edge).unwrap_or(0);
+        let first = match (self.closed, turned) {
+            (false, _) => 0,
+            (true, false) => smallest,
+            (true, true) => n - 1 - smallest,
+        };
+        (first..first + n).map(move |i| match turned {
+            true => self.darts[n - 1 - i % n].turned(),
+            false => self.darts[i % n],
+        })
+    }
+}
+
+impl Boundary {
+    /// Appends a piece. `walker`: what is known of the edges and vertices that it passes; `None` if
+    /// they are ordinary.
+    fn add(
+        &mut self,
+        mesh: &MeshView<'_>,
+        piece: &Piece<'_>,
+        walker: Option<&Walker<'_, '_>>,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let count = piece.darts.len();
+        let against = piece.darts.iter().filter(|dart| !dart.forward).count();
+        let mut flags = (u32::from(!piece.closed) * LoopFlags::OPEN)
+            | (u32::from(piece.is_split) * LoopFlags::SPLIT)
+            | (u32::from(against != 0 && against != count) * LoopFlags::NOT_ORIENTED)
+            | (u32::from(!piece.walk_closed) * LoopFlags::NON_MANIFOLD);
+        let bow_tie = |v: u32| u32::from(walker.is_some_and(|walker| walker.is_bow_tie(v))) * LoopFlags::BOW_TIE;
+
+        let (vertex_start, edge_start) = (self.vertices.len(), self.half_edges.len());
+        alloc::reserve(&mut self.vertices, count + 1)?;
+        alloc::reserve(&mut self.half_edges, count)?;
+        alloc::reserve(&mut self.faces, count)?;
+        alloc::reserve(&mut self.edge_flags, count)?;
+        let (mut length, mut end) = (0.0, NONE);
+        for (k, dart) in piece.edges(2 * against > count).enumerate() {
+            job.step_within(k, STAGE)?;
+            let (tail, head) = (dart.tail(mesh), dart.head(mesh));
+            let (from, to) = (mesh.positions().get(tail), mesh.positions().get(head));
+            length += distance(from, to);
+            let singular = walker.is_some_and(|walker| walker.is_singular(dart.half_edge));
+            flags |= (u32::from(singular) * LoopFlags::NON_MANIFOLD)
+                | (u32::from(from == to) * LoopFlags::ZERO_LENGTH)
+                | bow_tie(tail);
+            self.vertices.push(tail);
+            self.half_edges.push(dart.half_edge);
+            self.faces.push(mesh.faces().face_of(dart.half_edge));
+            self.edge_flags.push(
+                (u8::from(!dart.forward) * EdgeFlags::REVERSED)
+                    | (u8::from(singular) * EdgeFlags::NON_MANIFOLD)
+                    | (u8::from(from == to) * EdgeFlags::ZERO_LENGTH),
+            );
+            end = head;
+        }
+        if !piece.closed {
+            self.vertices.push(end);
+            flags |= bow_tie(end);
+        }
+        let record = Record {
+            smallest: self.half_edges[edge_start..].iter().copied().min().unwrap_or(NONE),
+            vertices: vertex_start..self.vertices.len(),
+            edges: edge_start..self.half_edges.len(),
+            flags,
+            walk: piece.walk,
+            length,
+        };
+        alloc::push(&mut self.records, record)
+    }
+}

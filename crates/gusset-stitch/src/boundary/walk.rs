@@ -1,0 +1,161 @@
+//! The walk from free edge to free edge, through the fan of faces round each vertex.
+//!
+//! Source: Nesterenko, algorithm 1, as corrected (see the parent module). Every free edge has
+//! one successor and one predecessor, so the walk is a permutation of the free edges and visits
+//! each once. O(faces of the fans).
+
+use super::options::NonManifold;
+use super::simple_loops::STAGE;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::{Across, MeshView, Topology};
+
+/// A half-edge with a direction of travel: forward is its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Dart {
+    pub(super) half_edge: u32,
+    pub(super) forward: bool,
+}
+
+impl Dart {
+    pub(super) fn turned(self) -> Dart {
+        Dart { forward: !self.forward, ..self }
+    }
+
+    /// The vertex that it leaves.
+    pub(super) fn tail(self, mesh: &MeshView<'_>) -> u32 {
+        if self.forward { origin(mesh, self.half_edge) } else { target(mesh, self.half_edge) }
+    }
+
+    /// The vertex that it arrives at.
+    pub(super) fn head(self, mesh: &MeshView<'_>) -> u32 {
+        self.turned().tail(mesh)
+    }
+}
+
+fn origin(mesh: &MeshView<'_>, h: u32) -> u32 {
+    mesh.faces().corner(h)
+}
+
+fn target(mesh: &MeshView<'_>, h: u32) -> u32 {
+    mesh.faces().corner(mesh.faces().next(h))
+}
+
+/// Finds the walks along the border one after the other.
+pub(super) struct Walker<'m, 'a> {
+    mesh: &'m MeshView<'a>,
+    topology: &'m Topology,
+    mode: NonManifold,
+    /// Half-edges of free and of non-manifold edges, ascending.
+    border: Vec<u32>,
+    /// Per entry of `border`: already part of a walk.
+    visited: Vec<bool>,
+    /// The next entry of `border` to start from.
+    next: usize,
+    /// Per vertex: passed by a walk, and its faces form more than one fan.
+    bow_tie: Vec<bool>,
+}
+
+impl<'m, 'a> Walker<'m, 'a> {
+    pub(super) fn new(
+        mesh: &'m MeshView<'a>,
+        topology: &'m Topology,
+        mode: NonManifold,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let border = topology.border(job)?;
+        let visited = alloc::filled(false, border.len())?;
+        let bow_tie = alloc::zeroed(mesh.positions().len())?;
+        Ok(Walker { mesh, topology, mode, border, visited, next: 0, bow_tie })
+    }
+
+    /// The part of the border already seen.
+    pub(super) fn fraction(&self) -> f64 {
+        self.next as f64 / self.border.len().max(1) as f64
+    }
+
+    /// True if the edge of `h` has three or more faces.
+    pub(super) fn is_singular(&self, h: u32) -> bool {
+        self.topology.across(h) == Across::Singular
+    }
+
+    /// True if a walk has passed `v` and its faces form more than one fan.
+    pub(super) fn is_bow_tie(&self, v: u32) -> bool {
+        self.bow_tie[v as usize]
+    }
+
+    /// Writes the next walk to `walk` and tells whether it is closed; `None` when every free edge
+    /// has been visited. Walks start from free edges only: one that would consist of non-manifold
+    /// edges alone bounds no hole.
+    pub(super) fn next_walk(&mut self, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<Option<bool>> {
+        walk.clear();
+        let start = loop {
+            let Some(&h) = self.border.get(self.next) else {
+                return Ok(None);
+            };
+            self.next += 1;
+            if !self.visited[self.next - 1] && !self.is_singular(h) {
+                break Dart { half_edge: h, forward: true };
+            }
+        };
+        if self.follow(start, walk, job)? {
+            return Ok(Some(true));
+        }
+        // An open chain: go back from the start as well, and put the two parts together.
+        let mut back = Vec::new();
+        self.follow(start.turned(), &mut back, job)?;
+        alloc::reserve(walk, back.len())?;
+        let ahead = walk.len();
+        walk.extend(back[1..].iter().map(|dart| dart.turned()).rev());
+        walk.rotate_left(ahead);
+        Ok(Some(false))
+    }
+
+    /// Appends the walk from `start` on; true if it came back to it.
+    fn follow(&mut self, start: Dart, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<bool> {
+        let mut dart = start;
+        loop {
+            job.step_within(walk.len(), STAGE)?;
+            alloc::push(walk, dart)?;
+            if let Ok(i) = self.border.binary_search(&dart.half_edge) {
+                self.visited[i] = true;
+            }
+            match self.successor(dart) {
+                None => return Ok(false),
+                Some(next) if next == start => return Ok(true),
+                Some(next) => dart = next,
+            }
+        }
+    }
+
+    /// The border edge that follows `dart` round the fan of faces at its head; `None` if that is a
+    /// non-manifold edge at which walks stop.
+    fn successor(&mut self, dart: Dart) -> Option<Dart> {
+        let v = dart.head(self.mesh);
+        let mut corners = 0;
+        // In each face, `arriving` tells whether half-edge h runs towards v; the other edge at v
+        // then comes after it, else before it.
+        let (mut h, mut arriving) = (dart.half_edge, dart.forward);
+        loop {
+            corners += 1;
+            let other = if arriving { self.topology.next(self.mesh, h) } else { self.topology.previous(self.mesh, h) };
+            let across = self.topology.across(other);
+            if let Across::Mate(mate) = across {
+                h = mate;
+                arriving = origin(self.mesh, mate) != v;
+                continue;
+            }
+            if corners < self.topology.corner_count(v) {
+                self.bow_tie[v as usize] = true;
+            }
+            let stop = across == Across::Singular && self.mode == NonManifold::Stop;
+            return (!stop).then_some(Dart { half_edge: other, forward: arriving });
+        }
+    }
+
+    /// The bow-tie vertices that walks passed, ascending.
+    pub(super) fn bow_ties(&self) -> impl Iterator<Item = u32> + '_ {
+        self.bow_tie.iter().enumerate().filter(|&(_, &is)| is).map(|(v, _)| v as u32)
+    }
+}

@@ -1,0 +1,47 @@
+//! Bow-tie vertices: those whose faces form more than one fan. Linear.
+
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_mesh::{Across, MeshView, Topology};
+
+/// Half-edges between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
+
+/// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if
+/// they share an edge that has two faces.
+pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Vec<u32>> {
+    let faces = mesh.faces();
+    let count = faces.half_edge_count();
+    // A corner is named by the half-edge that leaves it. Corners are joined across every edge with
+    // two faces, at both ends.
+    let mut corners = DisjointSets::new(count)?;
+    let joining = job.part(0.0, 0.7);
+    for h in 0..count as u32 {
+        joining.step_every(REPORT_INTERVAL, h as usize, count, "checking fans")?;
+        if topology.is_ignored(h) {
+            continue;
+        }
+        if let Across::Mate(mate) = topology.across(h)
+            && h < mate
+        {
+            let (next, mate_next) = (topology.next(mesh, h), topology.next(mesh, mate));
+            if faces.corner(h) == faces.corner(mate) {
+                corners.union(h, mate);
+                corners.union(next, mate_next);
+            } else {
+                corners.union(h, mate_next);
+                corners.union(next, mate);
+            }
+        }
+    }
+    job.step(0.7, "checking fans")?;
+    let mut fans = alloc::filled(0u32, mesh.positions().len())?;
+    for h in (0..count as u32).filter(|&h| !topology.is_ignored(h)) {
+        if corners.find(h) == h {
+            fans[faces.corner(h) as usize] += 1;
+        }
+    }
+    alloc::gather((0..).zip(fans).filter(|&(_, fans)| fans > 1).map(|(v, _)| v))
+}

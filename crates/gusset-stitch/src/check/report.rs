@@ -1,0 +1,223 @@
+//! Result and entry point of the check. Components, edges and boundary come from the pairing of
+//! half-edges; Euler's formula V - E + F = 2 - 2g - b gives the genus of an orientable
+//! manifold. O(H log d) time for H half-edges and at most d at a vertex; linear memory.
+
+use super::bow_ties::bow_ties;
+use super::twins::duplicate_faces;
+use crate::boundary::{self, boundary_loops};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::{DisjointSets, ParitySets};
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::{Across, Defect, MeshView, Topology, unordered};
+
+/// What [`check`] found. Lists are ascending.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Check {
+    /// Vertices, unused ones too.
+    pub vertices: u32,
+    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not
+    /// degenerate. Degenerate faces have no edges.
+    pub edges: u32,
+    /// Faces.
+    pub faces: u32,
+    /// Pieces: faces that share an edge are in one.
+    pub components: u32,
+    /// Walks round the boundary, fan by fan.
+    pub boundary_walks: u32,
+    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
+    pub euler: i64,
+    /// There are edges, and every one has exactly two faces; degenerate faces have none.
+    pub closed: bool,
+    /// No non-manifold edge and no non-manifold vertex.
+    pub manifold: bool,
+    /// No edge whose two faces run it in the same direction.
+    pub oriented: bool,
+    /// Faces can be turned over so that it becomes oriented. Faces are compared across edges with
+    /// two faces.
+    pub orientable: bool,
+    /// The number of handles of all components together, if the mesh is manifold and orientable and
+    /// no face is degenerate.
+    pub genus: Option<u32>,
+
+    /// The half-edges of the edges with exactly one face.
+    pub boundary_edges: Vec<u32>,
+    /// The first half-edge of each edge with three or more faces.
+    pub non_manifold_edges: Vec<u32>,
+    /// The ends of those edges, and the bow-ties.
+    pub non_manifold_vertices: Vec<u32>,
+    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
+    /// own ends are therefore among them, as a rule.
+    pub bow_ties: Vec<u32>,
+    /// The first half-edge of each edge whose two faces run it in the same direction.
+    pub orientation_conflicts: Vec<u32>,
+    /// Faces with the same cycle of vertices, in either direction, as a face before them;
+    /// degenerate ones apart.
+    pub duplicate_faces: Vec<u32>,
+    /// Faces that repeat a vertex.
+    pub degenerate_faces: Vec<u32>,
+    /// Faces without area that repeat none: their vector area is 0 up to rounding.
+    pub zero_area_faces: Vec<u32>,
+    /// Vertices that no face uses.
+    pub unused_vertices: Vec<u32>,
+}
+
+/// Faces between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+/// Half-edges between two progress reports.
+const HALF_EDGES_PER_REPORT: usize = 1 << 20;
+
+/// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about
+/// 40 bytes a half-edge.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled). What it finds is no error.
+pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
+    let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
+    let mut found =
+        Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
+    found.enter_defects(&topology)?;
+    found.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
+    found.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
+    found.enter_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
+    found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces, &job.part(0.8, 0.85))?;
+    found.enter_edges(mesh, &topology, &job.part(0.85, 0.85))?;
+    found.enter_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
+    job.step(0.9, "checking areas")?;
+    found.enter_unused_vertices(mesh)?;
+    found.enter_zero_areas(mesh, &job.part(0.9, 1.0))?;
+
+    found.manifold = found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty();
+    found.oriented = found.orientation_conflicts.is_empty();
+    found.closed = found.edges > 0 && found.boundary_edges.is_empty() && found.non_manifold_edges.is_empty();
+    let used = i64::from(found.vertices) - found.unused_vertices.len() as i64;
+    found.euler = used - i64::from(found.edges) + i64::from(found.faces);
+    if found.manifold && found.orientable && found.degenerate_faces.is_empty() {
+        // chi = 2 c - 2 g - b for c components, b boundary loops and g handles.
+        let double = 2 * i64::from(found.components) - i64::from(found.boundary_walks) - found.euler;
+        found.genus = u32::try_from(double / 2).ok();
+    }
+    job.step(1.0, "checking areas")?;
+    Ok(found)
+}
+
+impl Check {
+    fn enter_defects(&mut self, topology: &Topology) -> Result<()> {
+        for defect in topology.defects() {
+            match *defect {
+                Defect::DegenerateFace { face, .. } => alloc::push(&mut self.degenerate_faces, face)?,
+                Defect::OrientationConflict { half_edges: [h, _] } => {
+                    alloc::push(&mut self.orientation_conflicts, h)?;
+                }
+                Defect::NonManifoldEdge { half_edge, .. } => alloc::push(&mut self.non_manifold_edges, half_edge)?,
+                Defect::BowTie { .. } => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn enter_non_manifold_vertices(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
+        let ends = self.non_manifold_edges.iter().flat_map(|&h| [h, mesh.faces().next(h)]);
+        let vertices = self.bow_ties.iter().copied().chain(ends.map(|h| mesh.faces().corner(h)));
+        self.non_manifold_vertices = alloc::gather(vertices)?;
+        sort(&mut self.non_manifold_vertices, Ord::cmp, job, "checking faces")?;
+        self.non_manifold_vertices.dedup();
+        Ok(())
+    }
+
+    /// Counts edges by what lies across their half-edges, and lists free ones.
+    fn enter_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+        let (mut halves, count) = (0, mesh.faces().half_edge_count());
+        for h in 0..count as u32 {
+            job.step_every(HALF_EDGES_PER_REPORT, h as usize, count, "checking faces")?;
+            if topology.is_ignored(h) {
+                continue;
+            }
+            match topology.across(h) {
+                Across::Free => alloc::push(&mut self.boundary_edges, h)?,
+                Across::Mate(_) => halves += 1,
+                Across::Singular => {}
+            }
+        }
+        self.edges = (self.boundary_edges.len() + halves / 2 + self.non_manifold_edges.len()) as u32;
+        Ok(())
+    }
+
+    /// Counts the pieces, and finds out whether each can be oriented.
+    fn enter_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+        let faces = mesh.faces();
+        let mut pieces = DisjointSets::new(faces.len())?;
+        let mut orientations = ParitySets::new(faces.len())?;
+        self.orientable = true;
+        let mut singular = Vec::new();
+        for f in 0..faces.len() {
+            job.step_every(REPORT_INTERVAL, f, faces.len(), "checking pieces")?;
+            for h in faces.range(f) {
+                if topology.is_ignored(h as u32) {
+                    continue;
+                }
+                match topology.across(h as u32) {
+                    Across::Free => {}
+                    Across::Singular => {
+                        let ends = [h as u32, faces.next(h as u32)].map(|h| faces.corner(h));
+                        alloc::push(&mut singular, (unordered(ends), f as u32))?;
+                    }
+                    Across::Mate(mate) => {
+                        let (f, g) = (f as u32, faces.face_of(mate));
+                        pieces.union(f, g);
+                        let opposed = faces.corner(h as u32) == faces.corner(mate);
+                        self.orientable &= orientations.union(f, g, opposed);
+                    }
+                }
+            }
+        }
+        singular.sort_unstable();
+        for pair in singular.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            pieces.union(pair[0].1, pair[1].1);
+        }
+        job.step(1.0, "checking pieces")?;
+        self.components = pieces.roots().count() as u32;
+        Ok(())
+    }
+
+    fn enter_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+        let mut used = alloc::filled(false, mesh.positions().len())?;
+        for v in mesh.faces().corners(0..mesh.faces().half_edge_count()) {
+            used[v as usize] = true;
+        }
+        self.unused_vertices = alloc::gather((0..).zip(used).filter(|&(_, used)| !used).map(|(v, _)| v))?;
+        Ok(())
+    }
+
+    /// Lists faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
+    /// rounding of its terms.
+    fn enter_zero_areas(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
+        let mut points: Vec<DVec3> = Vec::new();
+        for f in 0..mesh.faces().len() {
+            job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "checking areas")?;
+            points.clear();
+            alloc::reserve(&mut points, mesh.faces().range(f).len())?;
+            points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));
+            let unit = common_unit(&points);
+            let largest = points.iter().map(|p| (*p / unit).abs().max_element()).fold(0.0, f64::max);
+            let origin = points[0] / unit;
+            let (mut area, mut reach) = (DVec3::ZERO, 0.0_f64);
+            for pair in points[1..].windows(2) {
+                let (p, q) = (pair[0] / unit - origin, pair[1] / unit - origin);
+                area += p.cross(q);
+                reach = reach.max(p.length()).max(q.length());
+            }
+            // Each coordinate is known to half a unit in the last place of the largest one.
+            let rounding = 8.0 * f64::EPSILON * largest * reach * points.len() as f64;
+            if area.length() <= rounding && self.degenerate_faces.binary_search(&(f as u32)).is_err() {
+                alloc::push(&mut self.zero_area_faces, f as u32)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,56 @@
+//! Duplicate faces: those with the same cycle of vertices, in either direction.
+//!
+//! Each cycle is rotated to start at its smallest vertex and to run towards the smaller
+//! neighbour; equal cycles are then adjacent after a sort. O(F log F) comparisons of cycles.
+
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::MeshView;
+
+/// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a
+/// face with a smaller number; ascending. Faces that repeat a vertex, given in `degenerate`, are
+/// left out. O(F log F) comparisons, nearly all of which end at the first vertex.
+pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+    job.step(0.0, "checking faces")?;
+    // Faces in the order of their cycles; of equal ones the smaller number first.
+    let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
+    order.retain(|f| degenerate.binary_search(f).is_err());
+    let mut starts = alloc::with_capacity(mesh.faces().len())?;
+    starts.extend((0..mesh.faces().len()).map(|f| Start::of(mesh, f)));
+    let compare = |&f: &u32, &g: &u32| {
+        let (f, g) = (f as usize, g as usize);
+        starts[f].cycle(mesh, f).cmp(starts[g].cycle(mesh, g))
+    };
+    sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
+    let repeats = order.windows(2).filter(|pair| compare(&pair[0], &pair[1]).is_eq());
+    let mut found = alloc::gather(repeats.map(|pair| pair[1]))?;
+    found.sort_unstable();
+    Ok(found)
+}
+
+/// Where and in which direction a face's cycle is the smallest list of vertices.
+#[derive(Clone, Copy)]
+struct Start {
+    corner: u32,
+    backwards: bool,
+}
+
+impl Start {
+    fn of(mesh: &MeshView<'_>, f: usize) -> Start {
+        let smallest = mesh.face(f).enumerate().min_by_key(|&(_, v)| v);
+        let corner = smallest.map_or(0, |(i, _)| i as u32);
+        let [forwards, backwards] = [false, true].map(|backwards| Start { corner, backwards });
+        if backwards.cycle(mesh, f).lt(forwards.cycle(mesh, f)) { backwards } else { forwards }
+    }
+
+    fn cycle<'m>(&self, mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = u32> + 'm {
+        let range = mesh.faces().range(f);
+        let (n, corner, backwards) = (range.len(), self.corner as usize, self.backwards);
+        (0..n).map(move |i| {
+            let at = if backwards { (corner + n - i) % n } else { (corner + i) % n };
+            mesh.faces().corner((range.start + at) as u32)
+        })
+    }
+}

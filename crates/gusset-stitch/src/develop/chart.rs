@@ -1,0 +1,183 @@
+//! One chart as triangles, each with its own shape.
+
+use super::STAGE;
+use super::charts::Split;
+use super::cut_edges::CutSurface;
+use crate::fill::clip_ears;
+use glam::{DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::{NONE, unordered};
+
+/// The least height of a triangle in its longest side, and the least size in the mean edge: the
+/// gradients of a flatter or smaller one would be rounding.
+const MIN_HEIGHT: f64 = 1e-7;
+
+/// The shape of a triangle, in a frame of its own.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shape {
+    /// The gradients of the three barycentric coordinates: J = sum of x_i g_i^T is the derivative
+    /// of the linear map that takes the corners to x_0, x_1 and x_2.
+    pub(super) gradients: [DVec2; 3],
+    pub(super) area: f64,
+}
+
+/// A chart.
+pub(super) struct ChartMesh {
+    /// Of each vertex its place on the surface, in the unit.
+    pub(super) points: Vec<DVec3>,
+    /// Their corners among the vertices of the chart.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Of each triangle the number of its face in the chart.
+    pub(super) faces: Vec<u32>,
+    pub(super) shapes: Vec<Shape>,
+    /// Of each triangle those across its sides, or [`NONE`].
+    pub(super) across: Vec<[u32; 3]>,
+    /// The edges of the border, each in the direction of its face.
+    pub(super) border: Vec<[u32; 2]>,
+}
+
+impl ChartMesh {
+    /// `unit`: what positions are divided by. Polygons are cut into triangles. O(H log H).
+    pub(super) fn new(
+        surface: &CutSurface<'_, '_>,
+        split: &Split,
+        chart: usize,
+        unit: f64,
+        job: &Job<'_>,
+    ) -> Result<ChartMesh> {
+        let mesh = surface.mesh;
+        let vertices = split.vertices[chart].clone();
+        let first = vertices.start;
+        let at = |v: u32| mesh.positions().get(split.vertex_map[v as usize]) / unit;
+        let points = alloc::collect_cancellable(vertices.map(at), &job.part(0.0, 0.0), STAGE)?;
+        let (mut triangles, mut faces) = (Vec::new(), Vec::new());
+        let (mut corners, mut own, mut sides) = (Vec::new(), Vec::new(), Vec::<Side>::new());
+        for (k, &f) in (0..).zip(split.faces.get(chart)) {
+            job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
+            corners.clear();
+            let range = mesh.faces().range(f as usize);
+            let (start, size) = (range.start as u32, range.len() as u32);
+            alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
+            triangulate(&corners, &points, &mut own, &job.part(0.0, 0.0))?;
+            for &triangle in &own {
+                for i in 0..3 {
+                    let [a, b] = [triangle[i], triangle[(i + 1) % 3]];
+                    let on = if (a + 1) % size == b {
+                        let (h, mate) = (start + a, surface.across(start + a));
+                        (0, u64::from(if mate == NONE { h } else { h.min(mate) }))
+                    } else {
+                        (1 + k, unordered([a, b]))
+                    };
+                    let place = sides.len() as u32;
+                    alloc::push(&mut sides, (on, place))?;
+                }
+                alloc::push(&mut triangles, triangle.map(|corner| corners[corner as usize]))?;
+                alloc::push(&mut faces, k)?;
+            }
+        }
+        job.step(1.0, STAGE)?;
+        let at = |t: &[u32; 3]| t.map(|v| points[v as usize]);
+        let perimeter = |[a, b, c]: [DVec3; 3]| a.distance(b) + b.distance(c) + c.distance(a);
+        let mean = triangles.iter().map(|t| perimeter(at(t))).sum::<f64>() / (3 * triangles.len()) as f64;
+        // A chart that is a point has no mean edge; in the unit the surface is about 1.
+        let least = MIN_HEIGHT * mean.max(MIN_HEIGHT);
+        let shapes = triangles.iter().map(|t| shape(at(t), least));
+        let shapes = alloc::collect_cancellable(shapes, &job.part(1.0, 1.0), STAGE)?;
+        job.step(1.0, STAGE)?;
+        let across = neighbours(sides, &job.part(1.0, 1.0))?;
+        job.step(1.0, STAGE)?;
+        let sides = triangles.iter().zip(&across).flat_map(|(triangle, across)| {
+            (0..3).filter(|&k| across[k] == NONE).map(|k| [triangle[k], triangle[(k + 1) % 3]])
+        });
+        let border = alloc::gather(sides)?;
+        Ok(ChartMesh { points, triangles, faces, shapes, across, border })
+    }
+
+    /// The distance of two vertices on the surface.
+    pub(super) fn length(&self, u: u32, v: u32) -> f64 {
+        self.points[u as usize].distance(self.points[v as usize])
+    }
+
+    pub(super) fn area(&self) -> f64 {
+        self.shapes.iter().map(|shape| shape.area).sum()
+    }
+
+    /// The signed area of a triangle in the plane, doubled.
+    pub(super) fn double_area(&self, t: usize, x: &[DVec2]) -> f64 {
+        let [a, b, c] = self.triangles[t].map(|v| x[v as usize]);
+        (b - a).perp_dot(c - a)
+    }
+
+    /// The number of triangles that are turned over or flat in the plane.
+    pub(super) fn folds(&self, x: &[DVec2]) -> u32 {
+        let stands = |t: usize| self.double_area(t, x) > 0.0;
+        (0..self.triangles.len()).filter(|&t| !stands(t)).count() as u32
+    }
+}
+
+/// Puts the triangles of a polygon into `triangles`, by the numbers of its corners. A quad is cut
+/// along its shorter diagonal, or the other one if that leaves the quad.
+fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>, job: &Job<'_>) -> Result<()> {
+    let at = |k: usize| points[corners[k] as usize];
+    triangles.clear();
+    match corners.len() {
+        3 => alloc::push(triangles, [0, 1, 2]),
+        4 => {
+            let normal = (at(2) - at(0)).cross(at(3) - at(1));
+            let is_inside = |k: usize| {
+                let [a, b, c, d] = [k, k + 1, (k + 2) % 4, (k + 3) % 4].map(at);
+                let [one, other] = [(b - a).cross(c - a), (c - a).cross(d - a)];
+                one.dot(normal) > 0.0 && other.dot(normal) > 0.0
+            };
+            let shorter = usize::from(at(3).distance(at(1)) < at(2).distance(at(0)));
+            let start = if is_inside(shorter) || !is_inside(1 - shorter) { shorter } else { 1 - shorter };
+            let [a, b, c, d] = [start, start + 1, (start + 2) % 4, (start + 3) % 4].map(|k| k as u32);
+            alloc::append(triangles, &[[a, b, c], [a, c, d]])
+        }
+        n => {
+            let own = alloc::collect(corners.iter().map(|&v| points[v as usize]))?;
+            match clip_ears(&own, &|_, _| false, job)? {
+                Some(ears) => alloc::append(triangles, &ears),
+                None => alloc::extend(triangles, (1..n as u32 - 1).map(|k| [0, k, k + 1])),
+            }
+        }
+    }
+}
+
+/// The shape of a triangle. Its base and its height are at least `least`, and at least [`MIN_HEIGHT`]
+/// of its longest side.
+fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    let least = least.max(MIN_HEIGHT * longest);
+    let base = (b - a).length().max(least);
+    let along = (b - a).normalize_or(DVec3::X);
+    let x = if b == a { (c - a).length() / 2.0 } else { (c - a).dot(along) };
+    let height = ((c - a) - x * along).length().max(least);
+    let corners = [DVec2::ZERO, DVec2::new(base, 0.0), DVec2::new(x, height)];
+    let area = base * height / 2.0;
+    // The opposite side, turned inwards by a right angle, over twice the area.
+    let gradient = |k: usize| (corners[(k + 2) % 3] - corners[(k + 1) % 3]).perp() / (2.0 * area);
+    Shape { gradients: [0, 1, 2].map(gradient), area }
+}
+
+/// A side of a triangle: the number of what it is on, a half-edge of the surface or a diagonal, and
+/// its place among all sides.
+type Side = ((u32, u64), u32);
+
+/// Of each triangle those across its sides, or [`NONE`].
+fn neighbours(mut sides: Vec<Side>, job: &Job<'_>) -> Result<Vec<[u32; 3]>> {
+    let mut across = alloc::filled([NONE; 3], sides.len() / 3)?;
+    sort(&mut sides, Ord::cmp, job, STAGE)?;
+    for (k, pair) in sides.windows(2).enumerate() {
+        job.step_within(k, STAGE)?;
+        if pair[0].0 == pair[1].0 {
+            let [a, b] = [pair[0].1, pair[1].1];
+            across[a as usize / 3][a as usize % 3] = b / 3;
+            across[b as usize / 3][b as usize % 3] = a / 3;
+        }
+    }
+    Ok(across)
+}

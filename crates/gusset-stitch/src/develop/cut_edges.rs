@@ -1,0 +1,247 @@
+//! Edges along which a surface is cut, and the shortest paths along edges.
+
+use super::STAGE;
+use super::develop_request::{CutKind, Cuts};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::geom::scale::distance;
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use gusset_mesh::{Across, Defect, MeshView, NONE, Topology, half_edges};
+use std::cmp::{Ordering, Reverse};
+use std::collections::BinaryHeap;
+
+/// The half-edges of a surface, and those along which it is cut.
+pub(super) struct CutSurface<'m, 'a> {
+    pub(super) mesh: &'m MeshView<'a>,
+    /// Of each half-edge its mate; [`NONE`] at borders, at edges of three or more faces, and where
+    /// the faces of an edge disagree in orientation.
+    mates: Vec<u32>,
+    is_cut: BitSet,
+    pub(super) cut_edges: Vec<([u32; 2], CutKind)>,
+}
+
+impl<'m, 'a> CutSurface<'m, 'a> {
+    /// Nothing is cut yet. O(H log d).
+    pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Self> {
+        let topology = Topology::new(mesh, &job.part(0.0, 0.8))?;
+        // Degenerate faces come first.
+        if let Some(&Defect::DegenerateFace { face, vertex }) = topology.defects().first() {
+            return Err(Error::RepeatedCorner { face, vertex });
+        }
+        let count = mesh.faces().half_edge_count();
+        let mut mates = alloc::filled(NONE, count)?;
+        for f in 0..mesh.faces().len() {
+            job.part(0.8, 1.0).step_within(f, STAGE)?;
+            for (h, u, v) in half_edges(mesh, f) {
+                if let Across::Mate(mate) = topology.across(h)
+                    && (mesh.faces().corner(mate), mesh.faces().corner(mesh.faces().next(mate))) == (v, u)
+                {
+                    mates[h as usize] = mate;
+                }
+            }
+        }
+        Ok(CutSurface { mesh, mates, is_cut: BitSet::new(count)?, cut_edges: Vec::new() })
+    }
+
+    /// The half-edge across an edge that is not cut; [`NONE`] otherwise.
+    pub(super) fn across(&self, h: u32) -> u32 {
+        if self.is_cut.contains(h) { NONE } else { self.mates[h as usize] }
+    }
+
+    pub(super) fn ends(&self, h: u32) -> [u32; 2] {
+        [h, self.mesh.faces().next(h)].map(|h| self.mesh.faces().corner(h))
+    }
+
+    /// Cuts along an edge, if that separates two faces.
+    pub(super) fn cut(&mut self, h: u32, kind: CutKind) -> Result<()> {
+        let mate = self.across(h);
+        if mate != NONE {
+            self.is_cut.insert(h);
+            self.is_cut.insert(mate);
+            let ends = self.ends(h);
+            alloc::push(&mut self.cut_edges, (ends, kind))?;
+        }
+        Ok(())
+    }
+
+    /// Takes the last cuts back: those of the half-edges of `path`.
+    pub(super) fn close(&mut self, path: &[u32]) {
+        for &h in path {
+            self.is_cut.toggle(h);
+            self.is_cut.toggle(self.mates[h as usize]);
+        }
+        self.cut_edges.truncate(self.cut_edges.len() - path.len());
+    }
+
+    /// Cuts along the paths that are given.
+    pub(super) fn cut_along(&mut self, cuts: &Cuts<'_>, job: &Job<'_>) -> Result<()> {
+        if cuts.vertices.is_empty() {
+            return Ok(());
+        }
+        let whole = [0, cuts.vertices.len() as u32];
+        let offsets = if cuts.offsets.is_empty() { &whole } else { cuts.offsets };
+        Error::check_offsets(offsets, cuts.vertices.len())?;
+        let count = self.mesh.positions().len();
+        let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h), job)?;
+        let mut search = Search::new(count)?;
+        for (number, ends) in (0..).zip(offsets.windows(2)) {
+            let mut path = alloc::copied(&cuts.vertices[ends[0] as usize..ends[1] as usize])?;
+            for (place, vertex) in (0..).zip(&mut path) {
+                if *vertex as usize >= count {
+                    return Err(Error::LoopIndexOutOfRange { number, place, vertex: *vertex });
+                }
+                *vertex = self.mesh.faces().merge_of(*vertex);
+            }
+            for (place, step) in (1..).zip(path.windows(2)) {
+                let found = search.shortest(&graph, &[step[0]], |v| v == step[1], job)?;
+                if found.is_none() {
+                    let vertex = cuts.vertices[ends[0] as usize + place as usize];
+                    return Err(Error::CutNotConnected { cut: number, place, vertex });
+                }
+                for h in search.path(step[1])? {
+                    self.cut(h, CutKind::Given)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Edges by their ends, which may be vertices of the surface or of its charts.
+pub(super) struct Graph {
+    /// Of each vertex: the edge's other end, a half-edge of it, and its length.
+    edges: Buckets<(u32, u32, f64)>,
+}
+
+impl Graph {
+    /// `name`: the vertex at the corner where a half-edge starts. O(H).
+    pub(super) fn new(
+        surface: &CutSurface<'_, '_>,
+        count: usize,
+        name: impl Fn(u32) -> u32,
+        job: &Job<'_>,
+    ) -> Result<Graph> {
+        let mesh = surface.mesh;
+        let edge = |h: u32| {
+            let [u, v] = surface.ends(h).map(|v| mesh.positions().get(v));
+            (name(h), name(mesh.faces().next(h)), distance(u, v))
+        };
+        // Of an edge with two faces each gives one direction, of others the one face gives both.
+        let all = (0..2 * mesh.faces().half_edge_count()).filter_map(|k| {
+            let h = (k / 2) as u32;
+            let (u, v, length) = edge(h);
+            let is_back = k % 2 == 1;
+            let is_named = u != NONE && v != NONE && !(is_back && surface.across(h) != NONE);
+            is_named.then_some(if is_back { (v as usize, (u, h, length)) } else { (u as usize, (v, h, length)) })
+        });
+        Ok(Graph { edges: Buckets::new_cancellable(count, (0, 0, 0.0), all, job, STAGE)? })
+    }
+
+    /// The neighbours of a vertex, each with a half-edge between.
+    pub(super) fn around(&self, v: u32) -> &[(u32, u32, f64)] {
+        self.edges.get(v as usize)
+    }
+}
+
+/// A vertex that is reached, the nearest first; of equally near ones the smallest.
+#[derive(PartialEq)]
+struct Reached(f64, u32);
+
+impl Eq for Reached {}
+
+impl Ord for Reached {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0).then(self.1.cmp(&other.1))
+    }
+}
+
+impl PartialOrd for Reached {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// Shortest paths from a set of vertices (E. Dijkstra, 1959).
+pub(super) struct Search {
+    /// Infinite where nothing was reached.
+    pub(super) distances: Vec<f64>,
+    /// The vertex before, and the half-edge from it.
+    before: Vec<(u32, u32)>,
+    touched: Vec<u32>,
+}
+
+impl Search {
+    pub(super) fn new(count: usize) -> Result<Search> {
+        Ok(Search {
+            distances: alloc::filled(f64::INFINITY, count)?,
+            before: alloc::filled((NONE, NONE), count)?,
+            touched: Vec::new(),
+        })
+    }
+
+    /// Goes from `sources` to the nearest vertex that `is_target`, which is returned. O(E log V) for
+    /// what is nearer.
+    pub(super) fn shortest(
+        &mut self,
+        graph: &Graph,
+        sources: &[u32],
+        is_target: impl Fn(u32) -> bool,
+        job: &Job<'_>,
+    ) -> Result<Option<u32>> {
+        for &v in &self.touched {
+            (self.distances[v as usize], self.before[v as usize]) = (f64::INFINITY, (NONE, NONE));
+        }
+        self.touched.clear();
+        let mut heap = BinaryHeap::from(alloc::with_capacity(sources.len())?);
+        for &v in sources {
+            self.reach(v, 0.0, (NONE, NONE))?;
+            heap.push(Reverse(Reached(0.0, v)));
+        }
+        let mut steps = 0;
+        while let Some(Reverse(Reached(distance, v))) = heap.pop() {
+            if distance > self.distances[v as usize] {
+                continue;
+            }
+            if is_target(v) {
+                return Ok(Some(v));
+            }
+            job.step_within_heavy(16, steps, STAGE)?;
+            steps += 1;
+            for &(w, h, length) in graph.around(v) {
+                let sum = distance + length;
+                if sum < self.distances[w as usize] {
+                    self.reach(w, sum, (v, h))?;
+                    heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes: 16 })?;
+                    heap.push(Reverse(Reached(sum, w)));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    fn reach(&mut self, v: u32, distance: f64, before: (u32, u32)) -> Result<()> {
+        if self.distances[v as usize] == f64::INFINITY {
+            alloc::push(&mut self.touched, v)?;
+        }
+        (self.distances[v as usize], self.before[v as usize]) = (distance, before);
+        Ok(())
+    }
+
+    /// The half-edges of the path to a vertex that was reached, from its end to its source.
+    pub(super) fn path(&self, mut v: u32) -> Result<Vec<u32>> {
+        let mut path = Vec::new();
+        while self.before[v as usize].0 != NONE {
+            let (u, h) = self.before[v as usize];
+            alloc::push(&mut path, h)?;
+            v = u;
+        }
+        Ok(path)
+    }
+
+    /// True if the path to `v` ends with half-edge `h`, whichever way.
+    pub(super) fn comes_by(&self, v: u32, h: u32) -> bool {
+        self.before[v as usize].1 == h
+    }
+}

@@ -1,0 +1,360 @@
+//! From the mesh to its development.
+
+use super::STAGE;
+use super::chart::ChartMesh;
+use super::chart_system::System;
+use super::charts::Split;
+use super::cut_edges::{CutSurface, Graph, Search};
+use super::darts;
+use super::descend::{Border, Descent, End, descend, mean_energy};
+use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Options};
+use super::energy::Jacobian;
+use super::exact_unfolding::{Lengths, turned_down};
+use super::opening::open;
+use super::overlap::overlaps;
+use super::start_maps::{conformal, tutte};
+use glam::DVec2;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::bit_set::BitSet;
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer};
+
+/// Steps of the descent, if the caller says nothing.
+const MAX_ITERATIONS: u32 = 200;
+/// Charts are so far apart, in their greatest width.
+const GAP: f64 = 0.05;
+
+/// Edges of an exact chart that cross by no more than this, in the root of its area, only touch.
+const MAX_TOUCH: f64 = 1e-8;
+
+/// A chart in the plane.
+struct Flat {
+    /// In the unit.
+    x: Vec<DVec2>,
+    finish: Finish,
+    iterations: u32,
+    /// Of each face of the chart.
+    stretches: Vec<[f64; 2]>,
+    energy: f64,
+    overlaps: u32,
+    folds: u32,
+    area: f64,
+    flat_area: f64,
+    /// Where a dart should end, if it was looked for.
+    tip: Option<u32>,
+}
+
+impl Flat {
+    /// Whether a dart was worth it.
+    fn is_better_than(&self, other: &Flat) -> bool {
+        self.folds == 0 && self.overlaps == 0 && self.energy < other.energy
+    }
+
+    /// The largest factor by which a length changes.
+    fn worst(&self) -> f64 {
+        let of = |&[most, least]: &[f64; 2]| most.max(1.0 / least.max(f64::MIN_POSITIVE));
+        self.stretches.iter().map(of).fold(1.0, f64::max)
+    }
+}
+
+/// Lays a surface out in the plane with the least distortion.
+///
+/// It is cut along the paths given, and where a component is no disc then, along the shortest
+/// further ones. A chart that can be unfolded about its edges keeps every length; another one
+/// descends to the least distortion, without folding a triangle or overlapping itself. Edges of
+/// three or more faces, and those whose faces disagree in orientation, are borders.
+///
+/// O(H log H) for charts that are unfolded; each step of a descent O(n^1.5) for the n vertices of
+/// its chart. Memory: linear but for the factor, O(n log n).
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1,
+/// [`Error::RepeatedCorner`], [`Error::BadOffsets`] of the cuts, [`Error::LoopIndexOutOfRange`] for
+/// a vertex of a cut that does not exist, [`Error::CutNotConnected`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Result<Developed> {
+    if let Some(stretch) = options.max_stretch {
+        Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch)?;
+    }
+    job.step(0.0, STAGE)?;
+    let corners = 0..mesh.faces().half_edge_count() as u32;
+    let points = corners.map(|h| mesh.positions().get(mesh.faces().corner(h)));
+    let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
+    job.step(0.0, STAGE)?;
+    let unit = common_unit(&points);
+    drop(points);
+    let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
+    surface.cut_along(&options.cuts, &job.part(0.05, 0.05))?;
+    let mut split = Split::new(&surface, &job.part(0.05, 0.06))?;
+    if open(&mut surface, &split, &job.part(0.06, 0.08))? {
+        split = Split::new(&surface, &job.part(0.08, 0.1))?;
+    }
+    let count = split.vertices.len();
+    let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
+    flats.resize_with(count, || None);
+    let whole = job.part(0.1, 0.95);
+    // How many darts there will be shows at the end only: each gets half of what is left.
+    let looks = options.max_darts > 0;
+    let middle = if looks { 0.5 } else { 1.0 };
+    let (first, mut rest) = (whole.part(0.0, middle), whole.part(middle, 1.0));
+    for (chart, flat) in flats.iter_mut().enumerate() {
+        *flat = Some(flatten(&surface, &split, chart, unit, options, looks, &first.share(chart, count))?);
+    }
+    let mut made = 0;
+    while made < options.max_darts {
+        let Some((chart, tip)) = worst(&flats, options) else {
+            break;
+        };
+        let job = rest.part(0.0, 0.5);
+        rest = rest.part(0.5, 1.0);
+        let cut = dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
+        let parts = Split::new(&surface, &job.part(0.1, 0.1))?;
+        let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
+        let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
+        if let Some(old) = old {
+            // The chart gets no more.
+            surface.close(&cut);
+            old.tip = None;
+        } else {
+            (split, flats[chart], made) = (parts, Some(flat), made + 1);
+        }
+    }
+    let flats = alloc::gather(flats.into_iter().flatten())?;
+    job.step(0.95, STAGE)?;
+    result(mesh, surface, split, &flats, unit, made, &job.part(0.95, 1.0))
+}
+
+/// The chart that needs a dart most, and where it should end.
+fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> {
+    let limit = options.max_stretch.unwrap_or(1.0);
+    let needs = flats.iter().enumerate().filter_map(|(k, flat)| {
+        let flat = flat.as_ref()?;
+        (flat.worst() > limit).then_some((flat.worst(), k, flat.tip?))
+    });
+    needs.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, chart, tip)| (chart, tip))
+}
+
+/// Cuts from a vertex inside a chart along the shortest path to its border, which is returned.
+fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<Vec<u32>> {
+    let faces = *surface.mesh.faces();
+    let mut on_border = BitSet::new(split.vertex_map.len())?;
+    for &f in split.faces.get(chart) {
+        for h in faces.range(f as usize).map(|h| h as u32) {
+            if surface.across(h) == NONE {
+                [h, faces.next(h)].iter().for_each(|&h| on_border.insert(split.corners[h as usize]));
+            }
+        }
+    }
+    let count = split.vertex_map.len();
+    let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
+    let mut search = Search::new(count)?;
+    let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? else {
+        return Ok(Vec::new());
+    };
+    let path = search.path(end)?;
+    for &h in &path {
+        surface.cut(h, CutKind::Dart)?;
+    }
+    Ok(path)
+}
+
+fn flatten(
+    surface: &CutSurface<'_, '_>,
+    split: &Split,
+    number: usize,
+    unit: f64,
+    options: &Options<'_>,
+    looks_for_tip: bool,
+    job: &Job<'_>,
+) -> Result<Flat> {
+    let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
+    let exact = |x| measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    let lengths = Lengths::of(&chart, &job.part(0.05, 0.05))?;
+    let turned = turned_down(&chart, &job.part(0.05, 0.05))?;
+    if lengths.are_kept(&turned, &job.part(0.05, 0.05))? {
+        return exact(turned);
+    }
+    let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
+    if let Some(x) = lengths.restored(&mut system, turned, &job.part(0.1, 0.12))? {
+        return exact(x);
+    }
+    let x = conformal(&chart, &mut system, &job.part(0.12, 0.15))?;
+    if let Some(x) = lengths.restored(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
+        return exact(x);
+    }
+    let tip = match looks_for_tip {
+        true => darts::tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
+        false => None,
+    };
+    let is_conformal = options.distortion == Distortion::Conformal;
+    if is_conformal && chart.folds(&x) == 0 && is_apart(&chart, &x, &job.part(0.2, 0.2))? {
+        return measured(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
+    }
+    let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
+    // What is as rigid as possible may fold, and is looked for from a map that does not.
+    let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
+    let mut done = least(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
+    if options.distortion == Distortion::Rigid && done.end != End::Folded {
+        let before = done.iterations;
+        done = least(&chart, &mut system, Distortion::Rigid, done.x, limit, &job.part(end, 0.95))?;
+        done.iterations += before;
+    }
+    let finish = match done.end {
+        End::Folded => Finish::Folded,
+        _ if is_conformal => Finish::NotConformal,
+        End::Converged => Finish::Converged,
+        End::Stalled => Finish::Stalled,
+        End::IterationLimit => Finish::IterationLimit,
+    };
+    measured(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
+}
+
+/// True if the border of a map does not meet itself.
+fn is_apart(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
+    Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0)
+}
+
+/// The map of least distortion that is one to one, by descent from `x`, or, where that folds or
+/// leads to none, from Tutte's map.
+fn least(
+    chart: &ChartMesh,
+    system: &mut System,
+    distortion: Distortion,
+    x: Vec<DVec2>,
+    limit: u32,
+    job: &Job<'_>,
+) -> Result<Descent> {
+    let (mut start, mut iterations) = (x, 0);
+    for job in [job.part(0.0, 0.5), job.part(0.5, 1.0)] {
+        if chart.folds(&start) == 0 {
+            let mut last = None;
+            let free = descend(chart, system, distortion, start, Border::Free(&mut last), limit, &job.part(0.0, 0.4))?;
+            iterations += free.iterations;
+            if is_apart(chart, &free.x, &job.part(0.4, 0.4))? {
+                return Ok(Descent { iterations, ..free });
+            }
+            if let Some(last) = last {
+                let done = descend(chart, system, distortion, last, Border::Apart, limit, &job.part(0.4, 0.9))?;
+                return Ok(Descent { iterations: iterations + done.iterations, ..done });
+            }
+        }
+        start = tutte(chart, system, &job.part(0.9, 1.0))?;
+    }
+    Ok(Descent { x: start, iterations, end: End::Folded })
+}
+
+/// The chart with its measures, turned so that it is longest along x.
+fn measured(
+    chart: &ChartMesh,
+    mut x: Vec<DVec2>,
+    finish: Finish,
+    iterations: u32,
+    tip: Option<u32>,
+    job: &Job<'_>,
+) -> Result<Flat> {
+    job.step(0.0, STAGE)?;
+    lay_along_x(&chart.border, &mut x);
+    let slack = MAX_TOUCH * chart.area().sqrt();
+    let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
+    let mut stretches = alloc::filled([0.0f64, f64::INFINITY], faces)?;
+    for (k, ((triangle, shape), &f)) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces).enumerate() {
+        job.step_within(k, STAGE)?;
+        let [most, least] = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
+        let stretch = &mut stretches[f as usize];
+        *stretch = [stretch[0].max(most), stretch[1].min(least)];
+    }
+    job.step(0.0, STAGE)?;
+    Ok(Flat {
+        finish,
+        iterations,
+        stretches,
+        energy: mean_energy(chart, Distortion::Symmetric, &x, &job.part(0.0, 0.0))?,
+        // Sides of slits in what is flat lie on one another.
+        overlaps: overlaps(&chart.border, &x, if finish == Finish::Exact { slack } else { 0.0 }, u32::MAX, job)?,
+        folds: if finish == Finish::Exact { 0 } else { chart.folds(&x) },
+        area: chart.area(),
+        flat_area: (0..chart.triangles.len()).map(|t| chart.double_area(t, &x) / 2.0).sum(),
+        tip,
+        x,
+    })
+}
+
+/// Turns a map so that its border is longest along x, and puts its lower left corner at the origin.
+fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
+    let count = border.len() as f64;
+    let mean = border.iter().map(|&[v, _]| x[v as usize]).sum::<DVec2>() / count;
+    let (mut difference, mut mixed) = (0.0, 0.0);
+    for &[v, _] in border {
+        let p = x[v as usize] - mean;
+        difference += p.x * p.x - p.y * p.y;
+        mixed += 2.0 * p.x * p.y;
+    }
+    // The axis is at half the angle of (difference, mixed).
+    let length = f64::sqrt(difference * difference + mixed * mixed);
+    let cosine = if length > 0.0 { difference / length } else { 1.0 };
+    let axis =
+        DVec2::new(((1.0 + cosine) / 2.0).max(0.0).sqrt(), mixed.signum() * ((1.0 - cosine) / 2.0).max(0.0).sqrt());
+    x.iter_mut().for_each(|p| *p = DVec2::new(axis.dot(*p), axis.perp_dot(*p)));
+    let low = x.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+    x.iter_mut().for_each(|p| *p -= low);
+}
+
+fn result(
+    mesh: &MeshView<'_>,
+    surface: CutSurface<'_, '_>,
+    split: Split,
+    flats: &[Flat],
+    unit: f64,
+    darts: u32,
+    job: &Job<'_>,
+) -> Result<Developed> {
+    job.step(0.0, STAGE)?;
+    let width = |flat: &Flat| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
+    let gap = GAP * flats.iter().map(width).fold(0.0, f64::max);
+    job.step(0.0, STAGE)?;
+    let mut points = alloc::with_capacity(split.vertex_map.len())?;
+    let mut stretches = alloc::filled([1.0; 2], mesh.faces().len())?;
+    let (mut charts, mut left) = (alloc::with_capacity(flats.len())?, 0.0);
+    for (k, flat) in flats.iter().enumerate() {
+        job.part(0.0, 0.5).step_every(1 << 15, k, flats.len(), STAGE)?;
+        points.extend(flat.x.iter().map(|&p| unit * (p + DVec2::new(left, 0.0))));
+        left += width(flat) + gap;
+        for (&f, &stretch) in split.faces.get(k).iter().zip(&flat.stretches) {
+            stretches[f as usize] = stretch;
+        }
+        let all = flat.stretches.iter().fold([0.0f64, f64::INFINITY], |all, s| [all[0].max(s[0]), all[1].min(s[1])]);
+        charts.push(Chart {
+            vertices: split.vertices[k].clone(),
+            faces: split.faces.get(k).len() as u32,
+            finish: flat.finish,
+            iterations: flat.iterations,
+            overlaps: flat.overlaps,
+            folds: flat.folds,
+            energy: flat.energy,
+            stretch: all,
+            area: unit * flat.area * unit,
+            flat_area: unit * flat.flat_area * unit,
+        });
+    }
+    job.step(0.5, STAGE)?;
+    let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), points.len())?;
+    positions.extend(points.iter().map(|p: &DVec2| p.extend(0.0)))?;
+    job.step(0.7, STAGE)?;
+    let mut offsets = alloc::with_capacity(mesh.faces().len() + 1)?;
+    offsets.push(0);
+    offsets.extend((0..mesh.faces().len()).map(|f| mesh.faces().range(f).end as u32));
+    job.step(0.9, STAGE)?;
+    Ok(Developed {
+        mesh: Mesh::new(positions, offsets, split.corners),
+        points,
+        vertex_map: split.vertex_map,
+        old_vertices: mesh.positions().len(),
+        face_charts: split.face_charts,
+        stretches,
+        charts,
+        cut_edges: surface.cut_edges,
+        darts,
+    })
+}

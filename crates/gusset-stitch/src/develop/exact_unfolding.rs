@@ -1,0 +1,170 @@
+//! Exact development: places in the plane at which every edge has its length.
+//!
+//! Triangles are turned about their edges into the plane, one after the other. Round-off grows on
+//! the way, so that large charts begin with their conformal map, which is the same for what can be
+//! unfolded. Gauss and Newton's steps towards the lengths of all edges take the rest out: a
+//! triangulated disc is rigid in the plane.
+
+use super::chart::ChartMesh;
+use super::chart_system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
+use glam::{DMat2, DVec2, DVec3};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_mesh::NONE;
+use std::collections::VecDeque;
+
+/// Edges may miss their lengths by this part of them.
+const MAX_LENGTH_ERROR: f64 = 1e-10;
+/// Edges shorter than so many mean ones may miss their lengths as if they were that long.
+const SHORT: f64 = 1e-3;
+/// Surfaces that miss by more are curved.
+const MAX_CLOSING_ERROR: f64 = 1e-3;
+/// What a triangle may lack in area, doubled, in squares of the mean edge.
+const MAX_AREA_ERROR: f64 = 1e-6;
+const MAX_STEPS: usize = 3;
+/// A weight that holds vertices, beside 1 for each edge: the plane has no place of its own.
+const HOLD: f64 = 1e-9;
+
+/// The lengths of the edges of a chart.
+pub(super) struct Lengths<'a> {
+    chart: &'a ChartMesh,
+    mean: f64,
+}
+
+impl<'a> Lengths<'a> {
+    pub(super) fn of(chart: &'a ChartMesh, job: &Job<'_>) -> Result<Self> {
+        let mut lengths = Lengths { chart, mean: 0.0 };
+        let mut sum = 0.0;
+        for (k, [u, v]) in lengths.edges().enumerate() {
+            job.step_within(k, STAGE)?;
+            sum += chart.length(u, v);
+        }
+        lengths.mean = sum / (3 * chart.triangles.len()) as f64;
+        Ok(lengths)
+    }
+
+    /// Edges of two triangles twice.
+    fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        (0..3 * self.chart.triangles.len()).map(|k| {
+            let triangle = self.chart.triangles[k / 3];
+            [triangle[k % 3], triangle[(k + 1) % 3]]
+        })
+    }
+
+    /// The largest error of an edge in the plane, in its length, or in [`SHORT`] mean edges if that
+    /// is more; NaN if there is one without a place.
+    fn error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
+        let of = |[u, v]: [u32; 2]| {
+            let wanted = self.chart.length(u, v);
+            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT * self.mean)
+        };
+        let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
+        let mut worst = 0.0;
+        for (k, edge) in self.edges().enumerate() {
+            job.step_within(k, STAGE)?;
+            worst = largest(worst, of(edge));
+        }
+        Ok(worst)
+    }
+
+    /// True if every edge has its length, and no triangle is turned over. One without area may come
+    /// to lie either way.
+    pub(super) fn are_kept(&self, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
+        let stands = |t: usize| {
+            let [a, b, c] = self.chart.triangles[t].map(|v| self.chart.points[v as usize]);
+            let least = (b - a).cross(c - a).length() - MAX_AREA_ERROR * self.mean * self.mean;
+            self.chart.double_area(t, x) >= least
+        };
+        let job = job.part(0.0, 0.0);
+        let is_long_enough = self.error(x, &job)? <= MAX_LENGTH_ERROR;
+        for t in 0..self.chart.triangles.len() {
+            job.step_within(t, STAGE)?;
+            if !is_long_enough || !stands(t) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The places near `x` at which every edge has its length; `None` if there are none. O(T) for T
+    /// triangles, and up to three factors where `x` is near but not there.
+    pub(super) fn restored(&self, system: &mut System, mut x: Vec<DVec2>, job: &Job<'_>) -> Result<Option<Vec<DVec2>>> {
+        for step in 0..MAX_STEPS {
+            let job = job.share(step, MAX_STEPS);
+            let error = self.error(&x, &job)?;
+            if error <= MAX_LENGTH_ERROR || error.is_nan() || error > MAX_CLOSING_ERROR {
+                break;
+            }
+            job.step(0.0, STAGE)?;
+            x = closer(self.chart, system, &x, &job)?;
+            job.step(1.0, STAGE)?;
+        }
+        Ok(self.are_kept(&x, &job.part(1.0, 1.0))?.then_some(x))
+    }
+}
+
+/// Turns triangles into the plane, neighbours after each other, from the largest on. O(T).
+pub(super) fn turned_down(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>> {
+    let count = chart.triangles.len();
+    let mut x = alloc::filled(DVec2::NAN, chart.points.len())?;
+    let mut seen = alloc::filled(false, count)?;
+    let mut waiting = VecDeque::new();
+    waiting.try_reserve(count).map_err(|_| Error::OutOfMemory { bytes: 8 * count as u64 })?;
+    let larger = |best: usize, t: usize| if chart.shapes[t].area > chart.shapes[best].area { t } else { best };
+    let largest = (0..count).fold(0, larger);
+    let [a, b, _] = chart.triangles[largest];
+    (x[a as usize], x[b as usize]) = (DVec2::ZERO, DVec2::new(chart.length(a, b), 0.0));
+    seen[largest] = true;
+    waiting.push_back(largest);
+    let mut done = 0;
+    while let Some(t) = waiting.pop_front() {
+        job.step_within(done, STAGE)?;
+        done += 1;
+        for k in 0..3 {
+            let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| chart.triangles[t][k]);
+            if x[c as usize].is_nan() && !x[a as usize].is_nan() && !x[b as usize].is_nan() {
+                x[c as usize] = third([x[a as usize], x[b as usize]], [a, b, c].map(|v| chart.points[v as usize]));
+            }
+        }
+        for &next in chart.across[t].iter().filter(|&&next| next != NONE) {
+            if !std::mem::replace(&mut seen[next as usize], true) {
+                waiting.push_back(next as usize);
+            }
+        }
+    }
+    Ok(x)
+}
+
+/// The third corner to the left of a side in the plane.
+fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
+    let side = b - a;
+    let square = side.length_squared().max(f64::MIN_POSITIVE);
+    let along = (c - a).dot(side) / square;
+    let height = side.cross(c - a).length() / square;
+    p + along * (q - p) + height * (q - p).perp()
+}
+
+/// The places at which, to first order, the sum of the squared differences of lengths is least.
+fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
+    let still = alloc::filled(DVec2::ZERO, x.len())?;
+    system.clear(&job.part(0.0, 0.0))?;
+    for (k, triangle) in chart.triangles.iter().enumerate() {
+        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        for i in 0..3 {
+            let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
+            let side = x[v as usize] - x[u as usize];
+            let along = side.normalize_or_zero();
+            let block = DMat2::from_cols(along.x * along, along.y * along);
+            system.add(u, v, -block, &still);
+            let pull = (chart.length(u, v) - side.length()) * along;
+            for (v, pull) in [(u, -pull), (v, pull)] {
+                system.add_diagonal(v, block + DMat2::from_diagonal(DVec2::splat(HOLD)));
+                system.add_right(v, pull);
+            }
+        }
+    }
+    let by = system.solve(&still, &job.part(0.1, 1.0))?;
+    alloc::collect(x.iter().zip(by).map(|(&x, by)| x + by))
+}

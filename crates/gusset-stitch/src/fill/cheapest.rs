@@ -1,0 +1,286 @@
+//! The loops that cost less closed together than apart.
+//!
+//! Agglomeration: at first each loop is a group of its own. Loops near each other are partners if
+//! few of their vertices say that they may gain by a common patch. Groups with partners are closed
+//! together on trial; of all pairs of groups the one that gains most, as a part of what it costs
+//! apart, becomes one group, and is tried with its partners in turn, until no pair gains. Both costs
+//! of a pair are those of all its loops, from one origin in one unit.
+
+use super::choose::Candidate;
+use super::fill_request::Weight;
+use super::loops::{cost, may_gain};
+use super::near::faces_near;
+use super::patch::triangulate;
+use super::patch_rim::Rim;
+use super::search::MIN_GAIN;
+use super::surroundings::Surroundings;
+use crate::fair::Continuity;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::box_tree::{BoxTree, spatial_order};
+use gusset_base::job::Job;
+use gusset_base::sort;
+use gusset_mesh::MeshView;
+use std::cmp::Ordering;
+
+/// Loops are near each other if their boxes meet, each larger on all sides by this part of its
+/// diagonal.
+const ROOM: f64 = 0.5;
+/// A loop is tried with so many others at the most, and with those that are to be tried with it, at
+/// most [`MAX_LOOPS`]; a group with so many others: the nearest ones.
+const MAX_NEIGHBOURS: usize = 4;
+/// Loops between two progress reports.
+const REPORT_INTERVAL: usize = 64;
+/// No more loops than these get one patch.
+const MAX_LOOPS: usize = 16;
+/// Trials in all; one of short loops takes up to 50 ms. A note says if pairs were left.
+const MAX_TRIALS: usize = 256;
+
+/// `None` if none were found.
+type Triangles = Option<Vec<[u32; 3]>>;
+
+/// Loops that are closed together.
+struct Group {
+    /// Their numbers in the search.
+    loops: Vec<usize>,
+    triangles: Triangles,
+}
+
+/// Two groups that cost less together.
+struct Pair {
+    /// By what part of their cost apart.
+    gain: f64,
+    groups: [usize; 2],
+    triangles: Vec<[u32; 3]>,
+}
+
+/// Of the boxes round two loops: between them, and between their centres.
+type Distance = [f64; 2];
+
+/// Two loops or groups, and how far they are from each other.
+type Near = ([usize; 2], Distance);
+
+struct Search<'a> {
+    surroundings: Surroundings<'a>,
+    loops: Vec<&'a [u32]>,
+    /// Of each loop those that it may belong together with, and how far they are.
+    partners: Vec<Vec<(usize, Distance)>>,
+    weight: Weight,
+    /// `None` of a group that is a part of a later one.
+    groups: Vec<Option<Group>>,
+    /// The group of each loop.
+    owner: Vec<usize>,
+    /// How many trials there may still be; `None` if one more was wanted.
+    trials: Option<usize>,
+}
+
+/// Joins groups of single candidates.
+///
+/// At most 4 trials of few vertices a loop, and 8 of all, 256 for all loops: 4 of each loop, and 4 of
+/// each group that is made of two. A trial is a search of the loops together, of at most 16.
+pub(super) fn cheapest(
+    mesh: &MeshView<'_>,
+    passes: &[u8],
+    candidates: &[Candidate],
+    groups: &[Vec<usize>],
+    weight: Weight,
+    job: &Job<'_>,
+) -> Result<Vec<Vec<usize>>> {
+    let loops = alloc::collect(groups.iter().map(|group| candidates[group[0]].vertices.as_slice()))?;
+    let around = |vertices: &&[u32]| Aabb::of(vertices.iter().map(|&v| mesh.positions().get(v)));
+    let boxes = alloc::collect(loops.iter().map(around))?;
+    let near = faces_near(mesh, &boxes, &job.part(0.0, 0.05))?;
+    let surroundings = Surroundings::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;
+    let partners = alloc::collect(loops.iter().map(|_| Vec::new()))?;
+    let owner = alloc::collect(0..loops.len())?;
+    // All that there can be.
+    let joined = alloc::with_capacity(2 * loops.len())?;
+    let mut search = Search { surroundings, loops, partners, weight, groups: joined, owner, trials: Some(MAX_TRIALS) };
+    search.find_partners(&boxes, &job.part(0.1, 0.3))?;
+    search.run(&job.part(0.3, 1.0))?;
+    let joined = search.groups.iter().flatten().map(|group| {
+        let mut numbers = alloc::collect(group.loops.iter().map(|&k| groups[k][0]))?;
+        numbers.sort_unstable();
+        Ok(numbers)
+    });
+    let mut joined: Vec<_> = alloc::try_collect(joined)?;
+    joined.sort_unstable();
+    Ok(joined)
+}
+
+impl Search<'_> {
+    fn find_partners(&mut self, boxes: &[Aabb], job: &Job<'_>) -> Result<()> {
+        let near = near(boxes, &job.part(0.0, 0.2))?;
+        let job = job.part(0.2, 1.0);
+        for (at, &([i, k], distance)) in near.iter().enumerate() {
+            job.step(at as f64 / near.len() as f64, "triangulating holes")?;
+            let Some((rim, _)) = self.surroundings.rim([i, k].into_iter().map(|k| self.loops[k]), &job)? else {
+                continue;
+            };
+            let polygons = rim.polygons()?;
+            if may_gain([&polygons[0], &polygons[1]], self.weight, &job.part(1.0, 1.0))? {
+                alloc::push(&mut self.partners[i], (k, distance))?;
+                alloc::push(&mut self.partners[k], (i, distance))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn run(&mut self, job: &Job<'_>) -> Result<()> {
+        let count = self.loops.len();
+        let mut near = Vec::new();
+        for k in 0..count {
+            let alone = alloc::filled(k, 1)?;
+            let found = if self.partners[k].is_empty() {
+                None
+            } else {
+                self.triangulated(&alone, &job.part(0.0, 0.2).share(k, count))?
+            };
+            let triangles = found.and_then(|(_, triangles)| triangles);
+            self.groups.push(Some(Group { loops: alone, triangles }));
+        }
+        for k in 0..count {
+            alloc::append(&mut near, &self.near(k)?)?;
+        }
+        // The nearest ones first, as far as trials go.
+        near.sort_unstable_by(nearest_first);
+        near.dedup();
+        let mut pairs = Vec::new();
+        self.try_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
+        while let Some(Pair { groups, triangles, .. }) = take_best(&mut pairs) {
+            let [Some(one), Some(other)] = groups.map(|group| self.groups[group].take()) else {
+                break;
+            };
+            let (new, mut loops) = (self.groups.len(), one.loops);
+            alloc::append(&mut loops, &other.loops)?;
+            loops.iter().for_each(|&k| self.owner[k] = new);
+            self.groups.push(Some(Group { loops, triangles: Some(triangles) }));
+            pairs.retain(|pair| pair.groups.iter().all(|&group| self.groups[group].is_some()));
+            self.try_pairs(&self.near(new)?, &mut pairs, &job.part(0.6, 1.0).share(new - count, count))?;
+        }
+        Ok(())
+    }
+
+    fn loops_of(&self, group: usize) -> &[usize] {
+        self.groups[group].as_ref().map_or(&[], |group| &group.loops)
+    }
+
+    /// The pairs of a group with those it is to be tried with, the nearest first.
+    fn near(&self, group: usize) -> Result<Vec<Near>> {
+        let own = self.loops_of(group);
+        let mut found = Vec::new();
+        for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
+            let other = self.owner[k];
+            if other != group && own.len() + self.loops_of(other).len() <= MAX_LOOPS {
+                alloc::push(&mut found, (other, distance))?;
+            }
+        }
+        sort::stable(&mut found, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
+        found.dedup_by_key(|&mut (other, _)| other);
+        found.sort_unstable_by(nearest_first);
+        found.truncate(MAX_NEIGHBOURS);
+        let pair = |&(other, distance): &(usize, Distance)| ([group.min(other), group.max(other)], distance);
+        alloc::collect(found.iter().map(pair))
+    }
+
+    /// Adds those pairs that gain.
+    fn try_pairs(&mut self, near: &[Near], pairs: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
+        for (at, &(groups, _)) in near.iter().enumerate() {
+            let Some(left) = self.trials else {
+                break;
+            };
+            self.trials = left.checked_sub(1);
+            if self.trials.is_none() {
+                job.note("there are too many loops near each other: some were not tried together");
+                break;
+            }
+            if let Some(pair) = self.trial(groups, &job.share(at, near.len()))? {
+                alloc::push(pairs, pair)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Two groups together; `None` if that gains nothing. If one of them cannot be closed by itself,
+    /// it gains all.
+    fn trial(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<Pair>> {
+        let mut loops = Vec::new();
+        for group in groups {
+            alloc::append(&mut loops, self.loops_of(group))?;
+        }
+        let Some((rim, Some(triangles))) = self.triangulated(&loops, job)? else {
+            return Ok(None);
+        };
+        let [one, other] = groups.map(|group| self.groups[group].as_ref().and_then(|group| group.triangles.as_deref()));
+        let gain = if let (Some(one), Some(other)) = (one, other) {
+            let first: usize = self.loops_of(groups[0]).iter().map(|&k| self.loops[k].len()).sum();
+            let mut apart = alloc::copied(one)?;
+            alloc::extend(&mut apart, other.iter().map(|triangle| triangle.map(|v| v + first as u32)))?;
+            let polygons = rim.polygons()?;
+            cost(&polygons, &triangles, self.weight)?.gain_over(&cost(&polygons, &apart, self.weight)?)
+        } else {
+            1.0
+        };
+        Ok((gain > MIN_GAIN).then_some(Pair { gain, groups, triangles }))
+    }
+
+    /// Loops closed together; `None` if two of them share a vertex.
+    fn triangulated(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Triangles)>> {
+        let Some((rim, names)) = self.surroundings.rim(loops.iter().map(|&k| self.loops[k]), job)? else {
+            return Ok(None);
+        };
+        let taken = |u: u32, v: u32| self.surroundings.share_face(names[u as usize], names[v as usize]);
+        let triangles = triangulate(&rim, self.weight, &taken, job)?;
+        Ok(Some((rim, triangles)))
+    }
+}
+
+/// The pair that gains most, of equals that of the earlier groups.
+fn take_best(pairs: &mut Vec<Pair>) -> Option<Pair> {
+    let order =
+        |(_, a): &(usize, &Pair), (_, b): &(usize, &Pair)| a.gain.total_cmp(&b.gain).then(b.groups.cmp(&a.groups));
+    let best = pairs.iter().enumerate().max_by(order)?.0;
+    Some(pairs.swap_remove(best))
+}
+
+fn by_distance(a: &Distance, b: &Distance) -> Ordering {
+    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+}
+
+/// The order of distances, and of equal ones that of what they are of.
+fn nearest_first<T: Ord>((i, a): &(T, Distance), (k, b): &(T, Distance)) -> Ordering {
+    by_distance(a, b).then(i.cmp(k))
+}
+
+/// Pairs of boxes that are near each other, the nearest first: of each its nearest ones, but no box
+/// is one of those of more than [`MAX_LOOPS`] others, as that of a sheet's border would be of all
+/// holes.
+fn near(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
+    let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(ROOM * around.diagonal())))?;
+    let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
+    let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;
+    let mut pairs = Vec::new();
+    for (i, room) in rooms.iter().enumerate() {
+        job.part(0.2, 1.0).step_every(REPORT_INTERVAL, i, rooms.len(), "triangulating holes")?;
+        let mut found = Vec::new();
+        tree.overlapping(room, 0.0, |leaf| {
+            let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);
+            let distance = |k: usize| [boxes[i].distance(&boxes[k]), boxes[i].centre().distance(boxes[k].centre())];
+            alloc::extend(&mut found, others.map(|k| (k, distance(k))))
+        })?;
+        found.sort_unstable_by(nearest_first);
+        found.truncate(MAX_NEIGHBOURS);
+        alloc::extend(&mut pairs, found.iter().map(|&(k, distance)| ([i, k], distance)))?;
+    }
+    pairs.sort_unstable_by(nearest_first);
+    let mut counts = alloc::filled(0, boxes.len())?;
+    pairs.retain(|&([_, k], _)| {
+        counts[k] += 1;
+        counts[k] <= MAX_LOOPS
+    });
+    pairs.iter_mut().for_each(|(pair, _)| pair.sort_unstable());
+    pairs.sort_unstable_by(nearest_first);
+    pairs.dedup();
+    Ok(pairs)
+}

@@ -1,0 +1,203 @@
+//! The patches of all groups of loops, and other ones where they cut.
+
+use super::choose::Candidate;
+use super::fill_request::{Options, Refinement};
+use super::near::faces_near;
+use super::patch::{Planner, attempts, neighbourhood};
+use super::patch_cuts::{Old, Trials, cuts, cutting};
+use super::patch_rim::Rim;
+use super::placed::{Placed, Pool};
+use super::result::Made;
+use super::surroundings::Surroundings;
+use crate::stitch::Intersections;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::job::Job;
+use gusset_mesh::MeshView;
+use std::collections::HashSet;
+
+/// Where a patch cuts, other blends are tried until all had so many new vertices: two of full size.
+const MAX_TRIED: usize = 2 * 50_000;
+
+/// The patches, and what they are made from.
+pub(super) struct Filling<'a> {
+    options: &'a Options,
+    candidates: &'a [Candidate],
+    /// The candidates to be filled: each group gets one patch.
+    groups: &'a [Vec<usize>],
+    /// What the patch of each stays in.
+    rooms: Vec<Aabb>,
+    /// Per vertex of the mesh, how many loops pass it.
+    passes: &'a [u8],
+    /// The faces near the holes, ascending.
+    near: Vec<u32>,
+    surroundings: Surroundings<'a>,
+    /// New edges between old vertices that more than one loop passes: no other patch may repeat them.
+    bridges: HashSet<(u32, u32)>,
+    pub(super) made: Made<'a>,
+}
+
+impl<'a> Filling<'a> {
+    pub(super) fn new(
+        mesh: &'a MeshView<'a>,
+        candidates: &'a [Candidate],
+        groups: &'a [Vec<usize>],
+        passes: &'a [u8],
+        options: &'a Options,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let mut points = Vec::new();
+        let mut boxes = Vec::new();
+        for group in groups {
+            let first = points.len();
+            let vertices = group.iter().flat_map(|&number| &candidates[number].vertices);
+            alloc::extend(&mut points, vertices.map(|&v| mesh.positions().get(v)))?;
+            let rim = &points[first..];
+            // New vertices are faired, or on creases.
+            let bulges = options.refinement != Refinement::None;
+            alloc::push(&mut boxes, if bulges { neighbourhood(rim) } else { Aabb::of(rim) })?;
+        }
+        let near = faces_near(mesh, &boxes, &job.part(0.0, 0.9))?;
+        let surroundings = Surroundings::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
+        let made = Made { pool: Pool::new(mesh, &points), ..Made::nothing(mesh) };
+        Ok(Filling {
+            options,
+            candidates,
+            groups,
+            rooms: boxes,
+            passes,
+            near,
+            surroundings,
+            bridges: HashSet::new(),
+            made,
+        })
+    }
+
+    pub(super) fn fill(&mut self, job: &Job<'_>) -> Result<()> {
+        let length = |group: &[usize]| group.iter().map(|&k| self.candidates[k].vertices.len()).sum::<usize>();
+        let all: usize = self.groups.iter().map(|group| length(group)).sum();
+        let (mut done, make) = (0, job.part(0.0, 0.6));
+        let mut rooms = alloc::with_capacity(self.groups.len())?;
+        for (k, group) in self.groups.iter().enumerate() {
+            let end = done + length(group);
+            let part = make.part(done as f64 / all as f64, end as f64 / all as f64);
+            done = end;
+            if let Some(placed) = self.first_patch(group, &part)? {
+                alloc::push(&mut self.made.groups, group.as_slice())?;
+                alloc::push(&mut self.made.patches, placed)?;
+                rooms.push(self.rooms[k]);
+            }
+        }
+        if self.options.intersections != Intersections::Ignore {
+            self.avoid_cuts(&rooms, &job.part(0.6, 1.0))?;
+        }
+        Ok(())
+    }
+
+    /// The rim of a group's patch, and its vertices in the mesh; `None` if two of the loops share one.
+    fn rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Vec<u32>)>> {
+        self.surroundings.rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()), job)
+    }
+
+    /// The first patch that can be had.
+    fn first_patch(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<Placed>> {
+        let Some((rim, names)) = self.rim(group, job)? else {
+            return Ok(None);
+        };
+        let taken =
+            |u: u32, v: u32| is_taken(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
+        let mut planner = Planner::new(&rim, self.options, &taken);
+        let mut found = None;
+        let ways = attempts(self.options);
+        for (i, &attempt) in ways.iter().enumerate() {
+            let job = job.share(i, ways.len());
+            if let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.9))? {
+                found = Some(self.made.pool.place(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
+            }
+            // The search of several loops is not complete: another weight may find what this did not.
+            if found.is_some() || planner.is_stuck() && group.len() == 1 {
+                break;
+            }
+        }
+        drop(planner);
+        alloc::insert_all(&mut self.bridges, found.iter().flat_map(|placed| bridges(self.passes, placed)))?;
+        Ok(found)
+    }
+
+    /// Looks for cuts, and lets the patches that have some try other ways. `rooms`: of the patches.
+    fn avoid_cuts(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
+        let old = Old::new(self.made.pool.mesh, &self.near, &job.part(0.0, 0.1))?;
+        let mut pairs = cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.1, 0.3))?;
+        if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
+            let trials = Trials::new(&self.made.pool, &old, rooms, &job.part(0.3, 0.3))?;
+            let cutting = cutting(&pairs, &self.made.patches)?;
+            for (i, &k) in cutting.iter().enumerate() {
+                let job = job.part(0.3, 0.8).share(i, cutting.len());
+                self.try_others(k, &trials, &job)?;
+            }
+            pairs = cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.8, 1.0))?;
+        }
+        let first_new = self.made.pool.mesh.faces().len() as u32;
+        self.made.intersections = Some(old.faces_of(&pairs, &self.made.patches, first_new)?);
+        Ok(())
+    }
+
+    /// Puts the patch that cuts least in the place of patch `k`, of equals the first.
+    fn try_others(&mut self, k: usize, trials: &Trials<'_>, job: &Job<'_>) -> Result<()> {
+        let Some((rim, names)) = self.rim(self.made.groups[k], job)? else {
+            return Ok(());
+        };
+        if rim.count == 3 && self.options.refinement == Refinement::None {
+            // There is one triangle only.
+            return Ok(());
+        }
+        let taken =
+            |u: u32, v: u32| is_taken(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
+        let mut planner = Planner::new(&rim, self.options, &taken);
+        let mut least =
+            trials.count(&self.made.pool, &self.made.patches, k, &self.made.patches[k], &job.part(0.0, 0.0))?;
+        let first_tried = self.made.pool.end();
+        let (mut better, mut tried) = (None, self.made.patches[k].vertices.len());
+        let ways = attempts(self.options);
+        for (i, &attempt) in ways.iter().enumerate() {
+            let job = job.share(i, ways.len());
+            if least == 0 {
+                break;
+            }
+            if attempt == self.made.patches[k].attempt || attempt.is_blend() && tried > MAX_TRIED {
+                continue;
+            }
+            let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.7))? else {
+                continue;
+            };
+            tried += patch.points.len();
+            let mut placed = self.made.pool.place(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
+            let count = trials.count(&self.made.pool, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
+            if count < least {
+                self.made.pool.move_down(&mut placed, first_tried);
+                (least, better) = (count, Some(placed));
+            } else {
+                self.made.pool.forget(&placed);
+            }
+        }
+        drop(planner);
+        alloc::insert_all(&mut self.bridges, better.iter().flat_map(|placed| bridges(self.passes, placed)))?;
+        if let Some(placed) = better {
+            self.made.patches[k] = placed;
+        }
+        Ok(())
+    }
+}
+
+/// True of two vertices of rims that must not get an edge.
+fn is_taken(surroundings: &Surroundings<'_>, bridges: &HashSet<(u32, u32)>, [u, v]: [u32; 2]) -> bool {
+    surroundings.share_face(u, v) || bridges.contains(&(u.min(v), u.max(v)))
+}
+
+/// The edges of a patch between two old vertices that more than one loop passes.
+fn bridges(passes: &[u8], patch: &Placed) -> impl Iterator<Item = (u32, u32)> {
+    let shared = |v: u32| passes.get(v as usize).is_some_and(|&count| count > 1);
+    let sides = patch.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    sides.filter(move |&(u, v)| shared(u) && shared(v)).map(|(u, v)| (u.min(v), u.max(v)))
+}

@@ -1,0 +1,115 @@
+//! The result: the patches, appended to a copy of the mesh in the order of the loops, and the account
+//! of each loop.
+
+use super::choose::Candidate;
+use super::fill_request::{Filled, Finish, Hole, HoleStatus, Options};
+use super::patch::attempts;
+use super::placed::{Placed, Pool};
+use crate::repair::orient::{Outward, turn_outwards};
+use crate::stitch::{Quality, part_alone};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::{Mesh, MeshView, NONE, concat};
+
+/// The patches that were made.
+pub(super) struct Made<'a> {
+    pub(super) pool: Pool<'a>,
+    /// In the order of the first loops of their groups.
+    pub(super) patches: Vec<Placed>,
+    /// The candidates that each patch closes.
+    pub(super) groups: Vec<&'a [usize]>,
+    /// Pairs of faces of the result that cut each other; `None` if they were not looked for.
+    pub(super) intersections: Option<Vec<[u32; 2]>>,
+}
+
+impl<'a> Made<'a> {
+    pub(super) fn nothing(mesh: &'a MeshView<'a>) -> Self {
+        Made { pool: Pool::new(mesh, &[]), patches: Vec::new(), groups: Vec::new(), intersections: None }
+    }
+
+    /// The number of each candidate's patch, or [`NONE`].
+    fn numbers(&self, candidates: usize) -> Result<Vec<u32>> {
+        let mut numbers = alloc::filled(NONE, candidates)?;
+        for (group, patch) in self.groups.iter().zip(0..) {
+            group.iter().for_each(|&candidate| numbers[candidate] = patch);
+        }
+        Ok(numbers)
+    }
+}
+
+/// Puts the pieces together. O(H) for H half-edges of the result.
+pub(super) fn result(made: Made<'_>, candidates: &[Candidate], options: &Options, job: &Job<'_>) -> Result<Filled> {
+    let mesh = made.pool.mesh;
+    job.step(0.0, "putting the pieces together")?;
+    let counts = made.patches.iter().map(|patch| [patch.vertices.len(), patch.triangles.len()]);
+    let [points, faces] = counts.fold([0, 0], |sum, count| [sum[0] + count[0], sum[1] + count[1]]);
+    let mut whole = concat::empty(std::iter::once(mesh), [points, faces, 3 * faces])?;
+    concat::append(&mut whole, mesh, job, |_| false)?;
+    let (mut parents, mut weights) = (alloc::with_capacity(points)?, alloc::with_capacity(points)?);
+    for patch in &made.patches {
+        parents.extend(patch.parents.iter().map(|&(of, _)| of));
+        weights.extend(patch.parents.iter().map(|&(_, weights)| weights));
+    }
+    let (holes, rims) = accounts(&made, candidates, options, &mut whole)?;
+    job.step(0.1, "putting the pieces together")?;
+    let part = part_alone(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
+    let outward = if options.plan_only { Outward::Keep } else { options.outward };
+    let measured = if outward == Outward::Closed { 0.7 } else { 1.0 };
+    let quality = Quality::of(&whole, &part, &job.part(0.3, measured))?;
+    let turned_outwards = match outward {
+        Outward::Keep => Vec::new(),
+        Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned,
+    };
+    let intersections = made.intersections;
+    Ok(Filled { mesh: whole, holes, rims, parents, weights, intersections, turned_outwards, quality })
+}
+
+/// The account of each loop, and the vertices of all; each patch is appended with its first loop.
+fn accounts(
+    made: &Made<'_>,
+    candidates: &[Candidate],
+    options: &Options,
+    whole: &mut Mesh,
+) -> Result<(Vec<Hole>, Vec<u32>)> {
+    let numbers = made.numbers(candidates.len())?;
+    let (mut holes, mut rims) = (alloc::with_capacity(candidates.len())?, Vec::new());
+    let mut placed = alloc::with_capacity(made.patches.len())?;
+    let asked = if options.plan_only { attempts(options)[0].finish() } else { Finish::Plain };
+    for (candidate, patch) in candidates.iter().zip(numbers) {
+        let end = |whole: &Mesh| [whole.face_count() as u32, whole.positions.len() as u32];
+        if patch as usize == placed.len() {
+            let start = end(whole);
+            append(whole, &made.pool, &made.patches[patch as usize])?;
+            placed.push([start, end(whole)]);
+        }
+        let own = made.patches.get(patch as usize);
+        let [start, end] = placed.get(patch as usize).copied().unwrap_or([end(whole); 2]);
+        let start_of_rim = rims.len();
+        alloc::append(&mut rims, &candidate.vertices)?;
+        let left = candidate.status == HoleStatus::Filled && own.is_none() && !options.plan_only;
+        holes.push(Hole {
+            status: if left { HoleStatus::NoTriangulation } else { candidate.status },
+            rim: start_of_rim..rims.len(),
+            patch,
+            faces: start[0]..end[0],
+            vertices: start[1]..end[1],
+            measures: candidate.measures,
+            weight: own.map_or(options.weight, |patch| patch.attempt.weight),
+            finish: own.map_or(asked, |patch| patch.attempt.finish()),
+        });
+    }
+    Ok((holes, rims))
+}
+
+/// Appends a patch; the mesh has room for it.
+fn append(whole: &mut Mesh, pool: &Pool<'_>, patch: &Placed) -> Result<()> {
+    let (old, first) = (pool.mesh.positions().len() as u32, whole.positions.len() as u32);
+    let name = |v: u32| if v < old { v } else { v - patch.vertices.start + first };
+    whole.positions.extend(patch.vertices.clone().map(|v| pool.at(v)))?;
+    for triangle in &patch.triangles {
+        whole.face_corners.extend(triangle.map(name));
+        whole.face_offsets.push(whole.face_corners.len() as u32);
+    }
+    Ok(())
+}

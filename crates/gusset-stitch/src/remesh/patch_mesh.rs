@@ -1,0 +1,225 @@
+//! The triangles of a patch with their neighbours, and edits of them: splits of a triangle or a side
+//! and edge flips, each O(1); collapses and walks round a vertex, linear in its triangles.
+
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_mesh::NONE;
+
+/// A triangulated patch under construction.
+pub(crate) struct PatchMesh {
+    /// The rim's points first.
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// Across the side from corner k to the next: a triangle, or [`NONE`].
+    across: Vec<[u32; 3]>,
+}
+
+fn next(k: usize) -> usize {
+    (k + 1) % 3
+}
+
+impl PatchMesh {
+    /// O(T log T).
+    pub(crate) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<PatchMesh> {
+        let mut sides = alloc::with_capacity(3 * triangles.len())?;
+        for (t, corners) in triangles.iter().enumerate() {
+            for k in 0..3 {
+                let (u, v) = (corners[k], corners[next(k)]);
+                sides.push((u.min(v), u.max(v), t as u32, k));
+            }
+        }
+        sides.sort_unstable();
+        let mut across = alloc::filled([NONE; 3], triangles.len())?;
+        for pair in sides.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)) {
+            let ((_, _, t, k), (_, _, s, j)) = (pair[0], pair[1]);
+            across[t as usize][k] = s;
+            across[s as usize][j] = t;
+        }
+        Ok(PatchMesh { points, triangles, across })
+    }
+
+    pub(crate) fn try_clone(&self) -> Result<PatchMesh> {
+        Ok(PatchMesh {
+            points: alloc::copied(&self.points)?,
+            triangles: alloc::copied(&self.triangles)?,
+            across: alloc::copied(&self.across)?,
+        })
+    }
+
+    pub(crate) fn corners(&self, t: usize) -> [DVec3; 3] {
+        self.triangles[t].map(|v| self.points[v as usize])
+    }
+
+    /// The triangle across side `k` of triangle `t` and the side that it is there; `None` at the
+    /// rim.
+    pub(crate) fn beyond(&self, t: usize, k: usize) -> Option<(usize, usize)> {
+        let s = self.across[t][k];
+        if s == NONE {
+            return None;
+        }
+        let head = self.triangles[t][next(k)];
+        (0..3).find(|&j| self.triangles[s as usize][j] == head).map(|j| (s as usize, j))
+    }
+
+    /// Replaces triangle `t` by three that meet at `point`: t and the last two. Side 0 of each is
+    /// one of the old sides.
+    pub(crate) fn split(&mut self, t: usize, point: DVec3) -> Result<[usize; 3]> {
+        let middle = self.points.len() as u32;
+        alloc::push(&mut self.points, point)?;
+        let parts = [t, self.triangles.len(), self.triangles.len() + 1];
+        let (old, across) = (self.triangles[t], self.across[t]);
+        for (k, &part) in parts.iter().enumerate() {
+            let corners = [old[k], old[next(k)], middle];
+            let around = [across[k], parts[next(k)] as u32, parts[next(next(k))] as u32];
+            if part == t {
+                (self.triangles[t], self.across[t]) = (corners, around);
+            } else {
+                alloc::push(&mut self.triangles, corners)?;
+                alloc::push(&mut self.across, around)?;
+                self.replace(across[k], t as u32, part as u32);
+            }
+        }
+        Ok(parts)
+    }
+
+    /// Splits side `k` of triangle `t`, which is not at the rim, at `point`: the four triangles at
+    /// the new vertex.
+    pub(crate) fn split_side(
+        &mut self,
+        (t, k): (usize, usize),
+        (s, j): (usize, usize),
+        point: DVec3,
+    ) -> Result<[usize; 4]> {
+        let middle = self.points.len() as u32;
+        alloc::push(&mut self.points, point)?;
+        let (a, b) = (self.triangles[t][k], self.triangles[t][next(k)]);
+        let (c, d) = (self.triangles[t][next(next(k))], self.triangles[s][next(next(j))]);
+        let [beyond_bc, beyond_ca] = [self.across[t][next(k)], self.across[t][next(next(k))]];
+        let [beyond_ad, beyond_db] = [self.across[s][next(j)], self.across[s][next(next(j))]];
+        let (t2, s2) = (self.triangles.len(), self.triangles.len() + 1);
+        alloc::reserve(&mut self.triangles, 2)?;
+        alloc::reserve(&mut self.across, 2)?;
+        (self.triangles[t], self.across[t]) = ([a, middle, c], [s2 as u32, t2 as u32, beyond_ca]);
+        (self.triangles[s], self.across[s]) = ([b, middle, d], [t2 as u32, s2 as u32, beyond_db]);
+        self.triangles.extend([[middle, b, c], [middle, a, d]]);
+        self.across.extend([[s as u32, beyond_bc, t as u32], [t as u32, beyond_ad, s as u32]]);
+        self.replace(beyond_bc, t as u32, t2 as u32);
+        self.replace(beyond_ad, s as u32, s2 as u32);
+        Ok([t, s, t2, s2])
+    }
+
+    /// Turns the side that triangles `t` (its side `k`) and `s` (its side `j`) share into the other
+    /// diagonal.
+    pub(crate) fn flip(&mut self, (t, k): (usize, usize), (s, j): (usize, usize)) {
+        let (a, b) = (self.triangles[t][k], self.triangles[t][next(k)]);
+        let (c, d) = (self.triangles[t][next(next(k))], self.triangles[s][next(next(j))]);
+        let [beyond_bc, beyond_ca] = [self.across[t][next(k)], self.across[t][next(next(k))]];
+        let [beyond_ad, beyond_db] = [self.across[s][next(j)], self.across[s][next(next(j))]];
+        (self.triangles[t], self.across[t]) = ([a, d, c], [beyond_ad, s as u32, beyond_ca]);
+        (self.triangles[s], self.across[s]) = ([d, b, c], [beyond_db, beyond_bc, t as u32]);
+        self.replace(beyond_ad, s as u32, t as u32);
+        self.replace(beyond_bc, t as u32, s as u32);
+    }
+
+    /// The triangles round corner `k` of triangle `t`, in order, and which corner it is of each; true
+    /// if they go all round.
+    pub(crate) fn round(&self, t: usize, k: usize, star: &mut Vec<(usize, usize)>) -> Result<bool> {
+        star.clear();
+        let centre = self.triangles[t][k];
+        let mut here = (t, k);
+        loop {
+            alloc::push(star, here)?;
+            // The side that ends in the centre, which begins there in the triangle beyond.
+            let Some(beyond) = self.beyond(here.0, next(next(here.1))) else {
+                return Ok(false);
+            };
+            here = beyond;
+            let s = here.0;
+            debug_assert_eq!(self.triangles[s][here.1], centre);
+            if s == t {
+                return Ok(true);
+            }
+        }
+    }
+
+    /// True of a triangle that [`PatchMesh::collapse`] took away.
+    pub(crate) fn is_gone(&self, t: usize) -> bool {
+        self.triangles[t][0] == NONE
+    }
+
+    /// Moves corner `k` of triangle `t`, whose triangles all round are `star`, onto the next corner.
+    /// The two triangles at the side between them are gone, and so is the vertex.
+    pub(crate) fn collapse(&mut self, (t, k): (usize, usize), star: &[(usize, usize)]) {
+        let onto = self.triangles[t][next(k)];
+        for &(s, j) in star {
+            self.triangles[s][j] = onto;
+        }
+        for &(s, j) in [star[0], star[star.len() - 1]].iter() {
+            // The sides that do not vanish: of t after and before the one that does.
+            let sides = if s == t { [next(j), next(next(j))] } else { [next(j), j] };
+            let [x, y] = sides.map(|side| self.across[s][side]);
+            self.replace(x, s as u32, y);
+            self.replace(y, s as u32, x);
+            (self.triangles[s], self.across[s]) = ([NONE; 3], [NONE; 3]);
+        }
+    }
+
+    /// Renumbers the triangles that are left and the vertices that they use; those below `rim` stay.
+    /// Of each vertex that is left, its old number.
+    pub(crate) fn compact(&mut self, rim: usize) -> Result<Vec<u32>> {
+        let mut number = alloc::filled(NONE, self.points.len())?;
+        self.triangles.retain(|triangle| triangle[0] != NONE);
+        self.triangles.as_flattened().iter().for_each(|&v| number[v as usize] = 0);
+        number[..rim].fill(0);
+        let kept = alloc::gather((0..self.points.len() as u32).filter(|&v| number[v as usize] == 0))?;
+        for (new, &old) in kept.iter().enumerate() {
+            number[old as usize] = new as u32;
+            self.points[new] = self.points[old as usize];
+        }
+        self.points.truncate(kept.len());
+        self.triangles.iter_mut().for_each(|triangle| *triangle = triangle.map(|v| number[v as usize]));
+        let mesh = PatchMesh::new(std::mem::take(&mut self.points), std::mem::take(&mut self.triangles))?;
+        *self = mesh;
+        Ok(kept)
+    }
+
+    /// Tells triangle `t` that its neighbour `old` is `new` now.
+    fn replace(&mut self, t: u32, old: u32, new: u32) {
+        if t != NONE {
+            for side in self.across[t as usize].iter_mut().filter(|side| **side == old) {
+                *side = new;
+            }
+        }
+    }
+
+    /// True if the patch has an edge from corner `k` of triangle `t` to vertex `v`.
+    pub(crate) fn has_edge(&self, t: usize, k: usize, v: u32) -> bool {
+        self.any_round(t, k, |s| self.triangles[s].contains(&v))
+    }
+
+    /// True if `test` is of a triangle at corner `k` of triangle `t`: one walk round the corner.
+    pub(super) fn any_round(&self, t: usize, k: usize, test: impl Fn(usize) -> bool) -> bool {
+        let centre = self.triangles[t][k];
+        let corner = |t: usize| (0..3).find(|&k| self.triangles[t][k] == centre).unwrap_or(0);
+        // First one way, then, if the rim was met, the other way.
+        for way in 0..2 {
+            let mut here = t;
+            loop {
+                if test(here) {
+                    return true;
+                }
+                let side = if way == 0 { corner(here) } else { next(next(corner(here))) };
+                let beyond = self.across[here][side];
+                if beyond == NONE {
+                    break;
+                }
+                here = beyond as usize;
+                if here == t {
+                    return false;
+                }
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,269 @@
+//! T-junctions of borders: vertices of one that lie inside a free edge of another, and where it is
+//! to be split for the two to match.
+//!
+//! A vertex lies on an edge if it is within its reach of it, beyond it from both ends, and if the
+//! face there has no corner that lies with it; the edge is longer than twice the reach. Edges are
+//! found in a box tree. Vertices that lie together are one place, and an edge is split there once,
+//! on the way from its start to its end.
+//!
+//! **A split is made only where it serves.** Thought of as split everywhere, free edges are
+//! compared by the places of their ends: where exactly two lie on one another, they can be sewn. A
+//! split beside no such piece is dropped, which makes one piece of two, and what is left is compared
+//! again. So vertices that merely touch an edge stay what they are, and three sheets on one line are
+//! left as welding leaves them. Splits that would turn a part of a triangle over are dropped too.
+//!
+//! O((V + E) log V) for V vertices and E edges of borders and few places on each edge; as much again
+//! for each time that splits were dropped, [`MAX_PASSES`] at most.
+
+use super::cluster::Clusters;
+use super::seams::{free_vertices, is_free};
+use super::split_face::{SplitFace, is_upright};
+use super::tolerance::{Source, Tolerance};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::box_tree::{BoxTree, spatial_order};
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_base::sort::{sort, sort_distinct};
+use gusset_mesh::{MeshView, Topology, half_edges, unordered};
+
+/// Edges in a leaf of the tree.
+const GROUP: usize = 4;
+
+/// How often what is left of the splits is compared.
+const MAX_PASSES: usize = 16;
+
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 10;
+
+/// Leaves that vertices look into between two progress reports.
+const LEAVES_PER_REPORT: usize = 1 << 16;
+
+/// Faces between two progress reports.
+const FACES_PER_REPORT: usize = 1 << 16;
+
+const STAGE: &str = "finding T-junctions";
+
+/// A free edge, run as its face runs it.
+#[derive(Clone, Copy)]
+pub(super) struct FreeEdge {
+    pub(super) half_edge: u32,
+    pub(super) face: u32,
+    pub(super) ends: [u32; 2],
+}
+
+/// A place on a free edge.
+#[derive(Clone, Copy)]
+pub(super) struct Split {
+    /// Its number among the edges.
+    pub(super) edge: u32,
+    /// How far along the edge, from 0 to 1.
+    pub(super) at: f64,
+    /// The smallest vertex that lies there.
+    pub(super) vertex: u32,
+}
+
+/// Where free edges are to be split.
+pub(super) struct Junctions {
+    /// The free edges, in the order of their half-edges.
+    pub(super) edges: Vec<FreeEdge>,
+    /// By edges, and along each edge.
+    pub(super) splits: Vec<Split>,
+    /// Vertices that lie on a free edge which is not split there, ascending.
+    pub(super) left: Vec<u32>,
+}
+
+impl Junctions {
+    /// The splits that make borders match.
+    pub(super) fn find(mesh: &MeshView<'_>, topology: &Topology, source: Source, job: &Job<'_>) -> Result<Self> {
+        let faces = mesh.faces().len();
+        let mut edges = Vec::new();
+        for face in 0..faces {
+            job.part(0.0, 0.0).step_every(FACES_PER_REPORT, face, faces, STAGE)?;
+            let free = half_edges(mesh, face).filter(|&(h, ..)| is_free(topology, h));
+            let free = free.map(|(half_edge, u, v)| FreeEdge { half_edge, face: face as u32, ends: [u, v] });
+            alloc::extend(&mut edges, free)?;
+        }
+        job.step(0.0, STAGE)?;
+        let members = free_vertices(mesh, topology)?;
+        job.step(0.0, STAGE)?;
+        let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.0, 0.1))?;
+        let clusters = Clusters::find(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
+        let border = Border { mesh, edges: &edges, members: &members, clusters: &clusters.of };
+        let mut splits = border.places(&tolerance.reach, &job.part(0.3, 0.7))?;
+        job.step(0.7, STAGE)?;
+        let mut left = alloc::gather(splits.iter().map(|split| split.vertex))?;
+        border.keep_useful(&mut splits, &job.part(0.7, 1.0))?;
+        job.step(1.0, STAGE)?;
+        let mut used = alloc::gather(splits.iter().map(|split| split.vertex))?;
+        sort_distinct(&mut used);
+        sort_distinct(&mut left);
+        left.retain(|v| used.binary_search(v).is_err());
+        Ok(Junctions { edges, splits, left })
+    }
+}
+
+/// The free edges and what lies together at their ends.
+struct Border<'a> {
+    mesh: &'a MeshView<'a>,
+    edges: &'a [FreeEdge],
+    /// The ends of the edges, ascending.
+    members: &'a [u32],
+    /// Per vertex, the smallest one that lies with it.
+    clusters: &'a [u32],
+}
+
+impl Border<'_> {
+    fn cluster(&self, v: u32) -> u32 {
+        self.clusters[v as usize]
+    }
+
+    /// All places on edges, by edges and along each edge. `reach`: of each member; empty for 0.
+    fn places(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<Split>> {
+        let points = self.members.iter().map(|&v| self.mesh.positions().get(v));
+        let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
+        job.step(0.0, STAGE)?;
+        let unit = common_unit(&points);
+        let ends = |e: u32| self.edges[e as usize].ends.map(|v| self.mesh.positions().get(v) / unit);
+        // No vertex lies inside an edge without a length.
+        let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
+        let mut long = Vec::new();
+        job.part(0.0, 0.0).ranges(STAGE, self.edges.len(), |range| {
+            alloc::extend(&mut long, (range.start as u32..range.end as u32).filter(has_length))
+        })?;
+        let mut boxes = alloc::with_capacity(long.len())?;
+        job.part(0.0, 0.0).ranges(STAGE, long.len(), |range| {
+            boxes.extend(long[range].iter().map(|&e| Aabb::of(ends(e))));
+            Ok(())
+        })?;
+        let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
+        let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
+        let groups = alloc::collect_cancellable(order.chunks(GROUP).map(around), &job.part(0.2, 0.2), STAGE)?;
+        let tree = BoxTree::new_cancellable(groups.into_iter(), &job.part(0.2, 0.2), STAGE)?;
+        let mut found: Vec<Split> = Vec::new();
+        let mut leaves = 0;
+        for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
+            let here = job.part(0.2, 0.6).share(i, points.len());
+            if i % REPORT_INTERVAL == 0 {
+                here.step(0.0, STAGE)?;
+            }
+            // What lies in the very place of the vertex that stands for it finds the same places.
+            let first = self.members.binary_search(&self.cluster(v)).unwrap_or(i);
+            if first < i && points[first] == p && reach.get(first) == reach.get(i) {
+                continue;
+            }
+            let (point, reach) = (p / unit, reach.get(i).map_or(0.0, |reach| reach / unit));
+            tree.overlapping(&Aabb::of([point]), reach, |leaf| {
+                leaves += 1;
+                if leaves % LEAVES_PER_REPORT == 0 {
+                    here.step(0.0, STAGE)?;
+                }
+                for &place in &order[GROUP * leaf..order.len().min(GROUP * (leaf + 1))] {
+                    let e = long[place as usize];
+                    if let Some(at) = place_on(ends(e), point, reach)
+                        && self.is_apart(v, e)
+                    {
+                        alloc::push(&mut found, Split { edge: e, at, vertex: self.cluster(v) })?;
+                    }
+                }
+                Ok(())
+            })?;
+        }
+        let by_place = |a: &Split, b: &Split| a.at.total_cmp(&b.at);
+        let by_vertex = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(a.vertex.cmp(&b.vertex));
+        sort(&mut found, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.part(0.6, 0.8), STAGE)?;
+        job.step(0.8, STAGE)?;
+        found.dedup_by_key(|split| (split.edge, split.vertex));
+        let along = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(by_place(a, b)).then(a.vertex.cmp(&b.vertex));
+        sort(&mut found, along, &job.part(0.8, 1.0), STAGE)?;
+        Ok(found)
+    }
+
+    /// True if no corner of the edge's face lies with `v`.
+    fn is_apart(&self, v: u32, e: u32) -> bool {
+        let cluster = self.cluster(v);
+        self.mesh.face(self.edges[e as usize].face as usize).all(|corner| self.cluster(corner) != cluster)
+    }
+
+    /// Drops splits beside no piece that can be sewn, and those that would turn triangles over,
+    /// until there are none.
+    fn keep_useful(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
+        for pass in 0..MAX_PASSES {
+            let before = splits.len();
+            if before > 0 {
+                let job = job.share(pass, MAX_PASSES);
+                self.keep_matched(splits, &job)?;
+                job.step(1.0, STAGE)?;
+                self.keep_upright(splits, &job)?;
+            }
+            if splits.len() == before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Drops splits beside no piece that lies on exactly one other.
+    fn keep_matched(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
+        // Edge e with the splits from j on has the pieces from j + e on, one more than splits.
+        let mut pieces = alloc::with_capacity(splits.len() + self.edges.len())?;
+        let mut rest = splits.iter().peekable();
+        for (e, edge) in self.edges.iter().enumerate() {
+            let [mut from, end] = edge.ends.map(|v| self.cluster(v));
+            job.part(0.0, 0.0).step_every(FACES_PER_REPORT, e, self.edges.len(), STAGE)?;
+            while let Some(split) = rest.next_if(|split| split.edge as usize == e) {
+                pieces.push((unordered([from, split.vertex]), pieces.len() as u32));
+                from = split.vertex;
+            }
+            pieces.push((unordered([from, end]), pieces.len() as u32));
+        }
+        let mut matched = alloc::filled(false, pieces.len())?;
+        sort(&mut pieces, Ord::cmp, job, STAGE)?;
+        job.step(1.0, STAGE)?;
+        for (k, together) in pieces.chunk_by(|a, b| a.0 == b.0).enumerate() {
+            job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, pieces.len(), STAGE)?;
+            let [_, _] = together else { continue };
+            together.iter().for_each(|&(_, piece)| matched[piece as usize] = true);
+        }
+        job.step(1.0, STAGE)?;
+        let mut j = 0;
+        splits.retain(|split| {
+            let piece = j + split.edge as usize;
+            j += 1;
+            matched[piece] || matched[piece + 1]
+        });
+        Ok(())
+    }
+
+    /// Drops the splits of triangles parts of which would be turned over.
+    fn keep_upright(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
+        let face = |split: &Split| self.edges[split.edge as usize].face;
+        let mut upright = alloc::with_capacity(splits.len())?;
+        let mut split_face = SplitFace::default();
+        for (k, of_face) in splits.chunk_by(|a, b| face(a) == face(b)).enumerate() {
+            job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, splits.len(), STAGE)?;
+            let f = face(&of_face[0]) as usize;
+            let places =
+                of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
+            split_face.set(self.mesh, f, places)?;
+            let fits = is_upright(self.mesh, f, &split_face);
+            upright.extend(of_face.iter().map(|_| fits));
+        }
+        let mut fits = upright.into_iter();
+        splits.retain(|_| fits.next() == Some(true));
+        Ok(())
+    }
+}
+
+/// How far along the edge `p`, `q` a point lies that is within `reach` of it, and beyond that from
+/// its ends.
+fn place_on([p, q]: [DVec3; 2], point: DVec3, reach: f64) -> Option<f64> {
+    let (along, from) = (q - p, point - p);
+    let squared = reach * reach;
+    let at = from.dot(along) / along.length_squared();
+    let inside = along.length_squared() > 4.0 * squared && 0.0 < at && at < 1.0;
+    let is_near = inside && (from - at * along).length_squared() <= squared;
+    (is_near && from.length_squared() > squared && (point - q).length_squared() > squared).then_some(at)
+}

@@ -1,0 +1,236 @@
+//! Seams: free edges that lie on one another become one edge, two by two.
+//!
+//! Free edges are compared by the clusters of their ends, in either direction, as orientation is
+//! another matter. Where exactly two lie on one another they are to be one; where there are more,
+//! none is preferred. In the order of the half-edges, each pair is sewn, that is, its ends are made
+//! one vertex each, unless that would
+//!
+//! * make one of two corners of a face, which would collapse (where the caller does not allow
+//!   that), or
+//! * make one of two edges that together have more than two faces.
+//!
+//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two
+//! holes share; two solids that touch along an edge stay two, each sewn to itself; and a manifold
+//! stays a manifold: a sewn edge joins two fans into one.
+//!
+//! The smaller of two sets of vertices is looked through at each union, and an edge's faces are
+//! counted at the end with fewer corners: O(B log B) for B corners at border vertices of bounded
+//! degree.
+
+use super::corners::Corners;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::{Across, MeshView, NONE, Topology, half_edges, unordered};
+use std::iter;
+
+/// Pairs between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 14;
+
+const STAGE: &str = "sewing edges";
+
+/// The half-edge's face is the only one at its edge.
+pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
+    !topology.is_ignored(h) && topology.across(h) == Across::Free
+}
+
+/// The half-edges of free edges, with their ends.
+pub(super) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
+    let all = (0..mesh.faces().len()).flat_map(|f| half_edges(mesh, f));
+    all.filter(|&(h, ..)| is_free(topology, h)).map(|(h, u, v)| (h, [u, v]))
+}
+
+/// The ends of free edges, ascending.
+pub(super) fn free_vertices(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u32>> {
+    let mut is_free = alloc::filled(false, mesh.positions().len())?;
+    free_edges(mesh, topology).flat_map(|(_, ends)| ends).for_each(|v| is_free[v as usize] = true);
+    alloc::gather((0..).zip(&is_free).filter(|&(_, &free)| free).map(|(v, _)| v))
+}
+
+/// Sews what can be sewn; returns per vertex the smallest vertex of those that it is one with.
+pub(super) fn sew(
+    mesh: &MeshView<'_>,
+    topology: &Topology,
+    clusters: &[u32],
+    collapse: bool,
+    job: &Job<'_>,
+) -> Result<Vec<u32>> {
+    let pairs = pairs(mesh, topology, clusters, &job.part(0.0, 0.3))?;
+    let job = job.part(0.3, 1.0);
+    let corners = Corners::of(mesh, &job.part(0.0, 0.0))?;
+    job.step(0.0, STAGE)?;
+    let degree = alloc::collect((0..clusters.len()).map(|v| corners.at(v as u32).len() as u32))?;
+    let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
+    let mut sets = Sewing { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
+    for (i, &[g, h]) in pairs.iter().enumerate() {
+        job.step_every(REPORT_INTERVAL, i, pairs.len(), STAGE)?;
+        let ([u, v], [a, b]) = (sets.ends(g), sets.ends(h));
+        let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
+        let of = |v: u32| sets.label[v as usize];
+        let seam = Seam([[of(u), of(a)], [of(v), of(b)]]);
+        if sets.fits(&seam) {
+            seam.0.iter().for_each(|&[a, b]| sets.unite(a, b));
+        }
+    }
+    sets.smallest()
+}
+
+/// The pairs of free edges that lie on one another and on no third, by their smaller half-edges. An
+/// edge whose ends lie together is in none: its neighbours decide.
+fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+    job.step(0.0, STAGE)?;
+    let clustered = free_edges(mesh, topology).map(|(h, ends)| (ends.map(|v| clusters[v as usize]), h));
+    let mut free = alloc::gather(clustered.filter(|([u, v], _)| u != v).map(|(ends, h)| (unordered(ends), h)))?;
+    sort(&mut free, Ord::cmp, &job.part(0.0, 0.6), STAGE)?;
+    let mut pairs = alloc::gather(free.chunk_by(|a, b| a.0 == b.0).filter_map(|together| match *together {
+        [(_, g), (_, h)] => Some([g, h]),
+        _ => None,
+    }))?;
+    sort(&mut pairs, Ord::cmp, &job.part(0.6, 1.0), STAGE)?;
+    job.step(1.0, STAGE)?;
+    Ok(pairs)
+}
+
+/// Two edges about to be one: the sets of vertices at either end, which are equal if they are one
+/// already. No set of one end is at the other, as the ends lie apart.
+struct Seam([[u32; 2]; 2]);
+
+impl Seam {
+    /// The name of a set once the seam is sewn.
+    fn name(&self, label: u32) -> u32 {
+        self.0.iter().find(|&&[_, b]| b == label).map_or(label, |&[a, _]| a)
+    }
+
+    /// The sets that will have this name.
+    fn parts(&self, name: u32) -> impl Iterator<Item = u32> + use<> {
+        let other = self.0.iter().find(|&&[a, b]| a == name && b != name).map(|&[_, b]| b);
+        iter::once(name).chain(other)
+    }
+}
+
+/// The vertices made one so far.
+struct Sewing<'m> {
+    mesh: &'m MeshView<'m>,
+    topology: &'m Topology,
+    corners: Corners,
+    collapse: bool,
+    /// Per vertex, the name of its set: one of its vertices.
+    label: Vec<u32>,
+    /// Per vertex, the next one of its set, round and round.
+    next: Vec<u32>,
+    /// Per name of a set, the number of its corners.
+    degree: Vec<u32>,
+}
+
+impl Sewing<'_> {
+    fn ends(&self, h: u32) -> [u32; 2] {
+        let range = self.mesh.faces().range(self.corners.face(h));
+        let after = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };
+        [h, after].map(|h| self.mesh.faces().corner(h))
+    }
+
+    fn vertices(&self, label: u32) -> impl Iterator<Item = u32> {
+        iter::successors(Some(label), move |&v| Some(self.next[v as usize]).filter(|&v| v != label))
+    }
+
+    fn corners(&self, label: u32) -> impl Iterator<Item = u32> {
+        self.vertices(label).flat_map(|v| self.corners.at(v).iter().copied())
+    }
+
+    /// The sets at the other ends of the half-edges that leave and reach corner `h`.
+    fn neighbours(&self, h: u32) -> impl Iterator<Item = u32> {
+        let faces = self.mesh.faces();
+        let range = faces.range(self.corners.face(h));
+        let (start, end) = (range.start as u32, range.end as u32 - 1);
+        let before = if h == start { end } else { h - 1 };
+        let after = if h == end { start } else { h + 1 };
+        let far = [(h, after), (before, before)].into_iter().filter(|&(edge, _)| !self.topology.is_ignored(edge));
+        far.map(move |(_, corner)| self.label[faces.corner(corner) as usize])
+    }
+
+    /// True if the face of corner `h` has a corner in a set.
+    fn face_meets(&self, h: u32, label: u32) -> bool {
+        let range = self.mesh.faces().range(self.corners.face(h));
+        if range.len() <= self.degree[label as usize] as usize {
+            return self.face(h).any(|other| other == label);
+        }
+        self.corners(label).any(|corner| range.contains(&(corner as usize)))
+    }
+
+    /// The sets at the corners of the face of corner `h`.
+    fn face(&self, h: u32) -> impl Iterator<Item = u32> {
+        self.mesh.face(self.corners.face(h)).map(|v| self.label[v as usize])
+    }
+
+    /// True if the seam does no harm.
+    fn fits(&self, seam: &Seam) -> bool {
+        seam.0.iter().filter(|&[a, b]| a != b).all(|&[a, b]| {
+            let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
+            self.corners(small).all(|h| {
+                (self.collapse || !self.face_meets(h, large))
+                    && self.neighbours(h).all(|far| seam.name(far) == a || !self.crowds(seam, a, seam.name(far)))
+            })
+        })
+    }
+
+    /// True if the seam makes one of several edges between sets `a` and `b` (names after sewing)
+    /// with more than two faces.
+    fn crowds(&self, seam: &Seam, a: u32, b: u32) -> bool {
+        let weight = |name| seam.parts(name).map(|label| u64::from(self.degree[label as usize])).sum::<u64>();
+        let [from, to] = if weight(a) <= weight(b) { [a, b] } else { [b, a] };
+        let (mut faces, mut first, mut several) = (0, None, false);
+        for label in seam.parts(from) {
+            for h in self.corners(label).filter(|&h| self.survives(seam, h)) {
+                for far in self.neighbours(h).filter(|&far| seam.name(far) == to) {
+                    faces += 1;
+                    several |= *first.get_or_insert((label, far)) != (label, far);
+                }
+            }
+        }
+        several && faces > 2
+    }
+
+    /// True if the face of corner `h` keeps three different corners.
+    fn survives(&self, seam: &Seam, h: u32) -> bool {
+        if !self.collapse {
+            return true;
+        }
+        let mut found = [NONE; 3];
+        for name in self.face(h).map(|label| seam.name(label)) {
+            match found.iter().position(|&known| known == name || known == NONE) {
+                Some(2) => return true,
+                Some(place) => found[place] = name,
+                None => {}
+            }
+        }
+        false
+    }
+
+    /// Makes one set of two; the smaller one is renamed.
+    fn unite(&mut self, a: u32, b: u32) {
+        if a == b {
+            return;
+        }
+        let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
+        let mut v = small;
+        loop {
+            self.label[v as usize] = large;
+            v = self.next[v as usize];
+            if v == small {
+                break;
+            }
+        }
+        self.degree[large as usize] += self.degree[small as usize];
+        self.next.swap(small as usize, large as usize);
+    }
+
+    /// Per vertex, the smallest one of its set.
+    fn smallest(self) -> Result<Vec<u32>> {
+        let mut smallest = alloc::filled(NONE, self.label.len())?;
+        for (v, &label) in self.label.iter().enumerate() {
+            smallest[label as usize] = smallest[label as usize].min(v as u32);
+        }
+        alloc::collect(self.label.iter().map(|&label| smallest[label as usize]))
+    }
+}

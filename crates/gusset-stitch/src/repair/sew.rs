@@ -1,0 +1,213 @@
+//! Sewing: borders that lie on one another become one, also where they do not match vertex by
+//! vertex.
+//!
+//! Borders that match are welded first ([`weld`](super::weld)). Where a vertex of one border then
+//! lies inside a free edge of another (a T-junction), the edge is split there if that makes pieces
+//! that match (`junctions`), its face follows (`split_mesh`), and the
+//! borders are welded again. Welding makes no edge of three faces and no degenerate face, and so
+//! does sewing; each free edge has one face and is split in one way. Vertices of the input do not
+//! move.
+
+use super::corner_origins::CornerOrigins;
+use super::junctions::Junctions;
+use super::split_mesh::{SplitMesh, split_edges};
+use super::tolerance::Source;
+use super::weld::{Options, Vertices, Weld, weld, weld_within};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::{Mesh, MeshView, NONE, Topology};
+
+const STAGE: &str = "sewing borders";
+
+/// A sewn mesh, and what became of the old one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sew {
+    /// The old faces in their order. Triangles whose edges were split are triangles, one after the
+    /// other; larger faces have gained corners. Of vertices made one the smallest is left, and its
+    /// position keeps its bits; new vertices that are left come last.
+    pub mesh: Mesh,
+    /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
+    pub vertex_map: Vec<u32>,
+    /// Per old face, the first of those that it became; [`NONE`] if it was dropped.
+    pub face_map: Vec<u32>,
+    /// Per new face, the old one that it is, or is a part of; ascending.
+    pub face_origin: Vec<u32>,
+    /// The number of the old mesh's corners.
+    pub old_corners: usize,
+    /// Per corner of the mesh the old one; `None` if all are left and none came to them.
+    pub corner_origins: Option<CornerOrigins>,
+    /// The new vertices that are left, the last ones of the mesh: the vertices of the mesh at the
+    /// ends of the edge that each was put on, and how far along it is.
+    pub new_vertices: Vec<([u32; 2], f64)>,
+    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it;
+    /// ascending.
+    pub left_vertices: Vec<u32>,
+    /// New vertices that several became, old ones or points of edges; ascending.
+    pub seam_vertices: Vec<u32>,
+    /// Vertices that became one with a smaller one.
+    pub welded_vertices: u32,
+    /// Edges with two faces that were free edges, or parts of such.
+    pub sewn_edges: u32,
+    /// Points at which free edges were split.
+    pub splits: u32,
+    /// Old faces that were cut or gained corners.
+    pub split_faces: u32,
+    /// Old faces dropped.
+    pub dropped_faces: u32,
+    /// How far apart what lies together was allowed to be, short edges apart.
+    pub tolerance: f64,
+}
+
+/// Sews a mesh. With [`Vertices::All`] all vertices are welded before edges are split, and borders
+/// after it. O(n log n) for meshes of bounded degree; linear extra memory.
+///
+/// # Errors
+/// Those of [`weld`], and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too many
+/// elements.
+pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
+    let first = weld(mesh, options, &job.part(0.0, 0.4))?;
+    let source = match options.tolerance {
+        Some(tolerance) => Source::Given(tolerance),
+        None => Source::Found(first.tolerance),
+    };
+    let mut done = Sew::of(first)?;
+    if done.mesh.face_count() == 0 {
+        return Ok(done);
+    }
+    let (split, left) = {
+        let view = done.mesh.view(&job.part(0.4, 0.45))?;
+        let topology = Topology::new(&view, &job.part(0.45, 0.5))?;
+        let junctions = Junctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
+        (split_edges(&view, &junctions, &job.part(0.7, 0.75))?, junctions.left)
+    };
+    let second = match split.split_faces {
+        0 => None,
+        _ => {
+            // Split vertices are used by no face until faces have theirs again.
+            let remove_unused = options.remove_unused && !mesh.faces().is_merged();
+            let options = Options { vertices: Vertices::Boundary, remove_unused, ..*options };
+            let view = split.mesh.view(&job.part(0.75, 0.8))?;
+            Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
+        }
+    };
+    done.enter_left(&left, second.as_ref())?;
+    if let Some(second) = second {
+        done.follow(split, second)?;
+    }
+    job.step(1.0, STAGE)?;
+    Ok(done)
+}
+
+impl Sew {
+    /// What welding alone makes.
+    pub fn of(weld: Weld) -> Result<Self> {
+        let kept = weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE);
+        let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
+        count_sources(&weld.vertex_map, |_| 1, &mut sources);
+        Ok(Sew {
+            seam_vertices: several(&sources)?,
+            face_origin: alloc::gather(kept.map(|(_, old)| old))?,
+            old_corners: weld.old_corners,
+            corner_origins: weld.corners_left.map(|corners| CornerOrigins { corners, on_edges: Vec::new() }),
+            new_vertices: Vec::new(),
+            mesh: weld.mesh,
+            vertex_map: weld.vertex_map,
+            face_map: weld.face_map,
+            left_vertices: weld.left_vertices,
+            welded_vertices: weld.welded_vertices,
+            sewn_edges: weld.sewn_edges,
+            splits: 0,
+            split_faces: 0,
+            dropped_faces: weld.dropped_faces,
+            tolerance: weld.tolerance,
+        })
+    }
+
+    /// Lists the old vertices that are left: those that are vertices `left` of the mesh, and those
+    /// that welding left, where it was done again the second time.
+    fn enter_left(&mut self, left: &[u32], again: Option<&Weld>) -> Result<()> {
+        let mut is_left = alloc::filled(false, self.mesh.positions.len())?;
+        left.iter().for_each(|&v| is_left[v as usize] = true);
+        match again {
+            // The vertices of splits come after these.
+            Some(weld) => weld.left_vertices.iter().for_each(|&v| {
+                if let Some(is_left) = is_left.get_mut(v as usize) {
+                    *is_left = true;
+                }
+            }),
+            None => {
+                let now = self.left_vertices.iter().map(|&v| self.vertex_map[v as usize]);
+                now.filter(|&v| v != NONE).for_each(|v| is_left[v as usize] = true);
+            }
+        }
+        let is_marked = |&(&new, _): &(&u32, u32)| new != NONE && is_left[new as usize];
+        self.left_vertices = alloc::gather(self.vertex_map.iter().zip(0..).filter(is_marked).map(|(_, old)| old))?;
+        Ok(())
+    }
+
+    /// Goes on from this mesh to the one whose edges were split, and from there to what welding
+    /// made of it.
+    fn follow(&mut self, split: SplitMesh, weld: Weld) -> Result<()> {
+        let before = self.corner_origins.take();
+        let left = before.as_ref().map(|origins| &origins.corners[..]);
+        self.corner_origins = Some(split.corner_origins.followed_by(weld.corners_left.as_deref())?.after(left));
+        self.enter_new(&split.new_vertices, &weld)?;
+        self.splits = (split.mesh.positions.len() - self.mesh.positions.len()) as u32;
+        let mut origin = alloc::with_capacity(weld.mesh.face_count())?;
+        let kept = weld.face_map.iter().zip(&split.face_origin).filter(|&(&new, _)| new != NONE);
+        origin.extend(kept.map(|(_, &middle)| self.face_origin[middle as usize]));
+        self.face_map.fill(NONE);
+        for (new, &old) in origin.iter().enumerate().rev() {
+            self.face_map[old as usize] = new as u32;
+        }
+        let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
+        let before = |v: usize| 1 + u8::from(self.seam_vertices.binary_search(&(v as u32)).is_ok());
+        count_sources(&weld.vertex_map, before, &mut sources);
+        self.seam_vertices = several(&sources)?;
+        self.face_origin = origin;
+        self.dropped_faces = self.face_map.iter().filter(|&&new| new == NONE).count() as u32;
+        for new in self.vertex_map.iter_mut().filter(|new| **new != NONE) {
+            *new = weld.vertex_map[*new as usize];
+        }
+        self.mesh = weld.mesh;
+        self.split_faces = split.split_faces;
+        self.sewn_edges += weld.sewn_edges;
+        self.count_welded()
+    }
+
+    /// Lists the vertices at splits that are no old ones.
+    fn enter_new(&mut self, new: &[([u32; 2], f64)], weld: &Weld) -> Result<()> {
+        let (old, of_splits) = weld.vertex_map.split_at(self.mesh.positions.len());
+        let mut next = old.iter().filter(|&&name| name != NONE).max().map_or(0, |last| last + 1);
+        for (&name, &(ends, at)) in of_splits.iter().zip(new) {
+            // Of several that became one the first counts.
+            if name == next {
+                alloc::push(&mut self.new_vertices, (ends.map(|v| old[v as usize]), at))?;
+                next += 1;
+            }
+        }
+        Ok(())
+    }
+
+    fn count_welded(&mut self) -> Result<()> {
+        let mut seen = alloc::filled(false, self.mesh.positions.len())?;
+        let again = |&&new: &&u32| new != NONE && std::mem::replace(&mut seen[new as usize], true);
+        self.welded_vertices = self.vertex_map.iter().filter(again).count() as u32;
+        Ok(())
+    }
+}
+
+/// Adds up how many vertices became each new one, as far as two; `of`: how many an old one counts
+/// for.
+fn count_sources(vertex_map: &[u32], of: impl Fn(usize) -> u8, sources: &mut [u8]) {
+    for (old, &new) in vertex_map.iter().enumerate().filter(|&(_, &new)| new != NONE) {
+        let count = &mut sources[new as usize];
+        *count = (*count + of(old)).min(2);
+    }
+}
+
+/// The vertices of several sources.
+fn several(sources: &[u8]) -> Result<Vec<u32>> {
+    alloc::gather(sources.iter().zip(0..).filter(|&(&count, _)| count > 1).map(|(_, v)| v))
+}

@@ -1,0 +1,93 @@
+//! A face whose edges are split, and its parts.
+//!
+//! A triangle is cut by fans. The side with the most new vertices is seen from the corner across;
+//! what lies between its first new vertex and the side before, and between its last one and the side
+//! after, is seen from these. None of the parts has three corners on one side, and their number is
+//! linear. Larger faces gain corners.
+
+use super::corner_origins::Corner;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::common_unit;
+use gusset_mesh::MeshView;
+
+/// A corner of a face with new vertices: its vertex, and where it is on the old face.
+pub(super) type PlacedCorner = (u32, Corner);
+
+/// A face with new vertices on its edges.
+#[derive(Default)]
+pub(super) struct SplitFace {
+    /// Its old corners and the new ones, all the way round.
+    ring: Vec<PlacedCorner>,
+    /// Where the old corners are in it.
+    corners: Vec<usize>,
+}
+
+impl SplitFace {
+    /// Face `f` with vertices on its half-edges, in the order of both: the half-edge, how far along
+    /// it, and the vertex.
+    pub(super) fn set(
+        &mut self,
+        mesh: &MeshView<'_>,
+        f: usize,
+        places: impl Iterator<Item = (u32, f64, u32)>,
+    ) -> Result<()> {
+        self.ring.clear();
+        self.corners.clear();
+        let mut places = places.peekable();
+        let range = mesh.faces().range(f);
+        for h in range.clone() {
+            let (start, end) = (h as u32, if h + 1 == range.end { range.start as u32 } else { h as u32 + 1 });
+            alloc::push(&mut self.corners, self.ring.len())?;
+            alloc::push(&mut self.ring, (mesh.faces().corner(start), Corner { start, end: start, at: 0.0 }))?;
+            while let Some((_, at, v)) = places.next_if(|&(half_edge, ..)| half_edge as usize == h) {
+                alloc::push(&mut self.ring, (v, Corner { start, end, at }))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Calls `emit` with each part.
+    pub(super) fn parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
+        let count = self.ring.len();
+        let &[a, b, c] = self.corners.as_slice() else { return emit(&self.ring) };
+        // The sides as places in the ring, from corner to corner.
+        let sides = [[a, b], [b, c], [c, count]];
+        let base = (0..3).rev().max_by_key(|&k| sides[k][1] - sides[k][0]).unwrap_or(0);
+        let [[first, last], after, before] = [0, 1, 2].map(|k| sides[(base + k) % 3]);
+        let at = |place: usize| self.ring[place % count];
+        let mut fan = |apex: usize, from: usize, to: usize| {
+            (from..to).try_for_each(|place| emit(&[at(apex), at(place), at(place + 1)]))
+        };
+        if last - first == 1 {
+            return fan(before[0], first, last);
+        }
+        fan(first + 1, before[0], before[1])?;
+        fan(before[0], first + 1, last - 1)?;
+        fan(last - 1, after[0], after[1])
+    }
+}
+
+/// True if all parts of a triangle look the same way as it does; true for larger faces. New vertices
+/// are named by old ones that lie there.
+pub(super) fn is_upright(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
+    if mesh.faces().range(f).len() != 3 {
+        return true;
+    }
+    let at = |v: u32| mesh.positions().get(v);
+    let largest = split.ring.iter().fold(DVec3::ZERO, |largest, &(v, _)| largest.max(at(v).abs()));
+    let unit = common_unit(&[largest]);
+    let normal = |corners: &[PlacedCorner]| {
+        let [p, q, r] = [0, 1, 2].map(|k| at(corners[k].0) / unit);
+        (q - p).cross(r - p)
+    };
+    let [a, b, c] = [0, 1, 2].map(|k| split.ring[split.corners[k]]);
+    let whole = normal(&[a, b, c]);
+    let mut upright = true;
+    let outcome = split.parts(|part| {
+        upright &= normal(part).dot(whole) > 0.0;
+        Ok(())
+    });
+    outcome.is_ok() && upright
+}

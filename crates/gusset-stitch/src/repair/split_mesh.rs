@@ -1,0 +1,104 @@
+//! A mesh with split edges: triangles become triangles, larger faces gain corners.
+
+use super::corner_origins::CornerOrigins;
+use super::junctions::Junctions;
+use super::split_face::SplitFace;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::{Mesh, MeshView, PositionBuffer, check_size};
+use std::ops::Range;
+
+/// Faces between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+const STAGE: &str = "splitting edges";
+
+/// A mesh with split edges.
+pub(super) struct SplitMesh {
+    /// The old vertices, then one for each split.
+    pub(super) mesh: Mesh,
+    /// Per face, the old one.
+    pub(super) face_origin: Vec<u32>,
+    pub(super) corner_origins: CornerOrigins,
+    /// Per new vertex, the ends of its edge, and how far along it is.
+    pub(super) new_vertices: Vec<([u32; 2], f64)>,
+    /// How many faces were split or gained corners.
+    pub(super) split_faces: u32,
+}
+
+/// Splits the edges: each split has a vertex of its own, at the position of the one that it is
+/// split at. O(V + H).
+pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<'_>) -> Result<SplitMesh> {
+    let Junctions { edges, splits, .. } = junctions;
+    let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
+    check_size((vertices + splits.len()) as u64, (mesh.faces().half_edge_count() + 6 * splits.len()) as u64)?;
+    let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), vertices + splits.len())?;
+    job.part(0.0, 0.0).ranges(STAGE, vertices, |range| positions.append(mesh.positions(), range))?;
+    let sources = alloc::collect(splits.iter().map(|split| split.vertex))?;
+    positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view(), 0..sources.len())?;
+
+    // A split adds two faces or a corner at the most.
+    let (corners, count) = (mesh.faces().half_edge_count() + 6 * splits.len(), faces + 2 * splits.len());
+    let mut face_offsets = alloc::with_capacity(count + 1)?;
+    face_offsets.push(0);
+    let mut done = SplitMesh {
+        mesh: Mesh::new(positions, face_offsets, alloc::with_capacity(corners)?),
+        face_origin: alloc::with_capacity(count)?,
+        corner_origins: CornerOrigins { corners: alloc::with_capacity(corners)?, on_edges: Vec::new() },
+        new_vertices: alloc::collect(splits.iter().map(|split| (edges[split.edge as usize].ends, split.at)))?,
+        split_faces: 0,
+    };
+    let face_of = |k: usize| splits.get(k).map(|split| edges[split.edge as usize].face as usize);
+    let (mut next, mut split_face) = (0, SplitFace::default());
+    let (mut f, mut reported) = (0, 0);
+    while f < faces {
+        if f >= reported + REPORT_INTERVAL {
+            job.step(f as f64 / faces as f64, STAGE)?;
+            reported = f;
+        }
+        // Faces that stay as they are, many at once.
+        let until = face_of(next).unwrap_or(faces).min(f + REPORT_INTERVAL);
+        if f < until {
+            done.append(mesh, f..until)?;
+            f = until;
+            continue;
+        }
+        let first = next;
+        while face_of(next) == Some(f) {
+            next += 1;
+        }
+        let half_edge = |k: usize| edges[splits[k].edge as usize].half_edge;
+        split_face.set(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
+        done.split_faces += 1;
+        split_face.parts(|part| {
+            for &(v, origin) in part {
+                alloc::push(&mut done.mesh.face_corners, v)?;
+                done.corner_origins.push(origin)?;
+            }
+            done.end_face(f)
+        })?;
+        f += 1;
+    }
+    Ok(done)
+}
+
+impl SplitMesh {
+    /// Appends some faces, not none, as they are.
+    fn append(&mut self, mesh: &MeshView<'_>, range: Range<usize>) -> Result<()> {
+        let given = mesh.faces();
+        let corners = given.range(range.start).start..given.range(range.end - 1).end;
+        let shift = self.mesh.face_corners.len();
+        let ends = range.clone().map(|f| (given.range(f).end - corners.start + shift) as u32);
+        alloc::extend(&mut self.mesh.face_offsets, ends)?;
+        alloc::extend(&mut self.mesh.face_corners, given.corners(corners.clone()))?;
+        alloc::extend(&mut self.corner_origins.corners, corners.map(|h| h as u32))?;
+        alloc::extend(&mut self.face_origin, range.map(|f| f as u32))
+    }
+
+    /// Ends a face that was a part of face `f`.
+    fn end_face(&mut self, f: usize) -> Result<()> {
+        alloc::push(&mut self.mesh.face_offsets, self.mesh.face_corners.len() as u32)?;
+        alloc::push(&mut self.face_origin, f as u32)
+    }
+}

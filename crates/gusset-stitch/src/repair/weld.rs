@@ -1,0 +1,292 @@
+//! Welding: one vertex instead of several that lie together.
+//!
+//! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with
+//! them their ends. Where more lie together none is preferred, and a pair is left where sewing it
+//! would make one of two corners of a face or put more than two faces to an edge: a manifold stays
+//! one. Or **all** vertices that lie together become one, as triangle soups need it, whatever comes
+//! of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
+//!
+//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed
+//! claims the unclaimed ones within the tolerance of it, nearest first. So nothing chains, and
+//! groups of vertices that are narrower than the tolerance and farther apart than it are found
+//! whatever the numbers of the vertices are. By default the tolerance is what rounding can have
+//! done to the coordinates, and no edge's ends lie together: see `tolerance`.
+
+use super::cluster::Clusters;
+use super::corners::Corners;
+use super::seams::{free_vertices, is_free, sew};
+use super::tolerance::{Source, Tolerance};
+use gusset_base::alloc;
+use gusset_base::choices;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges, unordered};
+
+/// Faces, and edges, between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
+
+const STAGE: &str = "welding";
+
+/// Which vertices are welded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Vertices {
+    /// The ends of free edges: borders that lie on one another are sewn, edge to edge.
+    #[default]
+    Boundary,
+    /// All vertices that faces use.
+    All,
+}
+
+choices! { for Vertices:
+    Boundary => "Borders", "Coincident pairs of boundary edges become one edge.";
+    All => "All vertices", "All coincident vertices, whatever becomes of the edges.";
+}
+
+/// How to weld.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// Which vertices.
+    pub vertices: Vertices,
+    /// How far apart vertices that lie together may be, finite and at least 0; 0: not at all, where
+    /// -0 equals 0. `None`: as far as rounding to the type of the coordinates, or to the decimal
+    /// digits that they show, can have put copies of one vertex, and at each vertex at most a
+    /// quarter of the shortest edge that ends there, so that no edge collapses.
+    pub tolerance: Option<f64>,
+    /// Corners of one face may become one: successive ones are then one corner, and a face of fewer
+    /// than three different vertices is dropped. Otherwise corners of one face stay apart.
+    pub collapse: bool,
+    /// Vertices that no face of the result uses are left out.
+    pub remove_unused: bool,
+}
+
+/// A welded mesh, and what became of the old one. Indices are those of the old mesh; lists are
+/// ascending.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Weld {
+    /// The old faces in their order, each from its own first corner, and the vertices that are left
+    /// in theirs. Of vertices made one the smallest is left, and its position keeps its bits.
+    pub mesh: Mesh,
+    /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
+    pub vertex_map: Vec<u32>,
+    /// Per old face, the new one; [`NONE`] if it was dropped.
+    pub face_map: Vec<u32>,
+    /// The number of the old mesh's corners.
+    pub old_corners: usize,
+    /// Per corner of the mesh, the old one; `None` if all are left.
+    pub corners_left: Option<Vec<u32>>,
+    /// Vertices that became one with a smaller one.
+    pub welded_vertices: u32,
+    /// How far apart vertices that lie together were allowed to be, short edges apart.
+    pub tolerance: f64,
+    /// Edges with two faces that were two free edges.
+    pub sewn_edges: u32,
+    /// Faces dropped.
+    pub dropped_faces: u32,
+    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces
+    /// with it: three or more lie together there, or sewing would have done harm. With
+    /// [`Vertices::All`] they may be one edge of three or more faces by now.
+    pub left_edges: Vec<u32>,
+    /// Vertices that lie together with another and are not one with it.
+    pub left_vertices: Vec<u32>,
+}
+
+/// Welds a mesh. O(n log n) for meshes of bounded degree; linear extra memory.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
+    let given = options.tolerance.unwrap_or(0.0);
+    Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
+    weld_within(mesh, options, options.tolerance.map_or(Source::Data, Source::Given), job)
+}
+
+/// Welds by a tolerance from elsewhere than the options.
+pub(super) fn weld_within(mesh: &MeshView<'_>, options: &Options, source: Source, job: &Job<'_>) -> Result<Weld> {
+    let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
+    let sewing = options.vertices == Vertices::Boundary;
+    job.step(0.2, STAGE)?;
+    let members = members(mesh, &topology, sewing)?;
+    let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.2, 0.3))?;
+    job.step(0.3, STAGE)?;
+    let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh, &job.part(0.3, 0.3))?) };
+    let mut clusters = Clusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
+    let representative = match sewing {
+        true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,
+        false => alloc::copied(&clusters.of)?,
+    };
+    let mut welded = rebuilt(mesh, &representative, options, &job.part(0.9, 0.95))?;
+    welded.tolerance = tolerance.length;
+    let places = [&clusters.of[..], &representative];
+    welded.count_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
+    clusters.enter_split(&members, &representative, &job.part(1.0, 1.0))?;
+    welded.left_vertices = clusters.kept_apart;
+    job.step(1.0, STAGE)?;
+    Ok(welded)
+}
+
+/// The vertices that may be welded, ascending.
+fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
+    if boundary {
+        return free_vertices(mesh, topology);
+    }
+    let mut marked = alloc::filled(false, mesh.positions().len())?;
+    mesh.faces().corners(0..mesh.faces().half_edge_count()).for_each(|v| marked[v as usize] = true);
+    alloc::gather((0..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v))
+}
+
+impl Clusters {
+    /// Adds the members of clusters that did not become one vertex to those kept apart, and brings
+    /// these in order.
+    fn enter_split(&mut self, members: &[u32], representative: &[u32], job: &Job<'_>) -> Result<()> {
+        job.step(0.0, STAGE)?;
+        let mut split = alloc::filled(false, self.of.len())?;
+        for &v in members {
+            let cluster = self.of[v as usize] as usize;
+            split[cluster] |= representative[v as usize] != representative[cluster];
+        }
+        job.step(0.0, STAGE)?;
+        let split = members.iter().filter(|&&v| split[self.of[v as usize] as usize]);
+        alloc::extend(&mut self.kept_apart, split.copied())?;
+        sort(&mut self.kept_apart, Ord::cmp, job, STAGE)?;
+        self.kept_apart.dedup();
+        Ok(())
+    }
+}
+
+/// The mesh with each vertex replaced by its representative, and the maps.
+fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
+    job.step(0.0, STAGE)?;
+    let faces = mesh.faces();
+    let mut face_map = alloc::with_capacity(faces.len())?;
+    let mut face_offsets = alloc::with_capacity(faces.len() + 1)?;
+    let mut face_corners: Vec<u32> = alloc::with_capacity(faces.half_edge_count())?;
+    face_offsets.push(0);
+    let mut left = alloc::with_capacity(if options.collapse { faces.half_edge_count() } else { 0 })?;
+    for f in 0..faces.len() {
+        job.part(0.0, 0.4).step_every(REPORT_INTERVAL, f, faces.len(), STAGE)?;
+        let start = face_corners.len();
+        face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
+        if options.collapse {
+            left.extend(faces.range(f).map(|corner| corner as u32));
+            if !close_gaps(&mut face_corners, &mut left, start) {
+                face_corners.truncate(start);
+                left.truncate(start);
+                face_map.push(NONE);
+                continue;
+            }
+        }
+        face_map.push(face_offsets.len() as u32 - 1);
+        face_offsets.push(face_corners.len() as u32);
+    }
+
+    job.step(0.4, STAGE)?;
+    let mut stays = alloc::filled(!options.remove_unused, representative.len())?;
+    face_corners.iter().for_each(|&v| stays[v as usize] = true);
+    if faces.is_merged() {
+        // Faces will have their split vertices again.
+        let mut stay = |h| stays[representative[faces.split_corner(h) as usize] as usize] = true;
+        match options.collapse {
+            true => left.iter().copied().for_each(&mut stay),
+            false => (0..faces.half_edge_count() as u32).for_each(&mut stay),
+        }
+    }
+    let mut kept = Vec::new();
+    let mut vertex_map = alloc::filled(NONE, representative.len())?;
+    // A representative comes before those that it stands for.
+    for (v, &r) in representative.iter().enumerate() {
+        if r as usize != v {
+            vertex_map[v] = vertex_map[r as usize];
+        } else if stays[v] {
+            vertex_map[v] = kept.len() as u32;
+            alloc::push(&mut kept, r)?;
+        }
+    }
+    job.step(0.7, STAGE)?;
+    face_corners.iter_mut().for_each(|v| *v = vertex_map[*v as usize]);
+    let positions = PositionBuffer::gather(mesh.positions(), &kept)?;
+    Ok(Weld {
+        welded_vertices: representative.iter().enumerate().filter(|&(v, &r)| r as usize != v).count() as u32,
+        dropped_faces: (faces.len() + 1 - face_offsets.len()) as u32,
+        mesh: Mesh::new(positions, face_offsets, face_corners),
+        vertex_map,
+        face_map,
+        old_corners: faces.half_edge_count(),
+        corners_left: (left.len() != mesh.faces().half_edge_count()).then_some(left).filter(|_| options.collapse),
+        tolerance: 0.0,
+        sewn_edges: 0,
+        left_edges: Vec::new(),
+        left_vertices: Vec::new(),
+    })
+}
+
+/// Makes one corner of successive equal ones, of the face from corner `start` on, and keeps those
+/// that are `left` beside them; false if fewer than three different vertices are left.
+fn close_gaps(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool {
+    let mut end = start;
+    for k in start..corners.len() {
+        if end == start || corners[k] != corners[end - 1] {
+            (corners[end], left[end]) = (corners[k], left[k]);
+            end += 1;
+        }
+    }
+    while end > start + 1 && corners[end - 1] == corners[start] {
+        end -= 1;
+    }
+    corners.truncate(end);
+    left.truncate(end);
+    let face = &corners[start..];
+    face.iter().any(|&v| v != face[0] && v != face[1])
+}
+
+impl Weld {
+    /// Counts the edges sewn, and lists the free ones that lie on another and are not.
+    fn count_edges(
+        &mut self,
+        mesh: &MeshView<'_>,
+        topology: &Topology,
+        [clusters, representative]: [&[u32]; 2],
+        free_only: bool,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        job.step(0.0, STAGE)?;
+        // Sewing leaves edges with two faces alone; other welding does not.
+        let taken = |h| if free_only { is_free(topology, h) } else { !topology.is_ignored(h) };
+        let mut edges = Vec::new();
+        for f in 0..mesh.faces().len() {
+            job.part(0.0, 0.2).step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
+            if self.face_map[f] == NONE {
+                continue;
+            }
+            for (h, u, v) in half_edges(mesh, f).filter(|&(h, ..)| taken(h)) {
+                let [now, place] = [representative, clusters].map(|of| [u, v].map(|v| of[v as usize]));
+                if now[0] != now[1] {
+                    alloc::push(&mut edges, (unordered(place), unordered(now), h))?;
+                }
+            }
+        }
+        sort(&mut edges, Ord::cmp, &job.part(0.2, 0.8), STAGE)?;
+        let (mut done, count, counting) = (0, edges.len(), job.part(0.8, 0.9));
+        for together in edges.chunk_by(|a, b| a.0 == b.0) {
+            for edge in together.chunk_by(|a, b| a.1 == b.1) {
+                if done / REPORT_INTERVAL < (done + edge.len()) / REPORT_INTERVAL {
+                    counting.step(done as f64 / count as f64, STAGE)?;
+                }
+                done += edge.len();
+                let free = |&&(_, _, h): &&(u64, u64, u32)| is_free(topology, h);
+                if edge.len() == 2 && edge.iter().all(|e| free(&e)) {
+                    self.sewn_edges += 1;
+                } else if together.len() > 1 {
+                    for some in edge.chunks(REPORT_INTERVAL) {
+                        if some.len() == REPORT_INTERVAL {
+                            counting.step(done as f64 / count as f64, STAGE)?;
+                        }
+                        alloc::extend(&mut self.left_edges, some.iter().filter(free).map(|&(_, _, h)| h))?;
+                    }
+                }
+            }
+        }
+        sort(&mut self.left_edges, Ord::cmp, &job.part(0.9, 1.0), STAGE)
+    }
+}

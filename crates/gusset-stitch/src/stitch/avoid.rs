@@ -1,0 +1,168 @@
+//! Another strip where one cuts itself or a piece.
+//!
+//! The steps whose triangles cut get a penalty, of what a few steps cost, and the cheapest
+//! meridians near the old ones are found again: the strip goes another way there and stays as it was
+//! elsewhere. What still cuts gets another. After some rounds the same is tried from the
+//! strips of other measures; of all strips the one that cuts least is kept, of equals the first.
+
+use super::meridian::{Meridians, Pair, StepPenalty};
+use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
+use super::stitch_request::Options;
+use super::stitch_rim::Bridges;
+use super::strip::{Strip, from_given_start, near};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_base::sort;
+use gusset_mesh::Mesh;
+
+/// Measures that are tried one after the other.
+const MEASURES: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal];
+
+/// Strips tried for each measure.
+const ROUNDS: usize = 12;
+
+/// The penalty of a step for a cut, in mean steps; twice that where it cuts an old face.
+const PENALTY: f64 = 4.0;
+
+/// Looks for faces of a strip without rows that cut others, and for another strip if there are any.
+/// The pairs of faces that are left; see [`Stitch::intersections`](super::Stitch::intersections).
+pub(super) fn avoid_cuts(
+    whole: &Mesh,
+    strip: &mut Strip,
+    bridges: &Bridges,
+    unit: f64,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Vec<[u32; 2]>> {
+    let old = Neighbourhood::new(whole, strip, unit, Vec::new())?.old_triangles_nearby(&[], job)?;
+    let test =
+        |strip: &Strip, job: &Job<'_>| Neighbourhood::new(whole, strip, unit, Vec::new())?.intersections(&old, job);
+    let mut best = test(strip, &job.part(0.0, 0.1))?;
+    if !best.pairs.is_empty() {
+        start_far_from_cuts(strip, &best)?;
+        let mut best_meridians = alloc::copied(&strip.meridians)?;
+        // The faces are numbered from the start, which has moved.
+        strip.set_meridians(alloc::copied(&best_meridians)?, bridges, options)?;
+        best = test(strip, &job.part(0.1, 0.15))?;
+        for (k, measure) in MEASURES.into_iter().enumerate() {
+            let part = job.part(0.15 + 0.25 * k as f64, 0.4 + 0.25 * k as f64);
+            let how = Options { meridians: measure, ..*options };
+            let mut search = Search { strip, bridges, options: &how, test: &test };
+            search.run(&mut best, &mut best_meridians, &part)?;
+            if best.pairs.is_empty() {
+                break;
+            }
+        }
+        strip.set_meridians(best_meridians, bridges, options)?;
+    }
+    Neighbourhood::new(whole, strip, unit, Vec::new())?.faces(&old, &best)
+}
+
+/// Turns the rims so that the first meridian, which stays, is far from cuts: in the middle of the
+/// longest run of triangles that cut nothing.
+fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Result<()> {
+    if !strip.a.closed {
+        return Ok(());
+    }
+    let count = strip.meridians.len() - 1;
+    let mut cuts = alloc::gather(found.pairs.as_flattened().iter().copied().filter(|&k| (k as usize) < count))?;
+    cuts.sort_unstable();
+    let next = |k: usize| cuts.get(k + 1).map_or(cuts[0] as usize + count, |&cut| cut as usize);
+    let runs = (0..cuts.len()).map(|k| (next(k) - cuts[k] as usize, cuts[k] as usize));
+    let Some((length, after)) = runs.max_by_key(|&(length, after)| (length, std::cmp::Reverse(after))) else {
+        return Ok(());
+    };
+    let first = (after + length.div_ceil(2)) % count;
+    let [n, m] = strip.meridians[count];
+    let [i, j] = strip.meridians[first];
+    strip.a.start_at((i % n) as usize);
+    strip.b.start_at((j % m) as usize);
+    strip.meridians.pop();
+    strip.meridians.rotate_left(first);
+    strip.meridians.iter_mut().for_each(|pair| *pair = [(pair[0] + n - i) % n, (pair[1] + m - j) % m]);
+    // Places that were counted round once lie beyond those that follow them.
+    for k in 1..count {
+        let before = strip.meridians[k - 1];
+        for (place, (before, round)) in strip.meridians[k].iter_mut().zip(before.into_iter().zip([n, m])) {
+            if *place < before {
+                *place += round;
+            }
+        }
+    }
+    strip.meridians.push([n, m]);
+    Ok(())
+}
+
+/// The search with one measure.
+struct Search<'a, T> {
+    strip: &'a mut Strip,
+    bridges: &'a Bridges,
+    options: &'a Options,
+    test: &'a T,
+}
+
+impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
+    /// Tries strips until one cuts nothing or none is left to try; the best of all is kept.
+    fn run(&mut self, best: &mut IntersectingTriangles, kept: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
+        let Some(first) =
+            from_given_start(&self.strip.a, &self.strip.b, self.bridges, self.options, &job.part(0.0, 0.1))?
+        else {
+            return Ok(());
+        };
+        let unit = PENALTY * first.cost / first.pairs.len() as f64;
+        let mut penalties: Vec<StepPenalty> = Vec::new();
+        let mut path = first.pairs;
+        for round in 0..ROUNDS {
+            let part =
+                job.part(0.1 + 0.9 * round as f64 / ROUNDS as f64, 0.1 + 0.9 * (round + 1) as f64 / ROUNDS as f64);
+            match self.strip.set_meridians(alloc::copied(&path)?, self.bridges, self.options) {
+                Err(Error::NoStrip { .. }) => return Ok(()),
+                other => other?,
+            }
+            let found = (self.test)(self.strip, &part.part(0.0, 0.6))?;
+            self.penalise(&path, &found, unit, &mut penalties)?;
+            let done = found.pairs.is_empty();
+            if found.pairs.len() < best.pairs.len() {
+                (*best, *kept) = (found, alloc::copied(&path)?);
+            }
+            if done {
+                return Ok(());
+            }
+            let again = near(
+                &self.strip.a,
+                &self.strip.b,
+                self.bridges,
+                self.options,
+                &path,
+                &penalties,
+                &part.part(0.6, 1.0),
+            )?;
+            let Some(next) = again else {
+                return Ok(());
+            };
+            path = next.pairs;
+        }
+        Ok(())
+    }
+
+    /// Adds penalties for the steps whose triangles are in `found`.
+    fn penalise(
+        &self,
+        path: &[Pair],
+        found: &IntersectingTriangles,
+        unit: f64,
+        penalties: &mut Vec<StepPenalty>,
+    ) -> Result<()> {
+        for pair in &found.pairs {
+            let with_old = pair.iter().any(|&k| k as usize >= path.len() - 1);
+            for &k in pair.iter().filter(|&&k| (k as usize) < path.len() - 1) {
+                let (from, to) = (path[k as usize], path[k as usize + 1]);
+                let extra = if with_old { 2.0 * unit } else { unit };
+                alloc::push(penalties, StepPenalty { to, on_b: to[0] == from[0], extra })?;
+            }
+        }
+        sort::stable(penalties, &|a, b| (a.to, a.on_b).cmp(&(b.to, b.on_b)));
+        Ok(())
+    }
+}

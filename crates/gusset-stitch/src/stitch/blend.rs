@@ -1,0 +1,115 @@
+//! A blend in the place of a strip: triangles as fine as those round it, on a surface that leaves
+//! both pieces along their tangents; see [`blend`](crate::blend).
+
+use super::grid::FaceList;
+use super::neighbourhood::Neighbourhood;
+use super::strip::{Parents, Strip};
+use crate::blend::{self, Beyond, Limits, MAX_FAN_TRIANGLES, OldRing, Way};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::geom::triangle_places::nearest_places;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::{MAX_ELEMENTS, Mesh};
+
+/// How wide a blend is before it hangs on the strip, in mean radii of the larger rim.
+const REACH: f64 = 3.0;
+/// A gap for which more vertices, or sides longer by more than this, would be needed is too wide.
+const LIMITS: Limits = Limits { new: 50_000, at_rim: 16, growth: 2.0 };
+
+/// What is tried, one after the other, until nothing cuts.
+pub(super) const WAYS: [Way; 4] = [
+    Way { rounds: 2, unfolds: false },
+    Way { rounds: 2, unfolds: true },
+    Way { rounds: 1, unfolds: true },
+    Way::UNFAIRED,
+];
+
+/// What takes the place of a strip's faces and new vertices.
+pub(super) struct Blend {
+    pub(super) faces: FaceList,
+    /// The new vertices, in the rims' unit.
+    pub(super) points: Vec<DVec3>,
+    /// Where they would be without fairing.
+    pub(super) unfaired: Vec<DVec3>,
+    pub(super) parents: Vec<Parents>,
+}
+
+/// The plan of a strip of triangles without rows; `None` if it would need too many vertices. A pass
+/// over all old faces.
+pub(super) fn plan(
+    whole: &Mesh,
+    strip: &Strip,
+    unit: f64,
+    job: &Job<'_>,
+) -> Result<Option<blend::Plan<impl Fn(u32, u32) -> bool + use<>>>> {
+    let (ring, edges) = old_ring(whole, strip, unit, &job.part(0.0, 0.0))?;
+    let taken = move |u: u32, v: u32| edges.binary_search(&(u.min(v), u.max(v))).is_ok();
+    let triangles = alloc::copied(strip.faces.corners.as_chunks::<3>().0)?;
+    blend::Plan::new(ring, triangles, LIMITS, taken, job)
+}
+
+/// The blend in the place of the strip.
+pub(super) fn blend(
+    plan: &blend::Plan<impl Fn(u32, u32) -> bool>,
+    strip: &Strip,
+    way: Way,
+    job: &Job<'_>,
+) -> Result<Blend> {
+    let made = plan.blend(way, &job.part(0.0, 0.9))?;
+    Error::check_count("corners of the strip", 3 * made.triangles.len() as u64, MAX_ELEMENTS)?;
+    Ok(Blend {
+        faces: FaceList {
+            offsets: alloc::collect((0..made.triangles.len() as u32 + 1).map(|t| 3 * t))?,
+            corners: alloc::copied(made.triangles.as_flattened())?,
+        },
+        parents: parents(strip, &made.unfaired, &job.part(0.9, 1.0))?,
+        points: made.points,
+        unfaired: made.unfaired,
+    })
+}
+
+/// Of each new vertex, where it would be on the strip without fairing.
+fn parents(strip: &Strip, unfaired: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents>> {
+    let rims = alloc::gather(strip.a.points.iter().chain(&strip.b.points).copied())?;
+    let found = nearest_places(&rims, strip.faces.corners.as_chunks::<3>().0, unfaired, "refining", job)?;
+    alloc::collect(found.into_iter().map(|(vertices, weights)| Parents { vertices, weights }))
+}
+
+/// The old faces round a strip, and their edges between two vertices of the rims, the smaller one
+/// first, ascending.
+fn old_ring(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<(OldRing, Vec<(u32, u32)>)> {
+    let around = Neighbourhood::new(whole, strip, unit, Vec::new())?;
+    let old = around.old_triangles(|face| face.iter().any(|&v| around.rim.contains(v)), job)?.corners;
+    let rims = strip.a.vertices.iter().chain(&strip.b.vertices);
+    let mut names = alloc::gather(rims.clone().copied())?;
+    let rim = names.len();
+    let mut others = alloc::gather(old.as_flattened().iter().copied().filter(|&v| !around.rim.contains(v)))?;
+    sort_distinct(&mut others);
+    let mut on_rim = alloc::gather(rims.zip(0u32..).map(|(&v, k)| (v, k)))?;
+    on_rim.sort_unstable();
+    let number = |v: u32| match on_rim.binary_search_by_key(&v, |&(v, _)| v) {
+        Ok(at) => on_rim[at].1,
+        Err(_) => (rim + others.partition_point(|&other| other < v)) as u32,
+    };
+    let triangles = alloc::collect(old.iter().map(|triangle| triangle.map(number)))?;
+    alloc::append(&mut names, &others)?;
+    let origin = strip.a.points[0];
+    let points = alloc::collect(names.iter().map(|&v| around.at(v) - origin))?;
+
+    let touching = whole.faces().filter(|face| face.iter().any(|&v| around.rim.contains(v)));
+    let sides = touching.flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));
+    let sides = alloc::gather(sides.map(|(&u, &v)| (number(u), number(v))))?;
+    let is_rim = |&&(u, v): &&(u32, u32)| u.max(v) < rim as u32;
+    let mut edges = alloc::gather(sides.iter().filter(is_rim).map(|&(u, v)| (u.min(v), u.max(v))))?;
+    sort_distinct(&mut edges);
+    let mut valence = alloc::filled(0usize, rim)?;
+    triangles.as_flattened().iter().filter(|&&v| (v as usize) < rim).for_each(|&v| valence[v as usize] += 1);
+    let is_end = |v: u32| around.ends.binary_search(&v).is_ok();
+    let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
+    let reach = REACH * strip.a.radius().max(strip.b.radius());
+    let rims = vec![(strip.a.vertices.len(), strip.a.closed), (strip.b.vertices.len(), strip.b.closed)];
+    let beyond = Beyond::default();
+    Ok((OldRing { points, origin, triangles, sides, centred, rims, reach, follows: None, beyond }, edges))
+}

@@ -1,0 +1,87 @@
+//! One mesh of the pieces and the strip.
+//!
+//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B,
+//! then the strip. Positions keep their bits.
+
+use super::stitch_request::IndexMap;
+use super::strip::Strip;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::{Mesh, MeshView, check_size, concat};
+use std::ops::Range;
+
+/// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
+pub(super) fn append_piece(
+    whole: &mut Mesh,
+    piece: &MeshView<'_>,
+    job: &Job<'_>,
+    turn: impl FnMut(usize) -> bool,
+) -> Result<IndexMap> {
+    let place = concat::append(whole, piece, job, turn)?;
+    Ok(IndexMap {
+        vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + place.first_vertex))?,
+        faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + place.first_face))?,
+    })
+}
+
+/// Where a strip went.
+pub(crate) struct AttachedStrip {
+    /// Of each of the strip's own vertices, the one of the whole: both rims, then the new ones.
+    pub(crate) names: Vec<u32>,
+    /// The new vertices.
+    pub(crate) vertices: Range<u32>,
+    /// The strip's faces.
+    pub(crate) faces: Range<u32>,
+}
+
+/// Appends a strip whose rims' vertices are numbered as in the whole; its points are multiplied by
+/// `unit`.
+///
+/// # Errors
+/// [`TooLarge`](gusset_base::Error::TooLarge), [`OutOfMemory`](gusset_base::Error::OutOfMemory).
+pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result<AttachedStrip> {
+    let (faces, new) = (&strip.faces, &strip.grid.points[strip.rim_count()..]);
+    let (vertices, corners) = (whole.positions.len() + new.len(), whole.face_corners.len() + faces.corners.len());
+    check_size(vertices as u64, corners as u64)?;
+    let first_vertex = whole.positions.len() as u32;
+    let mut names = alloc::with_capacity(strip.grid.points.len())?;
+    names.extend(strip.a.vertices.iter().chain(&strip.b.vertices));
+    names.extend(first_vertex..vertices as u32);
+    whole.positions.extend(new.iter().map(|&p| p * unit))?;
+
+    alloc::reserve(&mut whole.face_corners, faces.corners.len())?;
+    alloc::reserve(&mut whole.face_offsets, faces.offsets.len())?;
+    let first_face = whole.face_count() as u32;
+    for face in faces.iter() {
+        whole.face_corners.extend(face.iter().map(|&v| names[v as usize]));
+        whole.face_offsets.push(whole.face_corners.len() as u32);
+    }
+    Ok(AttachedStrip { names, vertices: first_vertex..vertices as u32, faces: first_face..whole.face_count() as u32 })
+}
+
+/// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.
+pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
+    let faces = strip.faces;
+    Ok(Mesh::new(whole.positions.select(names)?, faces.offsets, faces.corners))
+}
+
+/// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in
+/// ascending order.
+pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Mesh> {
+    const STAGE: &str = "putting the pieces together";
+    let start = whole.face_offsets[first];
+    let corners = &whole.face_corners[start as usize..];
+    let mut names = alloc::copied(corners)?;
+    sort(&mut names, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
+    names.dedup();
+    // Corner by corner looked up: the host is heard between parts of them.
+    let mut face_corners = alloc::with_capacity(corners.len())?;
+    for part in corners.chunks(1 << 16) {
+        job.step(0.5 + 0.5 * face_corners.len() as f64 / corners.len() as f64, STAGE)?;
+        face_corners.extend(part.iter().map(|v| names.partition_point(|name| name < v) as u32));
+    }
+    let face_offsets = alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?;
+    Ok(Mesh::new(whole.positions.select(&names)?, face_offsets, face_corners))
+}

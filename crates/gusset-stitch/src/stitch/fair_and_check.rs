@@ -1,0 +1,301 @@
+//! Fairing of the strip's rows, and its intersections with itself and with the pieces.
+//!
+//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the
+//! rims, is least (a thin plate; see [`fair`](crate::fair)); the rims and the old vertices round
+//! them stay; where those are nearer or farther than the rows are from each other, only their
+//! direction counts. The ends of an open strip stay on their meridians.
+//!
+//! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their
+//! straight meridians, halfway each time, those near by a little less, until nothing cuts or
+//! nothing is left to take back.
+//!
+//! **Blends** are tested and taken back in the same way, towards where they were before fairing.
+
+use super::avoid::avoid_cuts;
+use super::blend::{self, Blend, WAYS};
+use super::meridian::Meridians;
+use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
+use super::stitch_request::{Cells, Fairing, Finish, Intersections, Options};
+use super::stitch_rim::Bridges;
+use super::strip::Strip;
+use crate::blend::MAX_FAN_TRIANGLES;
+use crate::fair::{Continuity, Plate, Weights, thin_plate};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::Mesh;
+
+/// The fairing is taken back at most so often.
+const MAX_BACK_OFFS: u32 = 12;
+
+/// Below this the fairing of a vertex is given up.
+const MIN_FAIRING_SHARE: f64 = 0.1;
+
+/// How many edges away from a cut the fairing is taken back a little.
+const BACK_OFF_RINGS: u32 = 4;
+
+pub(crate) struct CheckedStrip {
+    /// See [`Stitch::intersections`](super::Stitch::intersections).
+    pub(crate) intersections: Option<Vec<[u32; 2]>>,
+    pub(super) back_offs: u32,
+    pub(crate) finish: Finish,
+}
+
+/// Fairs the strip's rows, or puts a blend in its place, and looks for faces that cut each other, as
+/// the options say. `whole` has the pieces without the strip, and the rims' vertices are numbered as
+/// there.
+pub(crate) fn fair_and_check(
+    whole: &Mesh,
+    strip: &mut Strip,
+    unit: f64,
+    bridges: &Bridges,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<CheckedStrip> {
+    if options.finish == Finish::Blend && !strip.faces.corners.is_empty() {
+        let checked = check_strip(whole, strip, unit, bridges, options, &job.part(0.0, 0.3))?;
+        return check_blend(whole, strip, unit, checked, options, &job.part(0.3, 1.0));
+    }
+    check_strip(whole, strip, unit, bridges, options, job)
+}
+
+/// The same of a strip that stays one.
+fn check_strip(
+    whole: &Mesh,
+    strip: &mut Strip,
+    unit: f64,
+    bridges: &Bridges,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<CheckedStrip> {
+    let avoids = strip.grid.new.is_empty()
+        && strip.meridians.len() > 1
+        && options.meridians == Meridians::Continuation
+        && options.cells == Cells::Triangles;
+    if avoids && options.intersections == Intersections::Auto {
+        let left = avoid_cuts(whole, strip, bridges, unit, options, job)?;
+        return Ok(CheckedStrip { intersections: Some(left), back_offs: 0, finish: Finish::Strip });
+    }
+    let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
+    let rims = strip.rim_count();
+    let mut neighbourhood = Neighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
+    // What is tested is what will be returned, in the result's scalar type.
+    neighbourhood.round();
+    let straight = alloc::copied(&neighbourhood.points)?;
+    if faired {
+        neighbourhood.fair(strip, &job.part(0.0, 0.4))?;
+        neighbourhood.round();
+    }
+    let checked = neighbourhood.check(straight, faired, options.intersections, &job.part(0.4, 1.0))?;
+    let points = neighbourhood.points;
+    strip.grid.points.truncate(rims);
+    alloc::append(&mut strip.grid.points, &points)?;
+    Ok(checked)
+}
+
+/// Puts a blend in the place of a strip: the one that cuts least of those with more or less fairing,
+/// of equals the first; unless all cut more than the strip does.
+fn check_blend(
+    whole: &Mesh,
+    strip: &mut Strip,
+    unit: f64,
+    plain: CheckedStrip,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<CheckedStrip> {
+    let rims = strip.rim_count();
+    let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
+    let mut best: Option<(CheckedStrip, Blend)> = None;
+    let Some(plan) = blend::plan(whole, strip, unit, &job.part(0.0, 0.2))? else {
+        job.note("a blend would need too many vertices: the strip stays in its place");
+        return Ok(plain);
+    };
+    let job = job.part(0.2, 1.0);
+    for (k, way) in WAYS.into_iter().enumerate() {
+        let part = job.share(k, WAYS.len());
+        let mut found = blend::blend(&plan, strip, way, &part.part(0.0, 0.5))?;
+        // The strip's own faces come back once this one is judged.
+        let faces = std::mem::replace(&mut strip.faces, found.faces);
+        let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;
+        neighbourhood.round();
+        let straight = std::mem::replace(&mut neighbourhood.points, found.points);
+        neighbourhood.round();
+        let checked = neighbourhood.check(straight, true, options.intersections, &part.part(0.5, 1.0))?;
+        (found.points, found.unfaired) = (neighbourhood.points, Vec::new());
+        found.faces = std::mem::replace(&mut strip.faces, faces);
+        let count = cuts(&checked);
+        if best.as_ref().is_none_or(|(best, _)| count < cuts(best)) {
+            best = Some((checked, found));
+        }
+        if count == 0 {
+            break;
+        }
+    }
+    match best.filter(|(checked, _)| cuts(checked) <= cuts(&plain)) {
+        None => {
+            job.note("the blend would cut more faces than the strip does, which stays in its place");
+            Ok(plain)
+        }
+        Some((checked, found)) => {
+            let checked = CheckedStrip { finish: Finish::Blend, ..checked };
+            strip.faces = found.faces;
+            strip.grid.points.truncate(rims);
+            alloc::append(&mut strip.grid.points, &found.points)?;
+            strip.parents = found.parents;
+            Ok(checked)
+        }
+    }
+}
+
+impl Neighbourhood<'_> {
+    /// Looks for faces that cut each other, if wanted. Where new vertices are `faired`, they are
+    /// taken back towards `straight` until none do that did not there.
+    fn check(
+        &mut self,
+        straight: Vec<DVec3>,
+        faired: bool,
+        intersections: Intersections,
+        job: &Job<'_>,
+    ) -> Result<CheckedStrip> {
+        let mut checked = CheckedStrip { intersections: None, back_offs: 0, finish: Finish::Strip };
+        if intersections == Intersections::Ignore {
+            return Ok(checked);
+        }
+        let look = |round: u32| job.share(round as usize, MAX_BACK_OFFS as usize + 2);
+        let old = self.old_triangles_nearby(&straight, job)?;
+        let mut found = self.intersections(&old, &look(0))?;
+        let plate = alloc::copied(&self.points)?;
+        let mut share = alloc::filled(1.0, plate.len())?;
+        while faired && checked.back_offs < MAX_BACK_OFFS && self.back_off(&found, &mut share)? {
+            for (k, point) in self.points.iter_mut().enumerate() {
+                *point = straight[k].lerp(plate[k], share[k]);
+            }
+            self.round();
+            checked.back_offs += 1;
+            found = self.intersections(&old, &look(checked.back_offs))?;
+        }
+        if faired && !found.pairs.is_empty() {
+            // The straight rows, if fewer cut there.
+            let faired = std::mem::replace(&mut self.points, straight);
+            let intersections = self.intersections(&old, &look(MAX_BACK_OFFS + 1))?;
+            if intersections.pairs.len() < found.pairs.len() {
+                found = intersections;
+            } else {
+                self.points = faired;
+            }
+        }
+        checked.intersections = Some(self.faces(&old, &found)?);
+        Ok(checked)
+    }
+
+    /// Moves the new vertices to where a thin plate would have them.
+    fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
+        let mut triangles = self.strip_triangles()?.corners;
+        let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)), job)?.corners;
+        alloc::append(&mut triangles, &round)?;
+        // The patch's own numbers.
+        let mut vertices = alloc::collect(triangles.as_flattened().iter().copied())?;
+        sort_distinct(&mut vertices);
+        let number = |v: u32| vertices.binary_search(&v).unwrap_or(0) as u32;
+        triangles.iter_mut().for_each(|t| *t = t.map(number));
+        let mut valence = alloc::filled(0usize, vertices.len())?;
+        triangles.as_flattened().iter().for_each(|&k| valence[k as usize] += 1);
+
+        let mut points = alloc::collect(vertices.iter().map(|&v| self.at(v)))?;
+        let is_end = |v: u32| self.ends.binary_search(&v).is_ok();
+        let is_new = |v: u32| v >= self.base;
+        let on_rim = |v: u32| v < self.base && self.rim.contains(v);
+        let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
+        // The apex of a large fan says nothing about slopes, and would tie all vertices round it to
+        // each other.
+        let is_centre =
+            |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= MAX_FAN_TRIANGLES)) && !is_end(v);
+        let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
+        self.space_evenly(strip, &vertices, &triangles, &mut points)?;
+        let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
+            Some(k) => strip.grid.even_position(k as usize),
+            None => DVec3::ZERO,
+        }))?;
+        let plate = Plate {
+            triangles: &triangles,
+            free: &free,
+            centres: &centres,
+            weights: Weights::Uniform,
+            continuity: Continuity::C1,
+            shape: None,
+            layout: Some(&layout),
+        };
+        thin_plate(&mut points, &plate, job)?;
+        for (&v, &p) in vertices.iter().zip(&points) {
+            if is_new(v) {
+                self.points[(v - self.base) as usize] = p;
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the old vertices beyond the rims towards them or away, in the patch only, until they
+    /// are as far as the rows are from each other: the plate takes all edges to be of one length,
+    /// and what lies beyond a rim is to tell it the slope there.
+    fn space_evenly(
+        &self,
+        strip: &Strip,
+        vertices: &[u32],
+        triangles: &[[u32; 3]],
+        points: &mut [DVec3],
+    ) -> Result<()> {
+        let lengths = strip.meridians.iter().map(|&[i, j]| strip.a.at(i).distance(strip.b.at(j)));
+        let parts = strip.grid.matrix.len() / strip.meridians.len() - 1;
+        let spacing = lengths.sum::<f64>() / strip.meridians.len() as f64 / parts as f64;
+        let on_rim = |k: u32| vertices[k as usize] < self.base && self.rim.contains(vertices[k as usize]);
+        let beyond = |k: u32| vertices[k as usize] < self.base && !self.rim.contains(vertices[k as usize]);
+        let mut anchors = alloc::filled((DVec3::ZERO, 0.0), vertices.len())?;
+        for triangle in triangles {
+            for &k in triangle.iter().filter(|&&k| beyond(k)) {
+                for &rim in triangle.iter().filter(|&&rim| on_rim(rim)) {
+                    let (sum, count) = anchors[k as usize];
+                    anchors[k as usize] = (sum + points[rim as usize], count + 1.0);
+                }
+            }
+        }
+        for (point, (sum, count)) in points.iter_mut().zip(anchors) {
+            if count > 0.0 {
+                let anchor = sum / count;
+                *point = anchor + (*point - anchor).normalize_or_zero() * spacing;
+            }
+        }
+        Ok(())
+    }
+
+    /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those
+    /// near by; false if there are none where anything is left to take back.
+    fn back_off(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
+        let mut distance = alloc::filled(BACK_OFF_RINGS, share.len())?;
+        let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
+        let intersecting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));
+        for k in intersecting.flatten().filter_map(|&v| index(v)) {
+            distance[k] = 0;
+        }
+        if !distance.iter().zip(&*share).any(|(&d, &s)| d == 0 && s > 0.0) {
+            return Ok(false);
+        }
+        for _ in 1..BACK_OFF_RINGS {
+            for triangle in &found.strip.corners {
+                let least =
+                    triangle.iter().filter_map(|&v| index(v)).map(|k| distance[k]).min().unwrap_or(BACK_OFF_RINGS);
+                for k in triangle.iter().filter_map(|&v| index(v)) {
+                    distance[k] = distance[k].min(least + 1);
+                }
+            }
+        }
+        for (s, d) in share.iter_mut().zip(distance) {
+            *s *= 1.0 - 0.5 * f64::from(BACK_OFF_RINGS - d) / f64::from(BACK_OFF_RINGS);
+            if *s < MIN_FAIRING_SHARE {
+                *s = 0.0;
+            }
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,210 @@
+//! The stages of stitching in order, from two loops to one mesh.
+
+use super::combine::{append_piece, append_strip, strip_alone};
+use super::extent::{Extent, arcs};
+use super::facing::{self, check_tolerance};
+use super::fair_and_check::fair_and_check;
+use super::loop_pairing::{nearest_pair, usable_rims};
+use super::quality::Quality;
+use super::sense::{arcs_run_the_same_way, rims_disagree};
+use super::stitch_request::{IndexMap, Options, Orientation, Request, Stitch};
+use super::stitch_rim::{Bridges, FreeEdges, Rim, shared_vertex};
+use super::strip::Strip;
+use crate::boundary::{self, Boundary, boundary_loops};
+use crate::repair::orient::{Outward, turn_outwards};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result, Side};
+use gusset_base::geom::scale::common_unit;
+use gusset_base::job::Job;
+use gusset_mesh::{MeshView, concat, vertex_components};
+
+/// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of
+/// new faces.
+///
+/// Loops that are left open are chosen as the two nearest ones: the least mean distance from the
+/// vertices of each to the nearest vertex of the other. Old positions are never changed, and every
+/// old face is kept.
+///
+/// O(H log d) for the meshes' H half-edges and at most d edges at a vertex; plus for the meridians
+/// O(N M) up to 2^21 pairs of vertices, beyond that and for the simple choices O((N + M) log M);
+/// plus the size of the strip, and a box test for each pair of loops where the choice is left open.
+/// Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F) log n) for F old
+/// faces in the box round the strip, and a test for each pair of triangles whose boxes overlap,
+/// which in the worst case (a wide fan) is all pairs. Extra memory is linear in the meshes and the
+/// strip, but for what [`Search::Exact`](super::Search) says.
+///
+/// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only;
+/// two arcs of one vertex each get one meridian and no face.
+///
+/// # Errors
+/// [`Error::NoLoop`], [`Error::NoPairOfLoops`], [`Error::LoopTooShort`],
+/// [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`],
+/// [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`],
+/// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
+    // A twist of arcs is refused whether or not there are any.
+    if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
+        Error::require(options.twist == 0, "twist", options.twist as f64)?;
+    }
+    let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
+    cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
+    let bridges = match request.b {
+        Some(_) => Bridges::none(),
+        None => {
+            if let Some(vertex) = shared_vertex(&a, &b)? {
+                return Err(Error::LoopsShareVertex { vertex });
+            }
+            Bridges::between(request.a, &a, &b)?
+        }
+    };
+
+    let turn = must_turn(request, &a, &b, options.orientation)?;
+    if turn {
+        job.note(match request.b {
+            Some(_) => "the pieces disagree in orientation: the second has been turned over",
+            None => "the loops' components disagree in orientation: that of the second loop has been turned over",
+        });
+    }
+    options.note_unread(job);
+    let options = &options.of_strip();
+
+    // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing
+    // else.
+    let mut pieces = vec![request.a];
+    pieces.extend(request.b);
+    let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
+    let mesh_b = request.b.unwrap_or(request.a);
+    let mut turned_faces = if turn { faces_of_component(mesh_b, b.vertices[0])? } else { Vec::new() };
+    let is_turned = |f: usize| turned_faces.binary_search(&(f as u32)).is_ok();
+    let maps = match request.b {
+        Some(second) => {
+            let first = append_piece(&mut whole, request.a, &job.part(0.4, 0.4), |_| false)?;
+            [first, append_piece(&mut whole, second, &job.part(0.4, 0.4), is_turned)?]
+        }
+        None => [append_piece(&mut whole, request.a, &job.part(0.4, 0.4), is_turned)?, IndexMap::default()],
+    };
+    let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
+    a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);
+    b.vertices.iter_mut().for_each(|v| *v = map_b.vertices[*v as usize]);
+    turned_faces.iter_mut().for_each(|f| *f = map_b.faces[*f as usize]);
+
+    // On one oriented surface the rims run opposite ways; run B backwards, and they run side by
+    // side.
+    if turn {
+        b.turn();
+    }
+    b.reverse();
+    let mean_side = || whole.mean_side() / unit;
+    let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
+    let checked = fair_and_check(&whole, &mut strip, unit, &bridges, options, &job.part(0.6, 0.75))?;
+    job.step(0.75, "putting the pieces together")?;
+    let attached = append_strip(&mut whole, &strip, unit)?;
+
+    let name = |v: u32| attached.names[v as usize];
+    let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
+    let parents = alloc::collect(strip.parents.iter().map(|parents| parents.vertices.map(name)))?;
+    let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
+    let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
+    let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
+    let mut strip = strip_alone(&whole, strip, &attached.names)?;
+    let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
+    let quality = Quality::of(&whole, &strip, &job.part(0.75, measured))?;
+    let mut turned_outwards = Vec::new();
+    if options.outward == Outward::Closed {
+        turned_outwards = turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned;
+        let of_strip = turned_outwards.iter().filter_map(|f| f.checked_sub(attached.faces.start));
+        of_strip.for_each(|f| strip.turn_face(f as usize));
+    }
+    Ok(Stitch {
+        rims,
+        closed,
+        rows: (matrix.len() / meridians.len()) as u32 - 2,
+        matrix,
+        parents,
+        weights,
+        mesh: whole,
+        strip,
+        maps,
+        intersections: checked.intersections,
+        strip_faces: attached.faces,
+        meridians,
+        finish: checked.finish,
+        back_offs: checked.back_offs,
+        turned: turn,
+        turned_faces,
+        turned_outwards,
+        quality,
+    })
+}
+
+/// The faces of the component that a vertex is on, ascending.
+fn faces_of_component(mesh: &MeshView<'_>, v: u32) -> Result<Vec<u32>> {
+    let mut components = vertex_components(mesh)?;
+    let own = components.find(v);
+    let mut is_own = |f: &u32| mesh.face(*f as usize).next().is_some_and(|v| components.find(v) == own);
+    alloc::gather((0..mesh.faces().len() as u32).filter(|f| is_own(f)))
+}
+
+/// Cuts the rims down to the arcs that the options say.
+fn cut_arcs(request: &Request<'_>, options: &Options, [a, b]: [&mut Rim; 2], unit: f64, job: &Job<'_>) -> Result<()> {
+    check_tolerance(options.tolerance)?;
+    let how =
+        facing::Options { run: options.run, tolerance: options.tolerance.map(|t| t / unit), centres: options.centres };
+    // Round-off is that of the coarser numbers.
+    let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
+    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, &how, scalar, job)? {
+        a.cut(arc_a)?;
+        b.cut(arc_b)?;
+    }
+    Ok(())
+}
+
+/// Two rims, each with its surface on the left, in a common unit.
+struct Rims {
+    a: Rim,
+    b: Rim,
+    unit: f64,
+}
+
+fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
+    let options = boundary::Options::default();
+    let boundary_a = boundary_loops(request.a, &options, &job.part(0.0, 0.4))?;
+    let second = request.b.map(|b| boundary_loops(b, &options, &job.part(0.4, 0.8))).transpose()?;
+    let (mesh_b, boundary_b) = (request.b.unwrap_or(request.a), second.as_ref().unwrap_or(&boundary_a));
+
+    let rims = |mesh: &MeshView<'_>, boundary: &Boundary, vertices: Option<&[u32]>, side| match vertices {
+        Some(vertices) => Ok(vec![Rim::given(mesh, &FreeEdges::of(boundary)?, vertices, side)?]),
+        None => usable_rims(mesh, boundary),
+    };
+    let mut a = rims(request.a, &boundary_a, request.loop_a, Side::A)?;
+    let mut b = rims(mesh_b, boundary_b, request.loop_b, Side::B)?;
+    // From here on in a unit that keeps products of coordinates in range.
+    let unit = common_unit(a.iter().chain(&b).flat_map(|rim| &rim.points));
+    a.iter_mut().chain(&mut b).flat_map(|rim| &mut rim.points).for_each(|p| *p /= unit);
+    if request.loop_a.is_some() && request.loop_b.is_some() {
+        return Ok(Rims { a: a.swap_remove(0), b: b.swap_remove(0), unit });
+    }
+    let (a, b) = nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
+    Ok(Rims { a, b, unit })
+}
+
+/// True if the second piece has to be turned over.
+fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) -> Result<bool> {
+    if orientation == Orientation::Keep {
+        return Ok(false);
+    }
+    if !(if a.closed { rims_disagree(a, b)? } else { arcs_run_the_same_way(&a.points, &b.points)? }) {
+        return Ok(false);
+    }
+    if request.b.is_none() {
+        let mut components = vertex_components(request.a)?;
+        if components.find(a.vertices[0]) == components.find(b.vertices[0]) {
+            return Ok(false);
+        }
+    }
+    match orientation {
+        Orientation::Refuse => Err(Error::OrientationConflict { face: b.face }),
+        _ => Ok(true),
+    }
+}

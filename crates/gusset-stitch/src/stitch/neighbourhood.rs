@@ -1,0 +1,150 @@
+//! A strip, and the faces of the pieces round it: what a new strip is faired with and tested against.
+
+use super::strip::Strip;
+use crate::intersect::{Soup, intersecting_pairs};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::{Aabb, bit_set::BitSet};
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::{Mesh, Scalar};
+
+const STAGE: &str = "looking for intersections";
+
+/// Triangles, and the faces that they are part of.
+#[derive(Default)]
+pub(super) struct Triangles {
+    pub(super) corners: Vec<[u32; 3]>,
+    pub(super) faces: Vec<u32>,
+}
+
+/// The strip and what is round it, in the numbers of the result: old vertices and faces, then new
+/// ones.
+pub(super) struct Neighbourhood<'a> {
+    pub(super) whole: &'a Mesh,
+    unit: f64,
+    /// The number of old vertices.
+    pub(super) base: u32,
+    /// Its faces' corners, face after face.
+    strip: Vec<u32>,
+    offsets: &'a [u32],
+    /// The rims' vertices, one bit each.
+    pub(super) rim: BitSet,
+    /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
+    pub(super) ends: Vec<u32>,
+    /// The positions of the new vertices.
+    pub(super) points: Vec<DVec3>,
+}
+
+impl<'a> Neighbourhood<'a> {
+    pub(super) fn new(whole: &'a Mesh, strip: &'a Strip, unit: f64, points: Vec<DVec3>) -> Result<Self> {
+        let base = whole.positions.len() as u32;
+        let (a, b) = (&strip.a.vertices, &strip.b.vertices);
+        let (n, rims) = (a.len(), a.len() + b.len());
+        let name = |&k: &u32| match k as usize {
+            k if k < n => a[k],
+            k if k < rims => b[k - n],
+            k => base + (k - rims) as u32,
+        };
+        let mut rim = BitSet::new(whole.positions.len())?;
+        a.iter().chain(b).for_each(|&v| rim.insert(v));
+        let mut ends = Vec::new();
+        if !strip.a.closed {
+            let columns = strip.meridians.len();
+            let rows = strip.grid.matrix.chunks(columns);
+            ends = alloc::gather(rows.flat_map(|row| [row[0], row[columns - 1]]).map(|k| name(&k)))?;
+            ends.sort_unstable();
+        }
+        let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
+        Ok(Neighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
+    }
+
+    /// Rounds the new vertices to what the result can hold.
+    pub(super) fn round(&mut self) {
+        if self.whole.positions.view().scalar() == Scalar::F32 {
+            let unit = self.unit;
+            self.points.iter_mut().for_each(|p| *p = (*p * unit).as_vec3().as_dvec3() / unit);
+        }
+    }
+
+    pub(super) fn at(&self, v: u32) -> DVec3 {
+        match v.checked_sub(self.base) {
+            Some(k) => self.points[k as usize],
+            None => self.whole.positions.get(v) / self.unit,
+        }
+    }
+
+    /// Adds a face's triangles: a quad split by its shorter diagonal, any other polygon as a fan
+    /// from its first corner.
+    pub(super) fn split(&self, face: &[u32], number: u32, into: &mut Triangles) -> Result<()> {
+        let squared = |p: usize, q: usize| self.at(face[p]).distance_squared(self.at(face[q]));
+        let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
+        let corner = |k: usize| face[(first + k) % face.len()];
+        for k in 1..face.len() - 1 {
+            alloc::push(&mut into.corners, [corner(0), corner(k), corner(k + 1)])?;
+            alloc::push(&mut into.faces, number)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn strip_triangles(&self) -> Result<Triangles> {
+        let mut triangles = Triangles::default();
+        for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
+            self.split(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
+        }
+        Ok(triangles)
+    }
+
+    /// The old faces that `wanted` takes, as triangles.
+    pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<Triangles> {
+        let mut triangles = Triangles::default();
+        for (face, number) in self.whole.faces().zip(0..) {
+            job.step_within(number as usize, STAGE)?;
+            if wanted(face) {
+                self.split(face, number, &mut triangles)?;
+            }
+        }
+        Ok(triangles)
+    }
+
+    /// The old triangles that reach into the box round the strip, faired or `straight`.
+    pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<Triangles> {
+        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
+        let new = self.points.iter().chain(straight).copied();
+        let Aabb { low, high } = Aabb::of(rims.chain(new));
+        // In the host's numbers: the unit is a power of two, and what is far below it became 0.
+        let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
+        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around), job)
+    }
+
+    /// The pairs of triangles that cut each other, and the strip's triangles that they are counted
+    /// by.
+    pub(super) fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
+        let strip = self.strip_triangles()?;
+        let soup = Soup { at: |v| self.at(v), new: &strip.corners, old: &old.corners };
+        Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
+    }
+
+    /// The faces of cutting triangles, the strip's first, the larger one first if both are the
+    /// strip's; each pair once.
+    pub(super) fn faces(&self, old: &Triangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
+        let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
+            Some(k) => old.faces[k],
+            None => found.strip.faces[k as usize],
+        };
+        let mut faces = alloc::collect(found.pairs.iter().map(|&[p, q]| {
+            let (f, g) = (face(p), face(q));
+            [f.max(g), f.min(g)]
+        }))?;
+        // The two triangles of a quad may fold onto each other.
+        sort_distinct(&mut faces);
+        Ok(faces)
+    }
+}
+
+pub(super) struct IntersectingTriangles {
+    /// Numbers below the strip's count of triangles are of the strip, the others of the old ones.
+    pub(super) pairs: Vec<[u32; 2]>,
+    pub(super) strip: Triangles,
+}

@@ -1,0 +1,80 @@
+//! Quality of a stitched mesh: angles, aspects, areas, and the defects left.
+
+use crate::boundary::{self, boundary_loops};
+use gusset_base::error::Result;
+use gusset_base::geom::{scale::common_unit, triangle};
+use gusset_base::job::Job;
+use gusset_mesh::{Defect, Mesh};
+use std::f64::consts::FRAC_PI_3;
+
+/// Faces between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+/// Measures of the strip, and of the whole result's connectivity.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Quality {
+    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate. Quads are
+    /// measured as the two triangles that their shorter diagonals make.
+    pub min_angle: f64,
+    /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed
+    /// radius), 1 for an equilateral triangle, infinite for a degenerate one.
+    pub max_aspect: f64,
+    /// The longest edge of the strip, in the unit of the positions.
+    pub max_edge: f64,
+    /// The strip's area, in the square of that unit.
+    pub area: f64,
+    /// Triangles of the strip without area.
+    pub degenerate_faces: u32,
+    /// Boundary loops of the result; 0 if it is closed.
+    pub loops_left: u32,
+    /// Edges of the result with three or more faces.
+    pub non_manifold_edges: u32,
+    /// Edges of the result whose two faces disagree in orientation.
+    pub orientation_conflicts: u32,
+}
+
+impl Quality {
+    pub(crate) fn of(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
+        let mut quality = Quality { min_angle: FRAC_PI_3, max_aspect: 1.0, ..Quality::default() };
+        quality.measure_strip(strip, &job.part(0.0, 0.1))?;
+
+        let boundary =
+            boundary_loops(&whole.view(&job.part(0.1, 0.3))?, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        quality.loops_left = boundary.len() as u32;
+        for defect in boundary.defects() {
+            match defect {
+                Defect::NonManifoldEdge { .. } => quality.non_manifold_edges += 1,
+                Defect::OrientationConflict { .. } => quality.orientation_conflicts += 1,
+                Defect::DegenerateFace { .. } | Defect::BowTie { .. } => {}
+            }
+        }
+        Ok(quality)
+    }
+
+    fn measure_strip(&mut self, strip: &Mesh, job: &Job<'_>) -> Result<()> {
+        job.step(0.0, "measuring new faces")?;
+        let points = gusset_base::alloc::collect((0..strip.positions.len()).map(|v| strip.positions.get(v as u32)))?;
+        let unit = common_unit(&points);
+        let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
+        for (f, w) in strip.face_offsets.windows(2).enumerate() {
+            job.step_every(REPORT_INTERVAL, f, strip.face_offsets.len(), "measuring new faces")?;
+            let face = &strip.face_corners[w[0] as usize..w[1] as usize];
+            let p = |k: usize| points[face[k % face.len()] as usize] / unit;
+            longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);
+            // A quad is measured as the two triangles that its shorter diagonal makes.
+            let other = face.len() == 4 && p(0).distance_squared(p(2)) > p(1).distance_squared(p(3));
+            let first = usize::from(other);
+            for k in first + 1..first + face.len() - 1 {
+                let [a, b, c] = [p(first), p(k), p(k + 1)];
+                let area = triangle::double_area(a, b, c);
+                self.min_angle = self.min_angle.min(triangle::min_angle(a, b, c));
+                self.max_aspect = self.max_aspect.max(triangle::aspect(a, b, c));
+                self.degenerate_faces += u32::from(area == 0.0);
+                double_area += area;
+            }
+        }
+        self.max_edge = longest * unit;
+        self.area = 0.5 * double_area * unit * unit;
+        Ok(())
+    }
+}

@@ -1,0 +1,77 @@
+//! A piece made ready: triangles that answer where the nearest place is, and confidences.
+
+use super::trim_request::Options;
+use crate::align::Scan;
+use crate::boundary::{self, boundary_loops};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_mesh::MeshView;
+
+const STAGE: &str = "looking at the pieces";
+const CHUNK: usize = 1 << 10;
+/// Loops of fewer vertices are small holes, beside which a surface is as good as elsewhere.
+const MIN_BORDER: usize = 32;
+/// What is seen under the flattest angle counts for this part.
+const MIN_SIGHT: f64 = 0.1;
+
+/// A piece.
+pub(super) struct Layer {
+    pub(super) scan: Scan,
+    /// Its faces as triangles, those of a polygon round its first corner.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The face that each triangle is of.
+    pub(super) faces: Vec<u32>,
+    /// Of vertices, in mean edges.
+    pub(super) confidence: Vec<f64>,
+}
+
+impl Layer {
+    /// O(V log V).
+    pub(super) fn new(
+        mesh: &MeshView<'_>,
+        k: usize,
+        unit: f64,
+        origin: DVec3,
+        options: &Options<'_>,
+        job: &Job<'_>,
+    ) -> Result<Layer> {
+        let scan = Scan::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
+        let count = mesh.faces().half_edge_count().saturating_sub(2 * mesh.faces().len());
+        let (mut triangles, mut faces) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+        for f in 0..mesh.faces().len() {
+            job.part(0.5, 0.5).step_within(f, STAGE)?;
+            let mut corners = mesh.face(f);
+            let first = corners.next().unwrap_or(0);
+            let pairs = corners.clone().zip(corners.skip(1));
+            for (u, v) in pairs {
+                triangles.push([first, u, v]);
+                faces.push(f as u32);
+            }
+        }
+        let borders = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.5, 0.6))?;
+        let mut rim = Vec::new();
+        for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER) {
+            alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
+        }
+        // In one group: of points that lie in one, one is looked at.
+        let tree = KdTree::grouped(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
+        let viewpoint = options.viewpoints.get(k).map(|viewpoint| *viewpoint / unit - origin);
+        let of = |v: usize| {
+            let (p, n) = (scan.points[v], scan.normals[v]);
+            // Of a closed piece no place is nearer to a border than another.
+            let distance = tree.nearest(p, f64::INFINITY, |_| true).map_or(scan.bounds.diagonal(), |(s, _)| s.sqrt());
+            let sight = viewpoint.map_or(1.0, |viewpoint| (viewpoint - p).normalize_or_zero().dot(n).max(MIN_SIGHT));
+            if scan.spacing > 0.0 { sight * distance / scan.spacing } else { 0.0 }
+        };
+        let parts = par::map_cancellable(&job.part(0.6, 1.0), STAGE, par::ranges(scan.points.len(), CHUNK), |range| {
+            alloc::collect(range.map(of))
+        })?;
+        let mut confidence = alloc::with_capacity(scan.points.len())?;
+        alloc::append_all(&mut confidence, parts)?;
+        Ok(Layer { scan, triangles, faces, confidence })
+    }
+}

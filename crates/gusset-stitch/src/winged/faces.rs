@@ -1,0 +1,208 @@
+//! The faces of a table of edges: the way back from equation 2 to a list of polygons.
+//!
+//! A side of an edge is a half-edge of its face. As R it runs M to N, b comes after it and d before;
+//! as L it runs N to M, e comes after and c before. A table is that of a mesh if the sides of each
+//! face, taken from wing to wing, are one cycle; that is checked, side by side, and nothing is put
+//! right.
+
+use super::tables::{Winding, WingedEdge};
+use gusset_base::alloc;
+use gusset_base::error::{Error, Result};
+use gusset_base::job::Job;
+use gusset_mesh::{MAX_ELEMENTS, NONE};
+
+/// Faces as corners one after another, and the edges along them.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct WingedFaces {
+    /// Where each face's corners start; one entry more than there are faces.
+    pub offsets: Vec<u32>,
+    /// Vertex indices, face after face.
+    pub corners: Vec<u32>,
+    /// Of each corner the edge that leaves it.
+    pub edges: Vec<u32>,
+}
+
+/// Sides between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+/// One side of an edge, in the direction in which its face runs in the tables.
+#[derive(Clone, Copy)]
+struct Side {
+    face: u32,
+    from: u32,
+    to: u32,
+    before: u32,
+    after: u32,
+}
+
+/// R, then L.
+fn sides(edge: &WingedEdge) -> [Side; 2] {
+    let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
+    [
+        Side { face: right, from: m, to: n, before: d, after: b },
+        Side { face: left, from: n, to: m, before: c, after: e },
+    ]
+}
+
+/// The faces of a table of edges between `vertex_count` vertices, in the order of their numbers.
+/// Each begins at the side of its edge in `first_edges`, of two there the one where the face runs M
+/// to N; without them at its edge of the smallest number. The marks are not read. Linear time and
+/// memory.
+///
+/// From the edges and the first edges of [`WingedEdges::new`](super::WingedEdges::new) come the
+/// faces that it was given, corner for corner.
+///
+/// # Errors
+/// [`Error::BadWings`] with the first edge whose record fits no mesh; [`Error::FaceTooSmall`];
+/// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn faces(
+    edges: &[WingedEdge],
+    vertex_count: usize,
+    first_edges: Option<&[u32]>,
+    winding: Winding,
+    job: &Job<'_>,
+) -> Result<WingedFaces> {
+    Error::check_count("edges", edges.len() as u64, MAX_ELEMENTS / 2)?;
+    let bad = |edge: usize, why| Err(Error::BadWings { edge: edge as u64, why });
+    let (checking, walking) = (job.part(0.0, 0.4), job.part(0.4, 1.0));
+    let mut face_count = 0;
+    for (i, edge) in edges.iter().enumerate() {
+        checking.step_every(REPORT_INTERVAL, i, edges.len(), "reading edges")?;
+        if let Some(why) = unfit(edge, edges.len(), vertex_count) {
+            return bad(i, why);
+        }
+        let named = sides(edge).map(|side| if side.face == NONE { 0 } else { side.face as usize + 1 });
+        face_count = face_count.max(named[0]).max(named[1]);
+    }
+    let mut sizes = alloc::filled(0_u32, face_count)?;
+    let named = |edge: &WingedEdge| sides(edge).into_iter().filter(|side| side.face != NONE);
+    edges.iter().flat_map(named).for_each(|side| sizes[side.face as usize] += 1);
+    if let Some(face) = sizes.iter().position(|&size| size < 3) {
+        return Err(Error::FaceTooSmall { face: face as u32, corners: sizes[face] });
+    }
+    let starts = starts(edges, face_count, first_edges, winding)?;
+
+    let total = sizes.iter().map(|&size| size as usize).sum();
+    let mut found = WingedFaces {
+        offsets: alloc::with_capacity(face_count + 1)?,
+        corners: alloc::with_capacity(total)?,
+        edges: alloc::with_capacity(total)?,
+    };
+    found.offsets.push(0);
+    for (face, (&size, start)) in sizes.iter().zip(starts).enumerate() {
+        walking.step_every(REPORT_INTERVAL, face, face_count, "walking round faces")?;
+        let mut at = start;
+        for step in 1..=size {
+            let side = sides(&edges[at.0 as usize])[at.1];
+            // The mesh has the cycles of counter-clockwise faces the other way round.
+            let (corner, next) = match winding {
+                Winding::Clockwise => (side.from, goes_on(edges, at)),
+                Winding::CounterClockwise => (side.to, comes_from(edges, at)),
+            };
+            found.corners.push(corner);
+            found.edges.push(at.0);
+            let Some(next) = next else {
+                return bad(at.0 as usize, "it has a wing that does not lie next to it along its face");
+            };
+            // Who comes home first after as many steps as there are sides has passed each once.
+            if (next == start) != (step == size) {
+                return bad(at.0 as usize, "the wings of its face do not make one cycle");
+            }
+            at = next;
+        }
+        found.offsets.push(found.corners.len() as u32);
+    }
+    job.step(1.0, "walking round faces")?;
+    Ok(found)
+}
+
+/// Why a record alone fits no mesh.
+fn unfit(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> Option<&'static str> {
+    let exists = |wing: u32| (wing as usize) < edge_count;
+    if [edge.m, edge.n].iter().any(|&v| v as usize >= vertex_count) {
+        return Some("it ends at a vertex that does not exist");
+    }
+    if edge.left == NONE && edge.right == NONE {
+        return Some("it has no face");
+    }
+    for side in sides(edge) {
+        let wings = [side.before, side.after];
+        match side.face {
+            NONE if wings != [NONE; 2] => return Some("it has a wing on a side that has no face"),
+            NONE => {}
+            _ if !wings.into_iter().all(exists) => return Some("it has a wing that does not exist"),
+            // Faces have three sides or more.
+            face if face as usize >= edge_count => return Some("its face has a number that so few edges cannot have"),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Where each face begins: an edge, and the place of its side in [`sides`].
+fn starts(
+    edges: &[WingedEdge],
+    face_count: usize,
+    first_edges: Option<&[u32]>,
+    winding: Winding,
+) -> Result<Vec<(u32, usize)>> {
+    // The side where a face of the mesh runs M to N, and the other.
+    let order = match winding {
+        Winding::Clockwise => [0, 1],
+        Winding::CounterClockwise => [1, 0],
+    };
+    let at = |edge: u32, face: u32| {
+        let found = order.into_iter().find(|&k| sides(&edges[edge as usize])[k].face == face);
+        found.map(|k| (edge, k))
+    };
+    let Some(given) = first_edges else {
+        let mut starts = alloc::filled((NONE, 0), face_count)?;
+        for edge in (0..edges.len() as u32).rev() {
+            for k in [order[1], order[0]] {
+                let face = sides(&edges[edge as usize])[k].face;
+                if face != NONE {
+                    starts[face as usize] = (edge, k);
+                }
+            }
+        }
+        return Ok(starts);
+    };
+    if given.len() != face_count {
+        return Err(Error::OptionOutOfRange { option: "the number of first edges", value: given.len() as f64 });
+    }
+    let mut starts = alloc::with_capacity(face_count)?;
+    for (face, &edge) in given.iter().enumerate() {
+        if edge as usize >= edges.len() {
+            return Err(Error::BadWings {
+                edge: edge.into(),
+                why: "it is to be the first of a face, and does not exist",
+            });
+        }
+        let Some(start) = at(edge, face as u32) else {
+            return Err(Error::BadWings {
+                edge: edge.into(),
+                why: "it is to be the first of a face that is not beside it",
+            });
+        };
+        starts.push(start);
+    }
+    Ok(starts)
+}
+
+/// The side after a side along its face, if its wing says so and lies there.
+fn goes_on(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
+    let side = sides(&edges[edge as usize])[k];
+    let next = sides(&edges[side.after as usize]);
+    (0..2)
+        .find(|&j| next[j].face == side.face && next[j].from == side.to && next[j].before == edge)
+        .map(|j| (side.after, j))
+}
+
+/// The side before it.
+fn comes_from(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
+    let side = sides(&edges[edge as usize])[k];
+    let last = sides(&edges[side.before as usize]);
+    (0..2)
+        .find(|&j| last[j].face == side.face && last[j].to == side.from && last[j].after == edge)
+        .map(|j| (side.before, j))
+}

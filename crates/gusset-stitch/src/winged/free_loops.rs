@@ -1,0 +1,147 @@
+//! Algorithm 1 on the tables, as in the paper, with its errors corrected.
+//!
+//! The paper's criterion for a free edge, (3), is printed as "L and R are NULL"; its text
+//! requires exactly one. From a free edge the walk continues with the next one at the vertex
+//! reached, until it returns. Here the next edge is found through the wings, from face to face
+//! round the vertex, so that a walk cannot leave its fan at a bow-tie, cannot turn back, and
+//! terminates. It starts in the direction with the surface on the left, and is cut into simple
+//! loops.
+
+use super::tables::{EdgeMarks, WingedEdge, WingedEdges};
+use crate::boundary::split_simple;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort;
+use gusset_mesh::NONE;
+
+/// Edges between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
+
+const STAGE: &str = "walking along the boundary";
+
+/// Simple closed loops of free edges, surface on the left.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FreeLoops {
+    /// The vertices, loop after loop.
+    pub vertices: Vec<u32>,
+    /// The edges: edge i starts at vertex i.
+    pub edges: Vec<u32>,
+    /// Where each loop starts in both; one entry more than there are loops.
+    pub offsets: Vec<u32>,
+}
+
+impl FreeLoops {
+    /// The vertices and the edges of each loop.
+    pub fn iter(&self) -> impl Iterator<Item = (&[u32], &[u32])> {
+        self.offsets.windows(2).map(|w| {
+            let range = w[0] as usize..w[1] as usize;
+            (&self.vertices[range.clone()], &self.edges[range])
+        })
+    }
+}
+
+/// An edge and the direction in which it is walked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Step {
+    edge: u32,
+    /// From M to N, with L on the left; else from N to M, with R on the left.
+    forward: bool,
+}
+
+/// Every loop of free edges, in the order of their smallest edges, from which each starts. O(number
+/// of edges + the fans along the boundary).
+///
+/// An edge with several records has a border along each of them, as
+/// [`NonManifold::Cut`](crate::boundary::NonManifold::Cut) has it; so has, here, an edge whose
+/// faces disagree in orientation. Walks start from edges without such marks.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
+pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
+    let edge = |step: Step| &tables.edges()[step.edge as usize];
+    let tail = |step: Step| if step.forward { edge(step).m } else { edge(step).n };
+    let head = |step: Step| if step.forward { edge(step).n } else { edge(step).m };
+
+    let mut seen = alloc::filled(false, tables.edges().len())?;
+    let mut place = alloc::filled(NONE, tables.edge_of_vertex().len())?;
+    let mut walk: Vec<Step> = Vec::new();
+    let mut loops: Vec<Vec<Step>> = Vec::new();
+    for (i, start) in tables.edges().iter().enumerate() {
+        if !is_free(start) || start.marks != 0 || seen[i] {
+            continue;
+        }
+        let first = Step { edge: i as u32, forward: start.left != NONE };
+        let mut step = first;
+        walk.clear();
+        loop {
+            job.step_every(REPORT_INTERVAL, walk.len(), tables.edges().len(), STAGE)?;
+            seen[step.edge as usize] = true;
+            alloc::push(&mut walk, step)?;
+            step = next_free(tables, step, head(step));
+            if step == first {
+                break;
+            }
+        }
+        job.step(0.0, STAGE)?;
+        let keep = |piece: &[Step], _| alloc::push(&mut loops, alloc::copied(piece)?);
+        split_simple(&walk, tail, head, &mut place, job, keep)?;
+    }
+    job.step(0.0, STAGE)?;
+    for steps in &mut loops {
+        let smallest = (0..steps.len()).min_by_key(|&k| steps[k].edge).unwrap_or(0);
+        steps.rotate_left(smallest);
+    }
+    sort::stable(&mut loops, &|a, b| a[0].edge.cmp(&b[0].edge));
+
+    job.step(0.0, STAGE)?;
+    let total = loops.iter().map(Vec::len).sum();
+    let mut found = FreeLoops {
+        vertices: alloc::with_capacity(total)?,
+        edges: alloc::with_capacity(total)?,
+        offsets: alloc::with_capacity(loops.len() + 1)?,
+    };
+    found.offsets.push(0);
+    for steps in &loops {
+        found.vertices.extend(steps.iter().map(|&step| tail(step)));
+        found.edges.extend(steps.iter().map(|step| step.edge));
+        found.offsets.push(found.edges.len() as u32);
+    }
+    job.step(1.0, STAGE)?;
+    Ok(found)
+}
+
+/// Criterion (3), as the text has it: exactly one side is NULL.
+fn is_free(edge: &WingedEdge) -> bool {
+    (edge.left == NONE) != (edge.right == NONE) && edge.marks & EdgeMarks::DEGENERATE == 0
+}
+
+/// The free edge that follows `step` at the vertex `v` that it arrives at.
+///
+/// The face on the step's left has, before the step's edge, another edge that arrives at v: the
+/// wing c or d. If nothing lies behind that edge it is the next one, left from v; else the face
+/// behind it is next. An edge with one face that is its own wing cannot occur: a face has three
+/// proper edges.
+fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
+    let mut at = &tables.edges()[step.edge as usize];
+    let mut forward = step.forward;
+    loop {
+        // The face: L if the edge was reached running forward, else R.
+        let mut wing = if forward { at.c } else { at.d };
+        at = &tables.edges()[wing as usize];
+        // Edges without length lie within the face: pass over them.
+        while at.marks & EdgeMarks::DEGENERATE != 0 {
+            wing = if at.left != NONE { at.c } else { at.d };
+            at = &tables.edges()[wing as usize];
+        }
+        // The wing arrives at v; behind it lies L if it ends there, which runs it from N to M, else
+        // R.
+        let ends_here = at.n == v;
+        let behind = if ends_here { at.left } else { at.right };
+        if behind == NONE {
+            return Step { edge: wing, forward: !ends_here };
+        }
+        forward = ends_here;
+    }
+}
