@@ -43,7 +43,7 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check lint lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check mutants lint lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -56,6 +56,7 @@ help:
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make differential [CASES=1000] [FAMILY=loops] [SEED=1]  random campaigns against CGAL, OpenMesh and brute force, with a table; minutes'
+	@echo 'make mutants FOLDER=crates/gusset-stitch/src/boundary [PROGRAM=mesh] [SHARD=0/20]  mistakes that no test notices, by cargo-mutants'
 	@echo 'make complexity                   work and memory at n, 2 n and 4 n on the worst inputs that are known; minutes'
 	@echo 'make sanitize [KIND=thread] [TESTS=regex]  the C and C++ tests with the library under the address sanitizer, or that of threads; minutes'
 	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, with cancels, and without each allocation; minutes'
@@ -133,6 +134,14 @@ exhaustive:
 	GUSSET_EXHAUSTIVE=1 $(CARGO) test --locked -p gusset-tests --release $(released) --test curve --test mesh --test net --test surface
 	$(CARGO) test --locked $(units) --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
+
+# Mistakes planted one at a time in a folder of a crate, and whether its unit tests or a program of tests notices: build/mutants.out lists those
+# that nothing notices. SHARD=0/20 tries one of twenty.
+mutated = $(notdir $(firstword $(subst /src, ,$(FOLDER))))
+mutants:
+	GUSSET_DATA='$(or $(GUSSET_DATA),$(abspath ../shared/data))' $(CARGO) mutants --profile mutants --no-shuffle --timeout 300 --output build \
+	    $(addprefix --shard ,$(SHARD)) --package '$(mutated)' --file '$(FOLDER)/**' --test-package '$(mutated)' --cargo-test-arg=--package=gusset-tests \
+	    --cargo-test-arg=--lib --cargo-test-arg=--test --cargo-test-arg=$(or $(PROGRAM),mesh)
 
 # The library with the entry points of OpenMfx.
 openmfx:
