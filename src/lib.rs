@@ -54,6 +54,7 @@
 
 pub mod capi;
 
+pub use glam;
 pub use gusset_attributes as attributes;
 pub use gusset_base::{Element, Error, Job, PairFault, Progress, Result, Side, error, job};
 pub use gusset_curve as curve;

@@ -1,6 +1,6 @@
 //! Finds the nearest points on a smooth surface through a grid of nodes.
 
-use glam::DVec3;
+use gusset::glam::DVec3;
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
 use gusset::{Job, Result};
 

@@ -1,7 +1,7 @@
 //! Builds regular nets of quads, and makes meshes of them.
 
-use glam::DVec3;
 use gusset::check::check;
+use gusset::glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::convert::{Diagonal, MeshOptions};
 use gusset::net::primitive::{Primitive, Request};

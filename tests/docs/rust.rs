@@ -19,13 +19,11 @@ use gusset::surface::Surface;
 use std::fs;
 use std::path::Path;
 
-/// The manifest that the guide shows names crates of this workspace, and the version of glam whose
-/// vectors the library takes.
+/// The manifest that the guide shows names crates of this workspace.
 #[test]
 fn the_manifest_of_the_guide_fits_the_workspace() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-    let read = |file: &str| fs::read_to_string(root.join(file)).unwrap();
-    let (shown, workspace) = (read("examples/rust/dependencies.toml"), read("Cargo.toml"));
+    let shown = fs::read_to_string(root.join("examples/rust/dependencies.toml")).unwrap();
     let mut folders = 0;
     for folder in shown.lines().filter_map(|line| line.split_once("\"../gusset")?.1.strip_suffix("\" }")) {
         assert!(
@@ -35,11 +33,6 @@ fn the_manifest_of_the_guide_fits_the_workspace() {
         folders += 1;
     }
     assert_eq!(folders, 4);
-    let glam = shown.lines().find_map(|line| line.strip_prefix("glam = ")).unwrap();
-    assert!(
-        workspace.contains(&format!("glam = {{ version = {glam}, ")),
-        "the workspace has another version than {glam}"
-    );
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::common::{Soup, cap, edge_counts, euler, sheet};
 use gusset::Job;
 use gusset::check::{Check, check};
+use gusset::mesh::{Faces, MeshView, Positions};
 use proptest::prelude::*;
 use std::collections::{HashMap, HashSet};
 
@@ -50,6 +51,19 @@ fn surfaces_of_every_kind() {
     assert_eq!(checked(&cases[5].0).components, 2);
     let sphere = checked(&cap(8, 3, 0.4, 1.0));
     assert_eq!((sphere.euler, sphere.genus, sphere.components), (1, Some(0), 1));
+}
+
+#[test]
+fn quads_of_a_slice_are_those_of_offsets() {
+    let box_points: Vec<_> = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(f64::from)).collect();
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let job = Job::default();
+    let view = MeshView::new(Positions::from(&box_points[..]), Faces::quads(&quads).unwrap(), &job).unwrap();
+    let of_slice = check(&view, &job).unwrap();
+    let offsets = (0..=6).map(|f| 4 * f).collect();
+    let of_offsets = checked(&Soup { points: box_points, offsets, corners: quads.concat() });
+    assert_eq!((of_slice.euler, of_slice.closed, of_slice.genus), (2, true, Some(0)));
+    assert_eq!(of_slice, of_offsets);
 }
 
 #[test]

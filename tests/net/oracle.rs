@@ -4,7 +4,7 @@
 use crate::complexes::Oracle;
 use gusset::net::complex::Complex;
 use gusset::net::topology::{
-    Diagonal, Gluing, GluingType, Links, Matrix, Reduced, classify_cell, classify_node, histogram,
+    CellDiagonal, Gluing, GluingType, Links, Matrix, Reduced, classify_cell, classify_node, histogram,
 };
 use gusset::net::{Classes, Shape, Sides, Topology};
 use gusset::{Error, Job};
@@ -237,7 +237,7 @@ fn each_type_is_what_its_caption_says() {
         // And undone.
         assert_eq!(glued.unglued(&[Gluing::of_type(kind, at)]).unwrap(), sheet);
     }
-    let both = [Diagonal::Falling, Diagonal::Rising].map(|diagonal| Gluing::Diagonal { cell: 5, diagonal });
+    let both = [CellDiagonal::Falling, CellDiagonal::Rising].map(|diagonal| Gluing::CellDiagonal { cell: 5, diagonal });
     assert_eq!(sheet.glued(&both), Err(Error::CrossingCell { cell: 5 }));
 }
 

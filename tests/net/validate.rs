@@ -4,7 +4,7 @@ use crate::complexes::Dice;
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::topology::{Diagonal, Gluing, Links, Matrix, Run};
+use gusset::net::topology::{CellDiagonal, Gluing, Links, Matrix, Run};
 use gusset::net::{Classes, FindingKind, Net, Seam, Shape, Sides, Topology, closure, detect_gluing};
 use gusset::{Element, Error, Job};
 
@@ -119,7 +119,7 @@ fn derived_from_classes() {
 fn batches_are_done_as_a_whole_or_not_at_all() {
     let mut net = sheet(Shape::new(4, 6).unwrap());
     let seam = |count| Gluing::Seam(Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(3, 5, -1), count });
-    let diagonal = |diagonal| Gluing::Diagonal { cell: 3, diagonal };
+    let diagonal = |diagonal| Gluing::CellDiagonal { cell: 3, diagonal };
     let before = net.topology().clone();
     let bad = [
         (Gluing::Link(48), Error::NoSuch { element: Element::Link, index: 48 }),
@@ -127,14 +127,14 @@ fn batches_are_done_as_a_whole_or_not_at_all() {
         (Gluing::Star { node: 0, mask: 16 }, Error::OptionOutOfRange { option: "mask", value: 16.0 }),
         (Gluing::Cell { cell: 15, mask: 1 }, Error::NoSuch { element: Element::Cell, index: 15 }),
         (
-            Gluing::Diagonal { cell: 15, diagonal: Diagonal::Rising },
+            Gluing::CellDiagonal { cell: 15, diagonal: CellDiagonal::Rising },
             Error::NoSuch { element: Element::Cell, index: 15 },
         ),
         (seam(7), Error::BadSeam { seam: 1 }),
-        (diagonal(Diagonal::Rising), Error::CrossingCell { cell: 3 }),
+        (diagonal(CellDiagonal::Rising), Error::CrossingCell { cell: 3 }),
     ];
     for (gluing, error) in bad {
-        assert_eq!(net.glue(&[diagonal(Diagonal::Falling), gluing]), Err(error));
+        assert_eq!(net.glue(&[diagonal(CellDiagonal::Falling), gluing]), Err(error));
         assert_eq!(*net.topology(), before);
         if !matches!(error, Error::CrossingCell { .. }) {
             assert_eq!(net.unglue(&[gluing, gluing], 0.0).is_err(), !matches!(error, Error::CrossingCell { .. }));

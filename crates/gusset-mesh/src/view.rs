@@ -179,6 +179,15 @@ impl<'a> Faces<'a> {
         Self::uniform(bytemuck::cast_slice(corners), 3, corners.len())
     }
 
+    /// Quads.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    #[inline]
+    pub fn quads(corners: &'a [[u32; 4]]) -> Result<Self> {
+        Self::uniform(bytemuck::cast_slice(corners), 4, corners.len())
+    }
+
     /// Polygons: see [`Faces::with_offsets`].
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::complex::Complex;
-use gusset::net::topology::{Diagonal, Gluing, Run, occurrences};
+use gusset::net::topology::{CellDiagonal, Gluing, Run, occurrences};
 use gusset::net::{Classes, Matrix, Net, Seam, Shape, Sides, Topology, detect_gluing};
 
 /// Runs one case.
@@ -54,7 +54,10 @@ fn gluing([kind, a, b, c, d, e]: [u8; 6]) -> Gluing {
         0 => Gluing::Link(u32::from(a) % 140),
         1 => Gluing::Star { node: at, mask: b % 17 },
         2 => Gluing::Cell { cell: at, mask: b % 17 },
-        3 => Gluing::Diagonal { cell: at, diagonal: if b % 2 == 0 { Diagonal::Falling } else { Diagonal::Rising } },
+        3 => Gluing::CellDiagonal {
+            cell: at,
+            diagonal: if b % 2 == 0 { CellDiagonal::Falling } else { CellDiagonal::Rising },
+        },
         _ => {
             let run = |row: u8, column: u8| Run {
                 row: u32::from(row % 8),

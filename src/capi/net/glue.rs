@@ -9,7 +9,7 @@ use crate::capi::net::gluing::{gusset_seam, seam};
 use crate::capi::net::{edit, gusset_net, read, reglue};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
-use crate::net::topology::{Diagonal, Gluing, GluingType, Groups, Occurrence, occurrences};
+use crate::net::topology::{CellDiagonal, Gluing, GluingType, Groups, Occurrence, occurrences};
 use crate::net::{Classes, MAX_NODES};
 use gusset_base::alloc;
 use std::ptr;
@@ -108,8 +108,9 @@ impl gusset_gluing {
             GUSSET_GLUING_STAR => Gluing::Star { node: self.element, mask },
             GUSSET_GLUING_CELL => Gluing::Cell { cell: self.element, mask },
             GUSSET_GLUING_DIAGONAL => {
-                let diagonal = [Diagonal::Falling, Diagonal::Rising].get(usize::from(mask).wrapping_sub(1)).copied();
-                Gluing::Diagonal { cell: self.element, diagonal: diagonal.ok_or_else(unknown)? }
+                let diagonal =
+                    [CellDiagonal::Falling, CellDiagonal::Rising].get(usize::from(mask).wrapping_sub(1)).copied();
+                Gluing::CellDiagonal { cell: self.element, diagonal: diagonal.ok_or_else(unknown)? }
             }
             GUSSET_GLUING_SEAM => Gluing::Seam(seam(&self.seam)?),
             GUSSET_GLUING_TYPE => {

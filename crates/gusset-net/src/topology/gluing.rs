@@ -15,7 +15,7 @@ use gusset_base::sort::sort_distinct;
 
 /// Which corners of a cell a diagonal joins (type c(1,2)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Diagonal {
+pub enum CellDiagonal {
     /// The first and the third.
     Falling,
     /// The second and the fourth.
@@ -44,11 +44,11 @@ pub enum Gluing {
         mask: u8,
     },
     /// Opposite corners of a cell.
-    Diagonal {
+    CellDiagonal {
         /// The cell.
         cell: u32,
         /// Which.
-        diagonal: Diagonal,
+        diagonal: CellDiagonal,
     },
     /// Two runs of nodes.
     Seam(Seam),
@@ -62,8 +62,8 @@ impl Gluing {
         match (kind.star_mask(), kind.cell_mask()) {
             (Some(mask), _) => Gluing::Star { node: at, mask },
             (_, Some(mask)) => Gluing::Cell { cell: at, mask },
-            _ if kind.number() == 16 => Gluing::Diagonal { cell: at, diagonal: Diagonal::Falling },
-            _ => Gluing::Diagonal { cell: at, diagonal: Diagonal::Rising },
+            _ if kind.number() == 16 => Gluing::CellDiagonal { cell: at, diagonal: CellDiagonal::Falling },
+            _ => Gluing::CellDiagonal { cell: at, diagonal: CellDiagonal::Rising },
         }
     }
 
@@ -93,12 +93,12 @@ impl Gluing {
                 let (i, j) = shape.checked_cell_place(cell)?;
                 masked(cell_links(shape, i, j), mask)
             }
-            Gluing::Diagonal { cell, diagonal } => {
+            Gluing::CellDiagonal { cell, diagonal } => {
                 let (i, j) = shape.checked_cell_place(cell)?;
                 let corner = Run::at;
                 seam(match diagonal {
-                    Diagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
-                    Diagonal::Rising => Seam { a: corner(i, j + 1), b: corner(i + 1, j), count: 1 },
+                    CellDiagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
+                    CellDiagonal::Rising => Seam { a: corner(i, j + 1), b: corner(i + 1, j), count: 1 },
                 })
             }
             Gluing::Seam(given) => {

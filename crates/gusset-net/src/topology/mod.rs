@@ -25,7 +25,7 @@ mod structure;
 
 pub use cell::Reduced;
 pub use classes::{Classes, Groups};
-pub use gluing::{Diagonal, Gluing};
+pub use gluing::{CellDiagonal, Gluing};
 pub(crate) use local_gluing::star_links;
 pub use local_gluing::{GluingType, Histogram, classify_cell, classify_node, histogram};
 pub use matrix::Matrix;
