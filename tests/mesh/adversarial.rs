@@ -3,11 +3,12 @@
 //! nor threads change it.
 
 use crate::common::{Soup, Steady, edge_counts, euler, faces_of};
-use crate::cuts::{Point, cut, normal};
+
 use gusset::Job;
 use gusset::check::check;
 use gusset::mesh::PositionBuffer;
 use gusset::stitch::{Cells, Fairing, Intersections, Meridians, Options, Request, Rows, Start, Stitch, stitch};
+use gusset_oracles::cuts::{Point, cut, normal};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -260,7 +261,7 @@ fn compare_cuts(joined: &Stitch, unit: f64) -> (BTreeSet<[u32; 2]>, BTreeSet<[u3
     let mut expected = BTreeSet::new();
     for f in joined.strip_faces.clone() {
         for g in (0..f).filter(|&g| has_area[f as usize] && has_area[g as usize]) {
-            if cut(faces[f as usize], faces[g as usize], at) {
+            if cut(faces[f as usize].map(at), faces[g as usize].map(at)) {
                 expected.insert([f, g]);
             }
         }

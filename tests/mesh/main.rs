@@ -15,7 +15,6 @@ mod check;
 mod concatenate;
 mod continuity;
 mod creases;
-mod cuts;
 mod develop;
 mod develop_cuts;
 mod develop_steps;

@@ -6,6 +6,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::fill::{Fairing, Filled, Options, Refinement, Selection, Together, fill_holes};
 use gusset::mesh::Mesh;
+use gusset_oracles::distances::distances;
 use std::collections::{BTreeMap, HashMap};
 
 const NAMES: [&str; 6] = [
@@ -162,23 +163,14 @@ fn cut_out(soup: &Soup) -> Vec<Region> {
     found.into_iter().step_by(step).collect()
 }
 
-/// The square of the distance from a triangle, from points of a lattice on it.
-fn distance(p: DVec3, corners: [DVec3; 3]) -> f64 {
-    let [a, b, c] = corners;
-    let lattice = (0..=4).flat_map(|i| (0..=4 - i).map(move |j| (f64::from(i) / 4.0, f64::from(j) / 4.0)));
-    lattice.map(|(s, t)| p.distance_squared(a + (b - a) * s + (c - a) * t)).fold(f64::INFINITY, f64::min)
-}
-
 /// The mean distance of the corners of one part of a surface from another, as a part of the size
 /// of the box round it.
 fn mean_distance(from: &[[DVec3; 3]], to: &[[DVec3; 3]]) -> f64 {
     let points = || from.as_flattened().iter().copied();
     let size = points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min);
-    let off = |p: DVec3| to.iter().map(|&corners| distance(p, corners)).fold(f64::INFINITY, f64::min).sqrt();
     // Of corners, so that where triangles are small counts for more.
-    let all = points().step_by(points().count().div_ceil(500));
-    let count = all.clone().count() as f64;
-    all.map(off).sum::<f64>() / count / size.length()
+    let all: Vec<_> = points().step_by(points().count().div_ceil(500)).collect();
+    distances(&all, to).into_iter().sum::<f64>() / all.len() as f64 / size.length()
 }
 
 fn triangles<'a>(point: impl Fn(u32) -> DVec3, faces: impl Iterator<Item = &'a [u32]>) -> Vec<[DVec3; 3]> {

@@ -4,6 +4,7 @@ use crate::common::{Soup, edge_counts, euler, faces_of};
 use glam::{DMat3, DVec3};
 use gusset::Job;
 use gusset::fill::{Fairing, Filled, HoleStatus, Options, Refinement, Selection, fill_holes};
+use gusset_oracles::distances::{farthest, nearest_on_any, nearest_on_segment, samples};
 use std::collections::BTreeMap;
 
 /// Edges of patches that bend by more are sharp, in radians.
@@ -35,34 +36,6 @@ pub(super) struct Errors {
     pub(super) missed: f64,
     /// The largest distance of a sharp edge of the patch from the true creases.
     pub(super) invented: f64,
-}
-
-fn nearest_on([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
-    let normal = (b - a).cross(c - a);
-    let inside = [(a, b), (b, c), (c, a)].iter().all(|&(u, v)| (v - u).cross(p - u).dot(normal) >= 0.0);
-    if inside && normal.length_squared() > 0.0 {
-        return p - normal * ((p - a).dot(normal) / normal.length_squared());
-    }
-    let on = |(u, v): (DVec3, DVec3)| nearest_on_segment(u, v, p);
-    let ends = [(a, b), (b, c), (c, a)].map(on);
-    ends.into_iter().min_by(|q, r| q.distance(p).total_cmp(&r.distance(p))).unwrap()
-}
-
-pub(super) fn nearest_on_segment(u: DVec3, v: DVec3, p: DVec3) -> DVec3 {
-    let along = v - u;
-    let t = if along == DVec3::ZERO { 0.0 } else { ((p - u).dot(along) / along.length_squared()).clamp(0.0, 1.0) };
-    u + along * t
-}
-
-pub(super) fn nearest(p: DVec3, candidates: impl Iterator<Item = DVec3>) -> DVec3 {
-    candidates.min_by(|q, r| q.distance(p).total_cmp(&r.distance(p))).unwrap()
-}
-
-/// Points all over a triangle, no further apart than `step`.
-fn samples([a, b, c]: [DVec3; 3], step: f64) -> Vec<DVec3> {
-    let n = (a.distance(b).max(b.distance(c)).max(c.distance(a)) / step).ceil().max(1.0) as u32;
-    let at = |i: u32, j: u32| a + (b - a) * (f64::from(i) / f64::from(n)) + (c - a) * (f64::from(j) / f64::from(n));
-    (0..=n).flat_map(|i| (0..=n - i).map(move |j| at(i, j))).collect()
 }
 
 fn normal(points: &[DVec3], triangle: [u32; 3]) -> DVec3 {
@@ -172,15 +145,14 @@ impl Case {
         let gone: Vec<_> = gone.into_iter().map(|triangle| corners(triangle, &self.points)).collect();
         let near = self.triangles.iter().map(|triangle| corners(triangle, &self.points));
         let near: Vec<_> = near.filter(|c| c[0].distance(self.centre) < 3.0 * self.radius).collect();
-        let on_truth = |p: DVec3| match self.surface {
-            Some(surface) => surface(p),
-            None => nearest(p, near.iter().map(|&triangle| nearest_on(triangle, p))),
+        let on_truth = |points: Vec<DVec3>| match self.surface {
+            Some(surface) => points.into_iter().map(surface).collect(),
+            None => points.into_iter().map(|p| nearest_on_any(&near, p)).collect::<Vec<_>>(),
         };
         let step = diameter / 40.0;
-        let there = patch.iter().flat_map(|&triangle| samples(triangle, step)).map(|p| p.distance(on_truth(p)));
-        let back = gone.iter().flat_map(|&triangle| samples(triangle, step)).map(on_truth);
-        let back = back.map(|p| p.distance(nearest(p, patch.iter().map(|&triangle| nearest_on(triangle, p)))));
-        let surface = there.chain(back).fold(0.0, f64::max);
+        let there = samples(&patch, step);
+        let off = there.iter().zip(on_truth(there.clone())).map(|(p, q)| p.distance(q)).fold(0.0, f64::max);
+        let surface = off.max(farthest(&on_truth(samples(&gone, step)), &patch));
 
         let truth = sharp(&self.points, &self.triangles, |t| self.is_cut(self.triangles[t]));
         let made = sharp(&points, &triangles, |t| t >= new);

@@ -4,7 +4,7 @@ mod case;
 mod part;
 
 use crate::common::some_of;
-use case::{Case, nearest, options};
+use case::{Case, options};
 use glam::{DMat3, DVec3};
 use gusset::fill::{Options, Refinement};
 use std::collections::HashMap;
@@ -71,7 +71,7 @@ fn cylinder(n: u32, radius: f64) -> Case {
         let flat = p.with_z(0.0);
         let side = flat.normalize_or(DVec3::X) + DVec3::Z * p.z.clamp(-1.0, 1.0);
         let cap = flat.clamp_length_max(1.0) + DVec3::Z * p.z.signum();
-        nearest(p, [side, cap].into_iter())
+        if side.distance(p) <= cap.distance(p) { side } else { cap }
     };
     let centre = DVec3::new(0.6f64.cos(), 0.6f64.sin(), 1.0);
     Case { points, triangles, centre, radius, surface: Some(surface) }

@@ -4,7 +4,8 @@
 
 use std::cmp::Ordering;
 
-pub(crate) type Point = [i64; 3];
+/// A point of whole coordinates.
+pub type Point = [i64; 3];
 
 fn from_to(p: Point, q: Point) -> [i128; 3] {
     [0, 1, 2].map(|k| i128::from(q[k]) - i128::from(p[k]))
@@ -19,7 +20,7 @@ fn dot(u: [i128; 3], v: [i128; 3]) -> i128 {
 }
 
 /// The normal; 0 for a triangle without area.
-pub(crate) fn normal(t: [Point; 3]) -> [i128; 3] {
+pub fn normal(t: [Point; 3]) -> [i128; 3] {
     cross(from_to(t[0], t[1]), from_to(t[0], t[2]))
 }
 
@@ -70,8 +71,7 @@ fn cut_in_plane(p: [Point; 3], q: [Point; 3], shared: usize, axis: usize) -> boo
 
 /// Do two triangles with an area have points in common, what lies at vertices of both, and between
 /// these, apart?
-pub(crate) fn cut(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> Point) -> bool {
-    let (v, w) = (v.map(&at), w.map(&at));
+pub fn cut(v: [Point; 3], w: [Point; 3]) -> bool {
     let shared: Vec<Point> = v.iter().copied().filter(|x| w.contains(x)).collect();
     let first = |t: [Point; 3]| {
         let mut order = shared.clone();
