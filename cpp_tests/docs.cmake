@@ -20,7 +20,7 @@ target_link_libraries(reference PRIVATE reference_programs)
 set(guides ${root}/examples/guides)
 set(guide_programs ${CMAKE_BINARY_DIR}/guides/project)
 set(guide_warnings "-Wall -Wextra -Werror -pedantic -Wshadow")
-add_test(NAME guides/project COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${guides} ${guide_programs} --build-generator ${CMAKE_GENERATOR}
+add_test(NAME guides/project COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${guides} ${guide_programs} ${not_anew}
          --build-options -DCMAKE_PREFIX_PATH=${GUSSET_PREFIX} -DCMAKE_C_STANDARD=99 -DCMAKE_C_EXTENSIONS=OFF -DCMAKE_CXX_EXTENSIONS=OFF
          "-DCMAKE_C_FLAGS=${guide_warnings} -Wconversion" "-DCMAKE_CXX_FLAGS=-O1 ${much_memory} ${guide_warnings} -Wno-maybe-uninitialized"
          --test-command start_c)
@@ -87,7 +87,7 @@ configure_file(${guides}/archive.cmake ${CMAKE_BINARY_DIR}/guides/archive/CMakeL
 foreach(project source archive)
   if(project STREQUAL source OR GUSSET_ARCHIVE)
     add_test(NAME guides/${project} COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_BINARY_DIR}/guides/${project}
-             ${CMAKE_BINARY_DIR}/guides/${project}/build --build-generator ${CMAKE_GENERATOR}
+             ${CMAKE_BINARY_DIR}/guides/${project}/build ${not_anew}
              --build-options ${fetched_${project}} --test-command start_c)
     set_tests_properties(guides/${project} PROPERTIES PASS_REGULAR_EXPRESSION "; 0 loops left")
   endif()
