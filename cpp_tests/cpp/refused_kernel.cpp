@@ -1,9 +1,12 @@
 // Must not compile: an exact kernel's points are no three doubles, and the adapter says so.
 #include <gusset/cgal.hpp>
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Simple_cartesian.h>
 
 int main() {
-    CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> mesh;
-    return gusset::cgal::Input<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>(mesh).view().face_count() != 0;
+    // Exact, and of few headers.
+    using Point = CGAL::Simple_cartesian<CGAL::MP_Float>::Point_3;
+    CGAL::Surface_mesh<Point> mesh;
+    return gusset::cgal::Input<Point>(mesh).view().face_count() != 0;
 }
