@@ -1,4 +1,5 @@
-/* What meshes carry beside positions, through every filter: attributes LIBRARY */
+/* What meshes carry beside positions, through every filter: attributes LIBRARY [SIZE], of shapes of this size, 8
+ * unless told */
 #include "loaded.h"
 
 #include <math.h>
@@ -7,7 +8,9 @@
 
 /* Statuses of gusset.h, which this host does not have. */
 enum { IS_NULL = 1, BAD_STRUCT_SIZE = 3, UNKNOWN_VALUE = 4, NO_SUCH_ELEMENT = 8, COUNT_DIFFERS = 13, NOT_FINITE = 1006 };
-enum { SIZE = 8, POSITION = 3 * sizeof(double) };
+enum { POSITION = 3 * sizeof(double) };
+
+static uint32_t shape_size = 8;
 
 static const gusset_plugin *plugin;
 static const gusset_plugin_attributes *attributes;
@@ -131,7 +134,7 @@ static void check_bad(void) {
     gusset_host host = {0};
     host.struct_size = sizeof host;
     host.origins = 1;
-    gusset_outputs *outputs = run_on_shapes(plugin, plugin->find("weld"), &host, SIZE, &made);
+    gusset_outputs *outputs = run_on_shapes(plugin, plugin->find("weld"), &host, shape_size, &made);
     const gusset_plugin_mesh mesh = mesh_of("weld", outputs);
     const size_t given = made.views[0].mesh.vertex_count;
     const gusset_plugin_channel good = {
@@ -180,9 +183,10 @@ static void check_bad(void) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
+    if (argc != 2 && argc != 3) {
         return 2;
     }
+    shape_size = argc == 3 ? (uint32_t)atoi(argv[2]) : shape_size;
     plugin = entry_of(open_library(argv[1]))(GUSSET_PLUGIN_ABI);
     attributes = plugin == NULL ? NULL : plugin->extension("attributes/1");
     if (attributes == NULL) {
@@ -196,7 +200,7 @@ int main(int argc, char **argv) {
         const uint32_t carries = (filter->flags & GUSSET_FILTER_ORIGINS) != 0;
         for (host.origins = 0; host.origins < 2; ++host.origins) {
             shapes made;
-            gusset_outputs *outputs = run_on_shapes(plugin, filter, &host, SIZE, &made);
+            gusset_outputs *outputs = run_on_shapes(plugin, filter, &host, shape_size, &made);
             if (outputs == NULL) {
                 continue;
             }

@@ -1,10 +1,12 @@
-/* Two copies of the plugin in one program, at work at the same time: copies LIBRARY COPY */
+/* Two copies of the plugin in one program, at work at the same time: copies LIBRARY COPY [SIZE], of shapes of this size, 10 unless told */
 #include "loaded.h"
 
 #include <pthread.h>
 #include <stdlib.h>
 
-enum { SIZE = 10, MOST_FILTERS = 200 };
+enum { MOST_FILTERS = 200 };
+
+static uint32_t shape_size = 10;
 
 /* What one of them made, filter by filter. */
 typedef struct work {
@@ -19,7 +21,7 @@ static void *run_all(void *user) {
         const gusset_filter *filter = mine->plugin->filter(i);
         for (uint32_t number = 0; number < TRIES && mine->outputs[i] == NULL; ++number) {
             shapes made;
-            shapes_make(&made, filter, number, SIZE);
+            shapes_make(&made, filter, number, shape_size);
             if (filter->run(filter, NULL, made.inputs, made.count, NULL, 0, &mine->outputs[i]) != GUSSET_PLUGIN_DONE) {
                 mine->plugin->output_free(mine->outputs[i]);
                 mine->outputs[i] = NULL;
@@ -32,9 +34,10 @@ static void *run_all(void *user) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 3) {
+    if (argc != 3 && argc != 4) {
         return 2;
     }
+    shape_size = argc == 4 ? (uint32_t)atoi(argv[3]) : shape_size;
     static work works[2];
     pthread_t threads[2];
     void *libraries[2];

@@ -1,4 +1,5 @@
-/* Every filter run as a host runs it: runs LIBRARY [MOST], cancelled at MOST of its calls of the callback, 60 unless told */
+/* Every filter run as a host runs it: runs LIBRARY [MOST SIZE], cancelled at MOST of its calls of the callback, 60 unless
+ * told, on shapes of this size, 8 unless told */
 #include "loaded.h"
 
 #include <math.h>
@@ -6,10 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE = 8 };
-
 static const gusset_plugin *plugin;
 static uint32_t most_calls = 60;
+static uint32_t shape_size = 8;
 
 static void check_mesh(const char *of, const gusset_outputs *outputs, uint32_t index) {
     gusset_plugin_mesh mesh = {0};
@@ -204,10 +204,11 @@ static void check_odd_arrays(const gusset_filter *filter, const shapes *made, co
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2 && argc != 3) {
+    if (argc != 2 && argc != 4) {
         return 2;
     }
-    most_calls = argc == 3 ? (uint32_t)atoi(argv[2]) : most_calls;
+    most_calls = argc == 4 ? (uint32_t)atoi(argv[2]) : most_calls;
+    shape_size = argc == 4 ? (uint32_t)atoi(argv[3]) : shape_size;
     void *library = open_library(argv[1]);
     plugin = entry_of(library)(GUSSET_PLUGIN_ABI);
     if (plugin == NULL) {
@@ -216,7 +217,7 @@ int main(int argc, char **argv) {
     for (uint32_t i = 0; i < plugin->filter_count; ++i) {
         const gusset_filter *filter = plugin->filter(i);
         shapes made;
-        gusset_outputs *outputs = run_on_shapes(plugin, filter, NULL, SIZE, &made);
+        gusset_outputs *outputs = run_on_shapes(plugin, filter, NULL, shape_size, &made);
         if (outputs == NULL) {
             continue;
         }
