@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-#define SIDE 24
+#define SIDE 16
 #define FACES (2 * (SIDE - 1) * (SIDE - 1))
 
 static gusset_context *context;

@@ -1,7 +1,7 @@
 /* Developments: surfaces laid out in the plane. */
 #include "example.h"
 
-#define ROUND 24
+#define ROUND 16
 #define ROWS 5
 
 /* A tube of plane strips, with this radius at height z. */
