@@ -22,7 +22,7 @@ set(guide_programs ${CMAKE_BINARY_DIR}/guides/project)
 set(guide_warnings "-Wall -Wextra -Werror -pedantic -Wshadow")
 add_test(NAME guides/project COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${guides} ${guide_programs} ${not_anew}
          --build-options -DCMAKE_PREFIX_PATH=${GUSSET_PREFIX} -DCMAKE_C_STANDARD=99 -DCMAKE_C_EXTENSIONS=OFF -DCMAKE_CXX_EXTENSIONS=OFF
-         "-DCMAKE_C_FLAGS=${guide_warnings} -Wconversion" "-DCMAKE_CXX_FLAGS=-O1 ${much_memory} ${guide_warnings} -Wno-maybe-uninitialized"
+         "-DCMAKE_C_FLAGS=${guide_warnings} -Wconversion" "-DCMAKE_CXX_FLAGS=${much_memory} ${guide_warnings} -Wno-maybe-uninitialized"
          --test-command start_c)
 set_tests_properties(guides/project PROPERTIES FIXTURES_SETUP guide_programs)
 
