@@ -75,4 +75,13 @@ static inline gusset_mesh_view pyramid(const double points[5][3]) {
     return view;
 }
 
+/* The context still works, and its report tells of the last call. */
+static inline void fit_for_more(const gusset_context *context) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_boundary *boundary = NULL;
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    CHECK(gusset_boundary_loop_count(boundary) == 1);
+    gusset_boundary_destroy(boundary);
+}
+
 #endif
