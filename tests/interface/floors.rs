@@ -94,7 +94,7 @@ fn planted_violations_are_found() {
 #[test]
 fn paths_exist() {
     let page = page();
-    let roots = ["crates/", "src/", "include/", "tests", "cpp_tests/", "tools", "docs/", "python", "wasm"];
+    let roots = ["crates/", "src/", "include/", "tests/", "cpp_tests/", "tools", "docs/", "python", "wasm"];
     let quoted = page.split('`').skip(1).step_by(2).filter(|path| !path.contains(char::is_whitespace));
     let paths: Vec<_> = quoted.filter(|path| roots.iter().any(|root| path.starts_with(root))).collect();
     assert!(paths.len() > 60, "{}", paths.len());
