@@ -123,7 +123,7 @@ lint-hosts: docs
 units := --workspace --exclude gusset-tests --exclude gusset-fuzz
 test-units:
 	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --doc
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset $(features) --doc
 
 # From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
 test-programs: build
