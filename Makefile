@@ -57,7 +57,7 @@ help:
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make differential [CASES=1000] [FAMILY=loops] [SEED=1]  random campaigns against CGAL, OpenMesh and brute force, with a table; minutes'
 	@echo 'make mutants FOLDER=crates/gusset-stitch/src/boundary [PROGRAM=mesh] [SHARD=0/20]  mistakes that no test notices, by cargo-mutants'
-	@echo 'make complexity                   work and memory at n, 2 n and 4 n on the worst inputs that are known; minutes'
+	@echo 'make complexity                   memory at n, 2 n and 4 n on the worst inputs that are known, larger ones than in make test; minutes'
 	@echo 'make sanitize [KIND=thread] [TESTS=regex]  the C and C++ tests with the library under the address sanitizer, or that of threads; minutes'
 	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, with cancels, and without each allocation; minutes'
 	@echo 'make fuzz [TARGET=sew] [SECONDS=60]  the fuzzers, each for so many seconds; what they find is left in build/fuzz'
@@ -139,6 +139,8 @@ exhaustive:
 # that nothing notices. SHARD=0/20 tries one of twenty.
 mutated = $(notdir $(firstword $(subst /src, ,$(FOLDER))))
 mutants:
+	@test -n '$(FOLDER)' -a -d '$(FOLDER)' || { echo 'gusset: say which folder of a crate: make mutants FOLDER=crates/gusset-stitch/src/boundary'; exit 1; }
+	@command -v cargo-mutants > /dev/null || { echo 'gusset: please run: cargo install --locked cargo-mutants'; exit 1; }
 	GUSSET_DATA='$(or $(GUSSET_DATA),$(abspath ../shared/data))' $(CARGO) mutants --profile mutants --no-shuffle --timeout 300 --output build \
 	    $(addprefix --shard ,$(SHARD)) --package '$(mutated)' --file '$(FOLDER)/**' --test-package '$(mutated)' --cargo-test-arg=--package=gusset-tests \
 	    --cargo-test-arg=--lib --cargo-test-arg=--test --cargo-test-arg=$(or $(PROGRAM),mesh)
@@ -195,7 +197,7 @@ differential: stage
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target campaign --parallel 2
 	build/cpp/differential/campaign --cases $(or $(CASES),1000) --seed $(or $(SEED),1) $(addprefix --family ,$(FAMILY))
 
-# Work and memory at n, 2 n and 4 n on the worst inputs that are known, larger ones than in `make test`.
+# Memory at n, 2 n and 4 n on the worst inputs that are known, larger ones than in `make test`, which also counts work by valgrind.
 complexity: stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)

@@ -29,7 +29,7 @@ struct Row {
     /// Bytes at the peak for each unit of n that docs/guides/guarantees.md states, or 0.
     double bytes;
     std::function<Call(std::size_t)> prepare;
-    /// Left to `make torture`, as it takes seconds.
+    /// It takes seconds: skipped unless the program is called with --all.
     bool slow = false;
     /// For how many milliseconds the call may be silent, as docs/guides/guarantees.md states.
     double silence = 100;

@@ -16,7 +16,7 @@ pub(super) fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Fa
     aligned_to(align_of::<T>(), pointer.addr(), name)
 }
 
-/// It knows no type, so that it is compiled once.
+/// [`aligned`] without a type, so that it is compiled once.
 fn aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<(), Failure> {
     if address == 0 {
         Err(Failure::null(name))
@@ -248,12 +248,12 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     // over zeros gives a value of plain fields.
     unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
-    no_unknown(tail, value.reserved(), name)?;
+    check_unknown_fields(tail, value.reserved(), name)?;
     Ok(value)
 }
 
 /// Fails if a host sets `reserved`, or fields behind those that this version knows.
-fn no_unknown(tail: &[u8], reserved: u32, name: &'static str) -> Result<(), Failure> {
+fn check_unknown_fields(tail: &[u8], reserved: u32, name: &'static str) -> Result<(), Failure> {
     match tail.iter().find(|&&byte| byte != 0) {
         Some(&byte) => {
             Err(Failure::unknown(format_args!("a field of {name} that this version does not know"), byte.into()))
@@ -326,10 +326,11 @@ fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<us
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.
     let size = unsafe { pointer.cast::<usize>().read() };
-    size_between(T::MIN_SIZE, size_of::<T>(), size, name)
+    check_struct_size(T::MIN_SIZE, size_of::<T>(), size, name)
 }
 
-fn size_between(min: usize, known: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
+/// Fails if `size` is below that of the first version, or beyond that of any.
+fn check_struct_size(min: usize, known: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
     if size < min || size > 4096 {
         let message = format!("{name}: struct_size is {size}, and this version has {known}");
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });

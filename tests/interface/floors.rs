@@ -1,4 +1,4 @@
-//! What ARCHITECTURE.md says of the tree: paths that exist, and modules on the floors that it draws.
+//! Compares ARCHITECTURE.md with the tree: crates, modules on their floors, and paths.
 
 use super::circles::source::Crate;
 use std::collections::{BTreeMap, BTreeSet};
@@ -74,6 +74,26 @@ fn modules_are_on_the_floors_that_are_drawn() {
         drawn += 1;
     }
     assert_eq!(drawn, 5);
+}
+
+/// The crates that a manifest lists, without `gusset-` before them.
+fn listed(manifest: &str) -> BTreeSet<&str> {
+    let (_, rest) = manifest.split_once("[dependencies]").unwrap();
+    let dependencies = rest.lines().skip(1).take_while(|line| !line.starts_with('['));
+    dependencies.filter_map(|line| line.strip_prefix("gusset-")?.strip_suffix(".workspace = true")).collect()
+}
+
+#[test]
+fn crates_use_what_is_drawn() {
+    let page = page();
+    let drawn = page.lines().filter_map(|line| line.strip_prefix(" gusset-")?.split_once("->"));
+    let drawn: BTreeMap<_, _> = drawn.map(|(name, uses)| (name.trim(), uses.trim())).collect();
+    assert_eq!(drawn.len(), 8);
+    for (name, uses) in &drawn {
+        let uses = uses.split("   ").next().unwrap().split(", ").filter(|used| drawn.contains_key(used));
+        let manifest = fs::read_to_string(in_repository(&format!("crates/gusset-{name}/Cargo.toml"))).unwrap();
+        assert_eq!(uses.collect::<BTreeSet<_>>(), listed(&manifest), "gusset-{name}");
+    }
 }
 
 #[test]

@@ -24,10 +24,6 @@
 //! | [`fair`] | moves new vertices to where a thin plate bends least | Liepa 2003 |
 //! | `remesh` | splits, flips and refines the triangles of a patch | |
 //! | `intersect` | finds intersecting triangles, exactly | Shewchuk 1997 |
-//!
-//! Modules use only modules below them: `assemble` and `develop` above [`fill`], then [`stitch`] and
-//! [`trim`], then `blend`, [`align`], [`check`] and [`winged`], then [`boundary`], [`repair`],
-//! [`fair`], `remesh` and `intersect`.
 
 pub mod align;
 pub mod assemble;

@@ -2,16 +2,17 @@
 //! points whose normals make a given angle with a direction. All are zero sets of polynomials over
 //! the cells.
 //!
-//! * `sections`: sections and contours; `isophote`: curves of equal angle, silhouettes among them; `nearest`: the angle
-//!   nearest to a given one.
-//! * `source`: the polynomials; `normals`, `projected_normals`: those of normals. `normal_frames`: points with their normals. `planes`,
-//!   `cone_culling`: the blocks that they may vanish in, found by descent of the index.
+//! * `sections`: sections and contours; `isophote`: curves of equal angle, silhouettes among them;
+//!   `nearest`: the angle nearest to a given one.
+//! * `source`: the polynomials; `normals`, `projected_normals`: those of normals. `normal_frames`:
+//!   points with their normals. `planes`, `cone_culling`: the blocks that they may vanish in, found
+//!   by descent of the index.
 //! * `contour_search`: block by block, cell by cell, level by level. `cell`: the arcs of a cell, by
 //!   subdivision with proofs; `side`: where they cross its sides, by Descartes' rule;
 //!   `corner_crossing`: those that the corners alone show. `contour_refinement`: the points between.
 //! * `contour_chain`: arcs linked to paths; `paths`: those of all sheets joined; `creases`: sides that
-//!   normals jump at. `contour_lattice`: numbers of cells and sides. `point_spacing`: the paper's approximation
-//!   of a section.
+//!   normals jump at. `contour_lattice`: numbers of cells and sides. `point_spacing`: the
+//!   paper's approximation of a section.
 //!
 //! Points are computed on the interpolant: they are of its order, four; the order of chords between
 //! them is two, whence the refinement. Invariant: the sign of a polynomial at a corner, and its
