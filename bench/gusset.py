@@ -39,6 +39,11 @@ class BoundaryOptions(Structure):
     _fields_ = [("struct_size", c_size_t), ("non_manifold", c_uint32), ("survey", c_uint32)]
 
 
+class BoundaryParts(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("loop_count", c_size_t), ("walk_count", c_size_t), ("defects", c_void_p), ("defect_count", c_size_t)]
+
+
 class StitchOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("meridians", c_uint32), ("orientation", c_uint32), ("twist", c_int64),
@@ -67,13 +72,13 @@ class LoopPair(Structure):
     _fields_ = [("piece", c_uint32 * 2), ("vertex", c_uint32 * 2)]
 
 
-class AssemblyOptions(Structure):
+class JoinOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("weld", c_uint32), ("orientation", c_uint32), ("gap", c_uint32),
         ("whole_loops_only", c_uint32), ("within_components", c_uint32), ("fill", c_uint32), ("max_gap", c_double),
         ("pairs", POINTER(LoopPair)), ("pair_count", c_size_t), ("excluded", c_void_p), ("excluded_count", c_size_t),
         ("weld_options", c_void_p), ("strip_options", POINTER(StitchOptions)), ("fill_options", c_void_p),
-        ("keep_inside_out", c_uint32), ("overlaps", c_uint32), ("trim_options", c_void_p)]
+        ("outward", c_uint32), ("overlaps", c_uint32), ("trim_options", c_void_p)]
 
 
 class Transform(Structure):
@@ -113,7 +118,7 @@ class PieceMap(Structure):
     _fields_ = [("vertices", Indices), ("faces", Indices)]
 
 
-class AssemblyParts(Structure):
+class JoinReport(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("pieces", POINTER(PieceMap)), ("piece_count", c_size_t), ("joints", POINTER(Joint)),
         ("joint_count", c_size_t), ("left", c_void_p), ("left_count", c_size_t), ("holes", c_void_p), ("hole_count", c_size_t),
@@ -169,7 +174,7 @@ class NetOperation(Structure):
     _fields_ = [("kind", c_uint32), ("axis", c_uint32), ("values", c_double * 12)]
 
 
-class JoinOptions(Structure):
+class ConcatenateOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("tolerance", c_double), ("tension", c_double), ("elasticity", c_double),
         ("stiffness", c_double), ("user", c_uint64), ("direction", c_uint32), ("mode", c_uint32), ("equalise", c_uint32),
@@ -207,8 +212,7 @@ class Library:
     def __init__(self, prefix):
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
-        self.c.gusset_boundary_loop_count.restype = c_size_t
-        for name in ("alignment", "assembly", "boundary", "fill", "stitch", "strip", "outline", "context", "net", "net_mesh", "stream"):
+        for name in ("alignment", "boundary", "result", "outline", "context", "net", "stream"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
         self.one_thread, self.automatic = self._context(1), self._context(0)
         self.version = self.c.gusset_version().decode()
@@ -252,27 +256,29 @@ class Library:
         return Handle(self.c, "gusset_boundary_destroy", address)
 
     def loop_count(self, boundary):
-        return self.c.gusset_boundary_loop_count(boundary.address)
+        parts = sized(BoundaryParts)
+        self._check(self.c.gusset_boundary_get_view(boundary.address, byref(parts)))
+        return parts.loop_count
 
     def stitch(self, pieces, options):
         """Two meshes joined, from arrays to arrays: loops found, chosen and stitched."""
         a, b, address = self._view(pieces[0]), self._view(pieces[1]), c_void_p()
-        self._check(self.c.gusset_stitch_create(None, byref(a), None, byref(b), None, byref(options), byref(address)))
-        return Handle(self.c, "gusset_stitch_destroy", address)
+        self._check(self.c.gusset_stitch(None, byref(a), None, byref(b), None, byref(options), byref(address)))
+        return Handle(self.c, "gusset_result_destroy", address)
 
     def strip(self, rim_a, rim_b, meridians="area", search=0):
         """The faces between two closed lines side by side, through the meridian between their first points."""
         options, address = sized(StripOptions), c_void_p()
         options.meridians, options.search, options.start, options.closed = MERIDIANS[meridians], search, START_GIVEN, 1
-        self._check(self.c.gusset_strip_create(
+        self._check(self.c.gusset_strip(
             None, c_void_p(rim_a.ctypes.data), c_size_t(len(rim_a)), c_void_p(rim_b.ctypes.data), c_size_t(len(rim_b)),
             byref(options), byref(address)))
-        return Handle(self.c, "gusset_strip_destroy", address)
+        return Handle(self.c, "gusset_result_destroy", address)
 
     def strip_area(self, strip, rim_a, rim_b):
         """What the choice of least area makes least."""
         view = sized(View)
-        self._check(self.c.gusset_strip_get_mesh(strip.address, byref(view)))
+        self._check(self.c.gusset_result_get_mesh(strip.address, byref(view)))
         corners = np.concatenate([rim_a, rim_b])[array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)]
         sides = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         return float(np.linalg.norm(np.cross(*sides), axis=1).sum() / 2)
@@ -280,39 +286,39 @@ class Library:
     def mesh(self, stitch):
         """Points, triangles, and the first new one."""
         view, parts = sized(View), sized(Parts)
-        self._check(self.c.gusset_stitch_get_mesh(stitch.address, byref(view)))
-        self._check(self.c.gusset_stitch_get_view(stitch.address, byref(parts)))
+        self._check(self.c.gusset_result_get_mesh(stitch.address, byref(view)))
+        self._check(self.c.gusset_result_get_stitch(stitch.address, byref(parts)))
         points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
         return points, array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3), parts.strip_face_first
 
     def rims(self, stitch):
         """The points of both rims, side by side from the first meridian on."""
         parts = sized(Parts)
-        self._check(self.c.gusset_stitch_get_view(stitch.address, byref(parts)))
+        self._check(self.c.gusset_result_get_stitch(stitch.address, byref(parts)))
         points = self.mesh(stitch)[0]
         return [np.ascontiguousarray(points[array(rim.data, rim.count, np.uint32)]) for rim in parts.rim]
 
     def assembly(self, pieces, pairs=(), strip=None):
         """Many meshes joined; `pairs` of loops, each named by a piece and a vertex of it."""
         views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
-        options, address = sized(AssemblyOptions), c_void_p()
+        options, address = sized(JoinOptions), c_void_p()
         given = (LoopPair * len(pairs))(*(LoopPair((a[0], b[0]), (a[1], b[1])) for a, b in pairs))
         options.pairs, options.pair_count = given, len(pairs)
         if strip is not None:
             options.strip_options = ctypes.pointer(strip)
-        self._check(self.c.gusset_assembly_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
-        return Handle(self.c, "gusset_assembly_destroy", address)
+        self._check(self.c.gusset_join(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
+        return Handle(self.c, "gusset_result_destroy", address)
 
     def trimmed_and_joined(self, pieces, max_diameter=0.0):
         """Overlaps trimmed, what is left joined, and holes filled, up to a diameter if one is given: points, triangles, and for each
         piece its vertices in the result."""
         views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
-        options, address = sized(AssemblyOptions), c_void_p()
+        options, address = sized(JoinOptions), c_void_p()
         options.overlaps = options.fill = 1
         fill = self.fill_options(max_diameter=max_diameter)
         options.fill_options = ctypes.cast(ctypes.pointer(fill), c_void_p)
-        self._check(self.c.gusset_assembly_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
-        made = Handle(self.c, "gusset_assembly_destroy", address)
+        self._check(self.c.gusset_join(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
+        made = Handle(self.c, "gusset_result_destroy", address)
         points, faces, maps, _ = self.assembled(made)
         return points.copy(), faces.copy(), [of.copy() for of in maps]
 
@@ -332,18 +338,18 @@ class Library:
         """The triangles of a range image H x W x 3, NaN where nothing was seen, without steps: points and faces."""
         net, options, address, view = self.net(grid, "sheet"), sized(NetMeshOptions), c_void_p(), sized(View)
         options.faces, options.fill_corners, options.max_edge_ratio = 1, 1, max_edge_ratio
-        self._check(self.c.gusset_net_mesh_create(None, net.address, byref(options), byref(address)))
-        made = Handle(self.c, "gusset_net_mesh_destroy", address)
-        self._check(self.c.gusset_net_mesh_get_mesh(made.address, byref(view)))
+        self._check(self.c.gusset_net_to_mesh(None, net.address, byref(options), byref(address)))
+        made = Handle(self.c, "gusset_result_destroy", address)
+        self._check(self.c.gusset_result_get_mesh(made.address, byref(view)))
         points = array(view.positions, 3 * view.vertex_count, np.float32).reshape(-1, 3)
         faces = array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
         return points.astype(np.float64), faces.copy()
 
     def assembled(self, assembly):
         """Points, triangles, for each piece its vertices in the result, and the two sides of each joint that was made."""
-        view, parts = sized(View), sized(AssemblyParts)
-        self._check(self.c.gusset_assembly_get_mesh(assembly.address, byref(view)))
-        self._check(self.c.gusset_assembly_get_view(assembly.address, byref(parts)))
+        view, parts = sized(View), sized(JoinReport)
+        self._check(self.c.gusset_result_get_mesh(assembly.address, byref(view)))
+        self._check(self.c.gusset_result_get_join(assembly.address, byref(parts)))
         points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
         faces = array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
         pieces = [parts.pieces[k].vertices for k in range(parts.piece_count)]
@@ -356,13 +362,13 @@ class Library:
         """All holes filled, from arrays to arrays."""
         address = c_void_p()
         given = byref(options) if options is not None else None
-        self._check(self.c.gusset_fill_create(None, byref(self._view(mesh)), None, c_size_t(0), given, byref(address)))
-        return Handle(self.c, "gusset_fill_destroy", address)
+        self._check(self.c.gusset_fill(None, byref(self._view(mesh)), None, c_size_t(0), given, byref(address)))
+        return Handle(self.c, "gusset_result_destroy", address)
 
     def filled(self, fill):
         """Points and triangles."""
         view = sized(View)
-        self._check(self.c.gusset_fill_get_mesh(fill.address, byref(view)))
+        self._check(self.c.gusset_result_get_mesh(fill.address, byref(view)))
         points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
         return points, array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
 
@@ -422,7 +428,7 @@ class Library:
 
     def net_join(self, a, b):
         """The second net below the first."""
-        options, address = sized(JoinOptions), c_void_p()
+        options, address = sized(ConcatenateOptions), c_void_p()
         options.direction = DIRECTION_DOWN
         both = (c_void_p * 2)(a.address, b.address)
         self._check(self.c.gusset_net_concatenate_create(

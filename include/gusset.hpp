@@ -12,7 +12,6 @@
 #define GUSSET_HPP
 
 #include <gusset/alignment.hpp>
-#include <gusset/assembly.hpp>
 #include <gusset/attributes.hpp>
 #include <gusset/boundary.hpp>
 #include <gusset/check.hpp>
@@ -20,6 +19,7 @@
 #include <gusset/development.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
+#include <gusset/join.hpp>
 #include <gusset/net.hpp>
 #include <gusset/net_analysis.hpp>
 #include <gusset/net_mesh.hpp>

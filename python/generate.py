@@ -14,10 +14,10 @@ HEADER = HERE.parent / "include/gusset.h"
 #: Structs whose fields are keywords, by the names that they have here.
 STRUCTS = {
     "WeldOptions": "weld_options", "OrientOptions": "orient_options", "BoundaryOptions": "boundary_options", "StitchOptions": "stitch_options",
-    "FillOptions": "fill_options", "TrimOptions": "trim_options", "AssemblyOptions": "assembly_options", "AlignOptions": "alignment_options",
+    "FillOptions": "fill_options", "TrimOptions": "trim_options", "JoinOptions": "join_options", "AlignOptions": "alignment_options",
     "OutlineOptions": "outline_options", "OffsetOptions": "offset_options", "NetMeshOptions": "net_mesh_options",
-    "JoinOptions": "join_options", "SurfaceOptions": "surface_options", "NearestOptions": "nearest_options", "ContourOptions": "contour_options",
-    "IntersectionOptions": "intersection_options", "SheetMeshOptions": "sheet_mesh_options", "DevelopmentOptions": "development_options",
+    "ConcatenateOptions": "concatenate_options", "SurfaceOptions": "surface_options", "NearestOptions": "nearest_options", "ContourOptions": "contour_options",
+    "IntersectionOptions": "intersection_options", "SheetMeshOptions": "sheet_mesh_options", "DevelopOptions": "develop_options",
 }
 NUMBERS = {"uint32_t": "int", "size_t": "int", "int64_t": "int", "double": "float"}
 

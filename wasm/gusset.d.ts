@@ -363,10 +363,9 @@ export interface AssembleParams extends RunOptions {
    */
   holes?: "leave" | "fill" | "fill_refined_and_fair" | number;
   /**
-   * Keep inside out. Leaves closed components of the result as they are; otherwise the faces of those that are inside out are reversed,
-   * each by its own volume, also inside others.
+   * Turn outwards. Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside others.
    */
-  keep_inside_out?: boolean;
+  outward?: boolean;
   /**
    * Overlaps. The treatment of pieces that overlap.
    */

@@ -5,36 +5,29 @@
 
 static gusset_context *context;
 
-static gusset_stitch *two_pyramids(void) {
+static gusset_result *two_pyramids(void) {
     const gusset_mesh_view a = pyramid(pyramid_up), b = pyramid(pyramid_down);
-    gusset_stitch *stitch = NULL;
-    EXPECT(GUSSET_OK, gusset_stitch_create(context, &a, NULL, &b, NULL, NULL, &stitch));
+    gusset_result *stitch = NULL;
+    EXPECT(GUSSET_OK, gusset_stitch(context, &a, NULL, &b, NULL, NULL, &stitch));
     return stitch;
 }
 
 static void origins_of_results(void) {
-    gusset_stitch *stitch = two_pyramids();
+    gusset_result *stitch = two_pyramids();
     gusset_origins *origins = (gusset_origins *)misaligned();
     gusset_origins_view view = {0};
     uint32_t domain;
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_origins_create(context, NULL, &origins));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_origins_create(context, NULL, &origins));
     CHECK(origins == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_origins_create(context, stitch, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_origins_create(context, stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_origins_create(context, misaligned(), &origins));
-    EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_fill_origins_create(context, (const gusset_fill *)(const void *)stitch, &origins));
-    EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_weld_origins_create(context, (const gusset_weld *)(const void *)stitch, &origins));
-    EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_sew_origins_create(context, (const gusset_sew *)(const void *)stitch, &origins));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_origins_create(context, NULL, &origins));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_origins_create(context, NULL, &origins));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_origins_create(context, NULL, &origins));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_origins_create(context, NULL, &origins));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mesh_origins_create(context, NULL, &origins));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_origins_create(context, stitch, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_origins_create(context, stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_origins_create(context, misaligned(), &origins));
+    EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_result_origins_create(context, (const gusset_result *)(const void *)context, &origins));
     CHECK(origins == NULL);
 
-    EXPECT(GUSSET_OK, gusset_stitch_origins_create(context, stitch, &origins));
-    gusset_stitch_destroy(stitch);
+    EXPECT(GUSSET_OK, gusset_result_origins_create(context, stitch, &origins));
+    gusset_result_destroy(stitch);
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &view));
     view.struct_size = sizeof view;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_origins_get_view(NULL, GUSSET_DOMAIN_VERTICES, &view));
@@ -53,7 +46,7 @@ static void origins_of_results(void) {
 }
 
 static void values_that_do_not_fit(void) {
-    gusset_stitch *stitch = two_pyramids();
+    gusset_result *stitch = two_pyramids();
     gusset_origins *origins = NULL;
     float first[5] = {0, 1, 2, 3, 4}, second[5] = {5, 6, 7, 8, 9}, made[10];
     gusset_channel channel = {0};
@@ -63,8 +56,8 @@ static void values_that_do_not_fit(void) {
     const gusset_channel good = {sizeof good, GUSSET_DOMAIN_VERTICES, GUSSET_VALUE_F32, 1, GUSSET_RULE_LINEAR, 0, 0};
 
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_OK, gusset_stitch_origins_create(context, stitch, &origins));
-    gusset_stitch_destroy(stitch);
+    EXPECT(GUSSET_OK, gusset_result_origins_create(context, stitch, &origins));
+    gusset_result_destroy(stitch);
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_attributes_apply(context, origins, &channel, given, 2, made, 10, 0));
     channel = good;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_attributes_apply(context, NULL, &channel, given, 2, made, 10, 0));

@@ -10,29 +10,29 @@ static gusset_context *context;
 static void refused(gusset_mesh_view mesh, gusset_status status, gusset_element element, uint64_t index, int line) {
     const gusset_mesh_view good = pyramid(pyramid_down);
     gusset_boundary *boundary = (gusset_boundary *)misaligned();
-    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_result *stitch = (gusset_result *)misaligned();
     gusset_winged *winged = (gusset_winged *)misaligned();
     gusset_check *check = (gusset_check *)misaligned();
-    gusset_weld *weld = (gusset_weld *)misaligned();
-    gusset_orient *orient = (gusset_orient *)misaligned();
+    gusset_result *weld = (gusset_result *)misaligned();
+    gusset_result *orient = (gusset_result *)misaligned();
     gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     const int before = failures;
 
     EXPECT(status, gusset_winged_create(context, &mesh, NULL, &winged));
     EXPECT(status, gusset_check_create(context, &mesh, &check));
     CHECK(winged == NULL && check == NULL);
-    EXPECT(status, gusset_weld_create(context, &mesh, NULL, &weld));
-    EXPECT(status, gusset_orient_create(context, &mesh, NULL, &orient));
+    EXPECT(status, gusset_weld(context, &mesh, NULL, &weld));
+    EXPECT(status, gusset_orient(context, &mesh, NULL, &orient));
     CHECK(weld == NULL && orient == NULL);
     EXPECT(status, gusset_boundary_create(context, &mesh, NULL, &boundary));
     CHECK(boundary == NULL);
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.status == status && report.element == element && report.index == index && report.input == 0);
     CHECK(strlen(gusset_context_get_message(context)) > 10);
-    EXPECT(status, gusset_stitch_create(context, &mesh, NULL, &good, NULL, NULL, &stitch));
+    EXPECT(status, gusset_stitch(context, &mesh, NULL, &good, NULL, NULL, &stitch));
     CHECK(stitch == NULL);
-    stitch = (gusset_stitch *)misaligned();
-    EXPECT(status, gusset_stitch_create(context, &good, NULL, &mesh, NULL, NULL, &stitch));
+    stitch = (gusset_result *)misaligned();
+    EXPECT(status, gusset_stitch(context, &good, NULL, &mesh, NULL, NULL, &stitch));
     CHECK(stitch == NULL);
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.status == status && report.element == element && report.index == index && report.input == 1);
@@ -128,8 +128,7 @@ static void boundary_pointers(void) {
     gusset_boundary_options options = {sizeof options, 0, 0};
     gusset_boundary *boundary = (gusset_boundary *)misaligned();
     gusset_loop_view loop;
-    const gusset_defect *defects;
-    size_t count;
+    gusset_boundary_view loops;
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_create(context, NULL, NULL, &boundary));
     CHECK(boundary == NULL);
@@ -160,16 +159,15 @@ static void boundary_pointers(void) {
     loop.struct_size = sizeof loop;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_get_loop(boundary, SIZE_MAX, &loop));
 
-    defects = (const gusset_defect *)misaligned(), count = 7;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_defects(NULL, &defects, &count));
-    CHECK(defects == NULL && count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_defects(boundary, NULL, &count));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_defects(boundary, &defects, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_defects(misaligned(), &defects, &count));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_defects(boundary, misaligned(), &count));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_defects(boundary, &defects, misaligned()));
-    CHECK(gusset_boundary_loop_count(NULL) == 0 && gusset_boundary_walk_count(NULL) == 0);
-    CHECK(gusset_boundary_loop_count(misaligned()) == 0 && gusset_boundary_walk_count(misaligned()) == 0);
+    memset(&loops, 0xff, sizeof loops);
+    loops.struct_size = sizeof loops;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_view(NULL, &loops));
+    CHECK(loops.defects == NULL && loops.defect_count == 0 && loops.loop_count == 0 && loops.walk_count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_view(boundary, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_view(misaligned(), &loops));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_view(boundary, misaligned()));
+    loops.struct_size = sizeof loops - 1;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_boundary_get_view(boundary, &loops));
     gusset_boundary_destroy(boundary);
     gusset_boundary_destroy(NULL);
 }
@@ -302,7 +300,7 @@ static void odd_addresses(void) {
     gusset_mesh_view mesh = pyramid(pyramid_up);
     const gusset_mesh_view down = pyramid(pyramid_down);
     gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL};
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
     int i;
     CHECK(points != NULL && faces != NULL);
     if (points == NULL || faces == NULL) {
@@ -313,12 +311,12 @@ static void odd_addresses(void) {
     }
     memcpy(faces + 1, pyramid_faces, sizeof pyramid_faces);
     mesh.positions = points + 1, mesh.position_stride = STRIDE, mesh.face_corners = faces + 1;
-    EXPECT(GUSSET_OK, gusset_stitch_create(context, &mesh, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_OK, gusset_stitch(context, &mesh, NULL, &down, NULL, NULL, &stitch));
     free(points);
     free(faces);
-    EXPECT(GUSSET_OK, gusset_stitch_get_mesh(stitch, &out));
+    EXPECT(GUSSET_OK, gusset_result_get_mesh(stitch, &out));
     CHECK(out.vertex_count == 10 && memcmp(out.positions, pyramid_up, sizeof pyramid_up) == 0);
-    gusset_stitch_destroy(stitch);
+    gusset_result_destroy(stitch);
 }
 
 /* A struct of a later version: accepted if what this one does not know is zero. */
@@ -344,12 +342,12 @@ static gusset_status status_inside;
 static void cleared_whatever(const gusset_context *refusing, gusset_status status) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     gusset_boundary *boundary = (gusset_boundary *)misaligned();
-    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_result *stitch = (gusset_result *)misaligned();
     gusset_winged *winged = (gusset_winged *)misaligned();
     gusset_check *check = (gusset_check *)misaligned();
     gusset_facing *facing = (gusset_facing *)misaligned();
     EXPECT(status, gusset_boundary_create(refusing, &up, NULL, &boundary));
-    EXPECT(status, gusset_stitch_create(refusing, &up, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(status, gusset_stitch(refusing, &up, NULL, &down, NULL, NULL, &stitch));
     EXPECT(status, gusset_winged_create(refusing, &up, NULL, &winged));
     EXPECT(status, gusset_check_create(refusing, &up, &check));
     EXPECT(status, gusset_facing_create(refusing, pyramid_up[0], 5, pyramid_down[0], 5, NULL, &facing));

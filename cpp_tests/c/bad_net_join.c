@@ -99,7 +99,7 @@ static void at_rest(void) {
     const gusset_net *nets[2] = {a, b};
     const gusset_bridge_properties negative = {.tension = 1, .elasticity = -1};
     uint8_t free_parts[2] = {0, 1};
-    gusset_join_options joining;
+    gusset_concatenate_options joining;
     gusset_settle_options options;
     gusset_settle_report report;
     gusset_bridge bridge;
@@ -148,7 +148,7 @@ static void joined(void) {
     gusset_net *a = grid(3, 4, 0, GUSSET_SIDES_TUBE), *b = grid(4, 3, 9, GUSSET_SIDES_SHEET);
     gusset_net *out = (gusset_net *)misaligned(), *first = (gusset_net *)misaligned(), *second = NULL;
     const gusset_net *nets[3] = {a, b, NULL}, *unaligned_nets[3];
-    gusset_join_options options, bad;
+    gusset_concatenate_options options, bad;
     gusset_bridge bridge;
     gusset_bridge_properties given = {1, 2, 3, 4};
     size_t count = 7;
@@ -237,47 +237,47 @@ static void joined(void) {
 
 static void meshes(void) {
     gusset_net *net = grid(4, 5, 0, GUSSET_SIDES_TWO_POLES), *found = NULL;
-    gusset_net_mesh *mesh = (gusset_net_mesh *)misaligned();
+    gusset_result *mesh = (gusset_result *)misaligned();
     gusset_net_mesh_options options, bad;
-    gusset_net_mesh_view maps;
+    gusset_net_mesh_report maps;
     gusset_mesh_view view;
     gusset_net_grid *grid_found = (gusset_net_grid *)misaligned();
     gusset_net_grid_view parts;
 
     memset(&options, 0, sizeof options);
     options.struct_size = sizeof options;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_create(context, NULL, NULL, &mesh));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_to_mesh(context, NULL, NULL, &mesh));
     CHECK(mesh == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_create(context, net, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_to_mesh(context, net, NULL, NULL));
     bad = options, bad.struct_size = 0;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.faces = 3;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.no_weld = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.keep_unused = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.fill_corners = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.texture = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.max_edge_ratio = -1;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_to_mesh(context, net, &bad, &mesh));
     bad = options, bad.max_edge_ratio = NAN;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_to_mesh(context, net, &bad, &mesh));
     options.texture = 1;
-    EXPECT(GUSSET_OK, gusset_net_mesh_create(context, net, &options, &mesh));
+    EXPECT(GUSSET_OK, gusset_net_to_mesh(context, net, &options, &mesh));
     view.struct_size = sizeof view, maps.struct_size = sizeof maps;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_mesh(NULL, &view));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_mesh(mesh, NULL));
-    EXPECT(GUSSET_OK, gusset_net_mesh_get_mesh(mesh, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_mesh(mesh, NULL));
+    EXPECT(GUSSET_OK, gusset_result_get_mesh(mesh, &view));
     /* Two poles and two rings of four; a ring of quads between fans of triangles. */
     CHECK(view.vertex_count == 10 && view.face_count == 12 && view.scalar == GUSSET_F64);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_view(NULL, &maps));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_view(mesh, NULL));
-    EXPECT(GUSSET_OK, gusset_net_mesh_get_view(mesh, &maps));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_net_mesh(NULL, &maps));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_net_mesh(mesh, NULL));
+    EXPECT(GUSSET_OK, gusset_result_get_net_mesh(mesh, &maps));
     CHECK(maps.vertex_of_node.count == 20 && maps.node_of_vertex.count == 10 && maps.cell_of_face.count == 12);
     CHECK(maps.wires.count == 0 && maps.texture_corners.count == 40 && maps.texture_count == 18);
     CHECK(maps.vertex_of_node.data[9] == maps.vertex_of_node.data[5]);
@@ -301,17 +301,17 @@ static void meshes(void) {
     CHECK(grid_found == NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_triangle_grid_create(context, &triangles, NULL));
     EXPECT(GUSSET_ERROR_NO_GRID, gusset_net_triangle_grid_create(context, &view, &grid_found));
-    gusset_net_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
     options.texture = 0, options.faces = GUSSET_NET_TRIANGLES_FIXED;
-    EXPECT(GUSSET_OK, gusset_net_mesh_create(context, net, &options, &mesh));
-    EXPECT(GUSSET_OK, gusset_net_mesh_get_mesh(mesh, &view));
+    EXPECT(GUSSET_OK, gusset_net_to_mesh(context, net, &options, &mesh));
+    EXPECT(GUSSET_OK, gusset_result_get_mesh(mesh, &view));
     EXPECT(GUSSET_OK, gusset_net_triangle_grid_create(context, &view, &grid_found));
-    gusset_net_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
     gusset_net_grid_destroy(grid_found);
     CHECK(has_size(found, 4, 5));
     gusset_net_destroy(found);
     gusset_net_destroy(net);
-    gusset_net_mesh_destroy(NULL);
+    gusset_result_destroy(NULL);
     gusset_net_grid_destroy(NULL);
 }
 

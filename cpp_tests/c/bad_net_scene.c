@@ -110,7 +110,7 @@ static void flattening(void) {
     gusset_scene *scene = NULL, *back = (gusset_scene *)misaligned();
     gusset_net *net = square(), *flat = (gusset_net *)misaligned();
     const gusset_transform move = {{1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0}};
-    gusset_join_options options;
+    gusset_concatenate_options options;
     gusset_net_view view;
     gusset_scene_report counts;
     gusset_bridge bridge;

@@ -330,17 +330,17 @@ static void trim_arguments(void) {
     gusset_trim_destroy(done);
 }
 
-static gusset_status assemble(const gusset_mesh_view *pieces, const gusset_assembly_options *options,
-                              gusset_assembly **assembly) {
-    return gusset_assembly_create(context, pieces, 2, options, assembly);
+static gusset_status assemble(const gusset_mesh_view *pieces, const gusset_join_options *options,
+                              gusset_result **assembly) {
+    return gusset_join(context, pieces, 2, options, assembly);
 }
 
 static void assembly_overlaps(void) {
     gusset_mesh_view pieces[2];
-    gusset_assembly_options options = {.struct_size = sizeof options, .overlaps = 2};
-    gusset_assembly_view parts = {.struct_size = sizeof parts};
+    gusset_join_options options = {.struct_size = sizeof options, .overlaps = 2};
+    gusset_join_report parts = {.struct_size = sizeof parts};
     gusset_trim_options how = {0};
-    gusset_assembly *done = NULL;
+    gusset_result *done = NULL;
     double viewpoint[3] = {0.0, 0.0, 9.0};
     size_t k, f, gone = 0;
 
@@ -369,7 +369,7 @@ static void assembly_overlaps(void) {
     how.reserved = 0;
 
     EXPECT(GUSSET_OK, assemble(pieces, &options, &done));
-    EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
+    EXPECT(GUSSET_OK, gusset_result_get_join(done, &parts));
     CHECK(parts.piece_count == 2 && parts.trimmed_faces > 0);
     for (k = 0; k < parts.piece_count; ++k) {
         CHECK(parts.pieces[k].faces.count == FACES && parts.pieces[k].vertices.count == SIDE * SIDE);
@@ -378,19 +378,19 @@ static void assembly_overlaps(void) {
         }
     }
     CHECK(gone == parts.trimmed_faces);
-    gusset_assembly_destroy(done);
+    gusset_result_destroy(done);
 
     /* A caller of the first version has no trim_options: whatever lies behind its struct is not read. */
-    options.struct_size = offsetof(gusset_assembly_options, trim_options), options.trim_options = misaligned();
+    options.struct_size = offsetof(gusset_join_options, trim_options), options.trim_options = misaligned();
     EXPECT(GUSSET_OK, assemble(pieces, &options, &done));
-    EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
+    EXPECT(GUSSET_OK, gusset_result_get_join(done, &parts));
     CHECK(parts.trimmed_faces > 0);
-    gusset_assembly_destroy(done);
+    gusset_result_destroy(done);
     options.overlaps = GUSSET_OVERLAPS_KEEP;
     EXPECT(GUSSET_OK, assemble(pieces, &options, &done));
-    EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
+    EXPECT(GUSSET_OK, gusset_result_get_join(done, &parts));
     CHECK(parts.trimmed_faces == 0);
-    gusset_assembly_destroy(done);
+    gusset_result_destroy(done);
 }
 
 int main(void) {

@@ -10,44 +10,44 @@ static gusset_context *context;
         memset(&options, 0, sizeof options);                                                                           \
         options.struct_size = sizeof options;                                                                          \
         change;                                                                                                        \
-        stitch = (gusset_stitch *)misaligned();                                                                        \
-        EXPECT(status, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));                      \
+        stitch = (gusset_result *)misaligned();                                                                        \
+        EXPECT(status, gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));                      \
         CHECK(stitch == NULL);                                                                                         \
     } while (0)
 
-/* Pointers and options of gusset_stitch_create and its readers. */
+/* Pointers and options of gusset_stitch and its readers. */
 static void stitch_pointers(void) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     gusset_stitch_options options = {0};
     gusset_indices loop = {NULL, 4};
-    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_result *stitch = (gusset_result *)misaligned();
     gusset_mesh_view view;
-    gusset_stitch_view parts;
+    gusset_stitch_report parts;
     gusset_quality_report quality;
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, NULL, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch(context, NULL, NULL, &down, NULL, NULL, &stitch));
     CHECK(stitch == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, &up, &loop, &down, NULL, NULL, &stitch));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_create(misaligned(), &up, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch(context, &up, NULL, &down, NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch(context, &up, &loop, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch(misaligned(), &up, NULL, &down, NULL, NULL, &stitch));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_stitch_create(context, misaligned(), NULL, &down, NULL, NULL, &stitch));
+           gusset_stitch(context, misaligned(), NULL, &down, NULL, NULL, &stitch));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_stitch_create(context, &up, misaligned(), &down, NULL, NULL, &stitch));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_create(context, &up, NULL, misaligned(), NULL, NULL, &stitch));
+           gusset_stitch(context, &up, misaligned(), &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch(context, &up, NULL, misaligned(), NULL, NULL, &stitch));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_stitch_create(context, &up, NULL, &down, misaligned(), NULL, &stitch));
+           gusset_stitch(context, &up, NULL, &down, misaligned(), NULL, &stitch));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_stitch_create(context, &up, NULL, &down, NULL, misaligned(), &stitch));
+           gusset_stitch(context, &up, NULL, &down, NULL, misaligned(), &stitch));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, misaligned()));
+           gusset_stitch(context, &up, NULL, &down, NULL, NULL, misaligned()));
     options.struct_size = sizeof options;
     options.meridians = 8;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));
     options.meridians = 0, options.orientation = 3;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));
     options.struct_size = 1;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));
     CHECK(stitch == NULL);
     OPTION(options.extent = 4, GUSSET_ERROR_UNKNOWN_VALUE);
     OPTION(options.run = 2, GUSSET_ERROR_UNKNOWN_VALUE);
@@ -73,47 +73,47 @@ static void stitch_pointers(void) {
     OPTION((options.extent = GUSSET_EXTENT_OPEN_ARCS, options.twist = 1), GUSSET_ERROR_OUT_OF_RANGE);
     OPTION((options.rows = GUSSET_ROWS_COUNT, options.row_count = UINT32_MAX), GUSSET_ERROR_TOO_LARGE);
 
-    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_OK, gusset_stitch(context, &up, NULL, &down, NULL, NULL, &stitch));
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_mesh(NULL, &view));
     CHECK(view.positions == NULL && view.face_count == 0 && view.struct_size == sizeof view);
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_strip(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_strip_mesh(NULL, &view));
     CHECK(view.positions == NULL && view.face_count == 0);
     memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_stitch(NULL, &parts));
     CHECK(parts.rim[1].data == NULL && parts.turned == 0);
     memset(&quality, 0xff, sizeof quality), quality.struct_size = sizeof quality;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_quality(NULL, &quality));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_quality(NULL, &quality));
     CHECK(quality.area == 0.0 && quality.loops_left == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_mesh(stitch, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_strip(stitch, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_view(stitch, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_quality(stitch, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_mesh(misaligned(), &view));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_strip(misaligned(), &view));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_view(misaligned(), &parts));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_quality(misaligned(), &quality));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_mesh(stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_strip(stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_view(stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_quality(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_mesh(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_strip_mesh(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_stitch(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_quality(stitch, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_mesh(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_strip_mesh(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_stitch(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_quality(misaligned(), &quality));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_mesh(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_strip_mesh(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_stitch(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_quality(stitch, misaligned()));
     view.struct_size = parts.struct_size = quality.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_mesh(stitch, &view));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_strip(stitch, &view));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_view(stitch, &parts));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_quality(stitch, &quality));
-    gusset_stitch_destroy(stitch);
-    gusset_stitch_destroy(NULL);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_result_get_mesh(stitch, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_result_get_strip_mesh(stitch, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_result_get_stitch(stitch, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_result_get_quality(stitch, &quality));
+    gusset_result_destroy(stitch);
+    gusset_result_destroy(NULL);
 }
 
 /* Loop B, or the pieces, are refused with this status; the report names the element. */
 static void unstitchable(const gusset_mesh_view *a, const gusset_indices *loop_a, const gusset_mesh_view *b,
                          const gusset_indices *loop_b, const gusset_stitch_options *options, gusset_status status,
                          gusset_element element, uint64_t index, uint32_t input) {
-    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_result *stitch = (gusset_result *)misaligned();
     gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
-    EXPECT(status, gusset_stitch_create(context, a, loop_a, b, loop_b, options, &stitch));
+    EXPECT(status, gusset_stitch(context, a, loop_a, b, loop_b, options, &stitch));
     CHECK(stitch == NULL);
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.status == status && report.element == element && report.index == index && report.input == input);
@@ -134,7 +134,7 @@ static void loops(void) {
     char bytes[1 + sizeof places];
     gusset_indices loop = {places, 4};
     gusset_stitch_options refuse = {0};
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
 
     refuse.struct_size = sizeof refuse;
     refuse.orientation = GUSSET_ORIENTATION_REFUSE;
@@ -161,15 +161,15 @@ static void loops(void) {
     unstitchable(&up, NULL, &turned, NULL, &refuse, GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, 0, 1);
     narrow.positions = floats, narrow.scalar = GUSSET_F32;
     unstitchable(&narrow, NULL, &down, NULL, NULL, GUSSET_ERROR_MIXED_SCALARS, GUSSET_ELEMENT_NONE, 0, 1);
-    EXPECT(GUSSET_OK, gusset_stitch_create(context, &down, NULL, &narrow, NULL, NULL, &stitch));
-    gusset_stitch_destroy(stitch);
+    EXPECT(GUSSET_OK, gusset_stitch(context, &down, NULL, &narrow, NULL, NULL, &stitch));
+    gusset_result_destroy(stitch);
 
     /* Indices at an odd address are no mistake. */
     places[2] = 3;
     memcpy(bytes + 1, places, sizeof places);
     loop.data = (const uint32_t *)(const void *)(bytes + 1);
-    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, &loop, &down, NULL, NULL, &stitch));
-    gusset_stitch_destroy(stitch);
+    EXPECT(GUSSET_OK, gusset_stitch(context, &up, &loop, &down, NULL, NULL, &stitch));
+    gusset_result_destroy(stitch);
 }
 
 int main(void) {

@@ -9,19 +9,19 @@ static void layouts(void) {
     if (sizeof(void *) == 8) {
         CHECK(sizeof(gusset_indices) == 16);
         CHECK(sizeof(gusset_mesh_view) == 80 && offsetof(gusset_mesh_view, merge) == 72);
-        CHECK(sizeof(gusset_boundary_options) == 16);
+        CHECK(sizeof(gusset_boundary_options) == 16 && sizeof(gusset_boundary_view) == 40);
         CHECK(sizeof(gusset_loop_view) == 80 && offsetof(gusset_loop_view, length) == 64);
         CHECK(sizeof(gusset_defect) == 16);
         CHECK(sizeof(gusset_error_report) == 40 && offsetof(gusset_error_report, value) == 24);
         CHECK(sizeof(gusset_stitch_options) == 104 && offsetof(gusset_stitch_options, search) == 72);
-        CHECK(sizeof(gusset_stitch_view) == 232 && offsetof(gusset_stitch_view, turned) == 184);
+        CHECK(sizeof(gusset_stitch_report) == 232 && offsetof(gusset_stitch_report, turned) == 184);
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
         CHECK(sizeof(gusset_facing_options) == 32 && offsetof(gusset_facing_options, tolerance) == 16);
         CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
         CHECK(sizeof(gusset_winged_options) == 16 && sizeof(gusset_winged_faces_view) == 56);
-        CHECK(sizeof(gusset_strip_options) == 40 && sizeof(gusset_strip_view) == 80);
-        CHECK(sizeof(gusset_assembly_options) == 112 && offsetof(gusset_assembly_options, max_gap) == 32);
-        CHECK(sizeof(gusset_assembly_view) == 168 && offsetof(gusset_assembly_view, loops_left) == 144);
+        CHECK(sizeof(gusset_strip_options) == 40 && sizeof(gusset_strip_report) == 80);
+        CHECK(sizeof(gusset_join_options) == 112 && offsetof(gusset_join_options, max_gap) == 32);
+        CHECK(sizeof(gusset_join_report) == 168 && offsetof(gusset_join_report, loops_left) == 144);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);
         CHECK(sizeof(gusset_left_loop) == 40 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);
         CHECK(sizeof(gusset_alignment_options) == 48 && offsetof(gusset_alignment_options, max_distance) == 32);
@@ -39,11 +39,10 @@ static void loop_of_a_pyramid(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
     gusset_boundary *boundary = NULL;
     gusset_loop_view loop = {sizeof loop, {NULL, 0}, {NULL, 0}, {NULL, 0}, NULL, 0.0, 0, 0};
-    const gusset_defect *defects = NULL;
-    size_t i, defect_count = 1;
+    size_t i;
 
     EXPECT(GUSSET_OK, gusset_boundary_create(NULL, &mesh, NULL, &boundary));
-    CHECK(gusset_boundary_loop_count(boundary) == 1 && gusset_boundary_walk_count(boundary) == 1);
+    CHECK(loops_of(boundary).loop_count == 1 && loops_of(boundary).walk_count == 1);
     EXPECT(GUSSET_OK, gusset_boundary_get_loop(boundary, 0, &loop));
     CHECK(loop.struct_size == sizeof loop && loop.flags == 0 && loop.vertices.count == 4 && loop.half_edges.count == 4);
     for (i = 0; i < 4 && i < loop.vertices.count; ++i) {
@@ -54,8 +53,7 @@ static void loop_of_a_pyramid(void) {
         CHECK(loop.vertices.data[(i + 1) % 4] == loop.vertices.data[i] % 4 + 1);
     }
     CHECK(loop.length > 5.656854 && loop.length < 5.656855);
-    EXPECT(GUSSET_OK, gusset_boundary_get_defects(boundary, &defects, &defect_count));
-    CHECK(defect_count == 0);
+    CHECK(loops_of(boundary).defects == NULL && loops_of(boundary).defect_count == 0);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_get_loop(boundary, 1, &loop));
     CHECK(loop.vertices.data == NULL && loop.struct_size == sizeof loop);
     gusset_boundary_destroy(boundary);
@@ -67,9 +65,9 @@ static void stitch_two_pyramids(gusset_context *context) {
     const gusset_indices loop = {rim, 4};
     gusset_stitch_options options = {0};
     gusset_mesh_view whole = {sizeof whole, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL}, strip = whole;
-    gusset_stitch_view parts;
+    gusset_stitch_report parts;
     gusset_quality_report quality;
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
     int round;
 
     options.struct_size = sizeof options;
@@ -77,19 +75,19 @@ static void stitch_two_pyramids(gusset_context *context) {
     options.orientation = GUSSET_ORIENTATION_REFUSE;
     for (round = 0; round < 2; ++round) {
         if (round == 0) {
-            EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
+            EXPECT(GUSSET_OK, gusset_stitch(context, &up, NULL, &down, NULL, NULL, &stitch));
         } else {
-            EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, &loop, &down, &loop, &options, &stitch));
+            EXPECT(GUSSET_OK, gusset_stitch(context, &up, &loop, &down, &loop, &options, &stitch));
         }
-        EXPECT(GUSSET_OK, gusset_stitch_get_mesh(stitch, &whole));
+        EXPECT(GUSSET_OK, gusset_result_get_mesh(stitch, &whole));
         CHECK(whole.vertex_count == 10 && whole.face_count == 16 && whole.scalar == GUSSET_F64);
         CHECK(memcmp(whole.positions, pyramid_up, sizeof pyramid_up) == 0);
-        EXPECT(GUSSET_OK, gusset_stitch_get_strip(stitch, &strip));
+        EXPECT(GUSSET_OK, gusset_result_get_strip_mesh(stitch, &strip));
         CHECK(strip.vertex_count == 8 && strip.face_count == 8);
 
         memset(&parts, 0, sizeof parts);
         parts.struct_size = sizeof parts;
-        EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
+        EXPECT(GUSSET_OK, gusset_result_get_stitch(stitch, &parts));
         CHECK(parts.vertex_map[0].count == 5 && parts.vertex_map[1].count == 5 && parts.vertex_map[1].data[0] == 5);
         CHECK(parts.face_map[0].count == 4 && parts.face_map[1].data[3] == 7);
         CHECK(parts.rim[0].count == 4 && parts.rim[1].count == 4 && parts.turned == 0);
@@ -99,7 +97,7 @@ static void stitch_two_pyramids(gusset_context *context) {
 
         memset(&quality, 0, sizeof quality);
         quality.struct_size = sizeof quality;
-        EXPECT(GUSSET_OK, gusset_stitch_get_quality(stitch, &quality));
+        EXPECT(GUSSET_OK, gusset_result_get_quality(stitch, &quality));
         CHECK(quality.loops_left == 0 && quality.non_manifold_edges == 0 && quality.orientation_conflicts == 0);
         /* A square tube of side sqrt(2) and height 2. */
         CHECK(quality.area > 11.3137 && quality.area < 11.3138 && quality.degenerate_faces == 0);
@@ -107,7 +105,7 @@ static void stitch_two_pyramids(gusset_context *context) {
         CHECK(fabs(quality.max_edge - sqrt(6.0)) < 1e-12);
         CHECK(fabs(quality.min_angle - atan(sqrt(0.5))) < 1e-12);
         CHECK(fabs(quality.max_aspect - (1.0 + sqrt(3.0) + sqrt(2.0)) / (2.0 * sqrt(2.0))) < 1e-12);
-        gusset_stitch_destroy(stitch);
+        gusset_result_destroy(stitch);
     }
 }
 
@@ -118,8 +116,8 @@ static void stitch_arcs(void) {
     const uint32_t face[4] = {0, 1, 2, 3};
     gusset_mesh_view a = pyramid(pyramid_up), b = a;
     gusset_stitch_options options = {0};
-    gusset_stitch_view parts = {0};
-    gusset_stitch *stitch = NULL;
+    gusset_stitch_report parts = {0};
+    gusset_result *stitch = NULL;
 
     a.positions = left, b.positions = right;
     a.face_corners = b.face_corners = face;
@@ -130,14 +128,14 @@ static void stitch_arcs(void) {
     options.cells = GUSSET_CELLS_QUADS;
     options.meridians = GUSSET_MERIDIANS_INDEX;
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_stitch_create(NULL, &a, NULL, &b, NULL, &options, &stitch));
-    EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
+    EXPECT(GUSSET_OK, gusset_stitch(NULL, &a, NULL, &b, NULL, &options, &stitch));
+    EXPECT(GUSSET_OK, gusset_result_get_stitch(stitch, &parts));
     CHECK(parts.closed == 0 && parts.row_count == 2 && parts.strip_face_count == 3);
     CHECK(parts.rim[0].count == 2 && parts.rim[1].count == 2 && parts.meridians.count == 4 && parts.matrix.count == 8);
     CHECK(parts.parents.count == 12 && parts.weights != NULL && fabs(parts.weights[1] - 1.0 / 3.0) < 1e-15);
     CHECK(parts.parents.data[0] == parts.rim[0].data[0] && parts.parents.data[1] == parts.rim[1].data[0]);
     CHECK(parts.matrix.data[2] == 8 && parts.matrix.data[5] == 11);
-    gusset_stitch_destroy(stitch);
+    gusset_result_destroy(stitch);
 }
 
 static void tables_and_check(void) {

@@ -94,7 +94,7 @@ std::vector<Row> mesh_rows() {
     };
     const auto assemble = [](const MeshView &mesh, const Context &context) {
         const MeshView pieces[] = {mesh};
-        return gusset::Assembly(pieces, gusset::AssemblyOptions(), context);
+        return gusset::Join(pieces, gusset::JoinOptions(), context);
     };
     // Each with itself.
     const auto align = [](const MeshView &mesh, const Context &context) {

@@ -141,7 +141,7 @@ void add_net_rows(std::vector<Row> &rows) {
 /// Bridges that settle, scenes, and streams that arrive in pieces.
 void add_joined_rows(std::vector<Row> &rows) {
     const auto bridged = [](const Net &net, std::size_t n) {
-        gusset::JoinOptions options;
+        gusset::ConcatenateOptions options;
         options.rows = static_cast<uint32_t>(n / net.columns());
         options.properties.tension = 1;
         return concatenate(net, net, options);

@@ -9,20 +9,20 @@ int main(void) {
     const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
     gusset_mesh_view a = {sizeof a, up, 0, 5, NULL, faces, 4, GUSSET_F64, GUSSET_U32, 3, 0, NULL};
     gusset_mesh_view b = a, joined = {sizeof joined, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL};
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
     size_t vertices, faces_joined;
     b.positions = down;
     if (strcmp(gusset_version(), GUSSET_VERSION_STRING) != 0) {
         printf("the header is of %s, the library of %s\n", GUSSET_VERSION_STRING, gusset_version());
         return 1;
     }
-    if (gusset_stitch_create(NULL, &a, NULL, &b, NULL, NULL, &stitch) != GUSSET_OK ||
-        gusset_stitch_get_mesh(stitch, &joined) != GUSSET_OK) {
+    if (gusset_stitch(NULL, &a, NULL, &b, NULL, NULL, &stitch) != GUSSET_OK ||
+        gusset_result_get_mesh(stitch, &joined) != GUSSET_OK) {
         return 1;
     }
     vertices = joined.vertex_count;
     faces_joined = joined.face_count;
-    gusset_stitch_destroy(stitch);
+    gusset_result_destroy(stitch);
     printf("%zu vertices, %zu faces\n", vertices, faces_joined);
     return vertices == 10 && faces_joined == 16 ? 0 : 1;
 }

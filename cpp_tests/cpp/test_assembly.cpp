@@ -151,9 +151,9 @@ int octant(Point p) { return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0); }
 
 /// The report fits the mesh: every face of a piece occurs once, and every other face and vertex is
 /// made by one joint or hole. The mesh is one for CGAL, with the loops that the account says.
-Verdict check_account(const gusset::Assembly &done, const std::vector<Soup> &pieces, bool intersections = true) {
+Verdict check_account(const gusset::Join &done, const std::vector<Soup> &pieces, bool intersections = true) {
     const gusset::MeshView mesh = done.mesh();
-    const gusset_assembly_view parts = done.view();
+    const gusset_join_report parts = done.report();
     std::vector<int> faces(mesh.face_count()), vertices(mesh.vertex_count());
     REQUIRE(done.pieces().size() == pieces.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -245,13 +245,13 @@ TEST_CASE("a torus in sectors, apart, some inside out: closed, and outwards, or 
             for (std::size_t k = 0; k < sectors.size(); ++k) {
                 pieces.push_back(set >> k & 1 ? turned(sectors[k]) : sectors[k]);
             }
-            gusset::AssemblyOptions options;
+            gusset::JoinOptions options;
             options.outward = set / 2 % 2 == 0 ? gusset::Outward::keep : gusset::Outward::closed;
             options.strips.rows = rows ? gusset::StripRows::mean_edge() : gusset::StripRows::none();
             options.strips.meridians = rows ? gusset::Meridians::quad : gusset::Meridians::min_area;
             options.strips.cells = rows ? gusset::StripCells::quads : gusset::StripCells::triangles;
             options.strips.fairing = rows ? gusset::Fairing::thin_plate : gusset::Fairing::none;
-            const gusset::Assembly done(views(pieces), options);
+            const gusset::Join done(views(pieces), options);
             const Verdict verdict = check_account(done, pieces);
             check_closed(verdict, 0);
             CHECK(verdict.self_intersections == 0);
@@ -271,32 +271,32 @@ TEST_CASE("octants: sewn where they touch, joined and filled where they do not")
     for (double gap : {0.0, 0.03}) {
         const auto pieces = cut(ball, gap, octant);
         REQUIRE(pieces.size() == 8);
-        gusset::AssemblyOptions options;
+        gusset::JoinOptions options;
         options.fill = gusset::FillOptions();
-        const gusset::Assembly done(views(pieces), options);
+        const gusset::Join done(views(pieces), options);
         const Verdict verdict = check_account(done, pieces);
         check_closed(verdict, 2);
         CHECK(verdict.self_intersections == 0);
         CHECK(verdict.bounds_a_volume);
         CHECK(done.joints().empty() == (gap == 0.0));
-        CHECK((done.view().welded_vertices > 0) == (gap == 0.0));
+        CHECK((done.report().welded_vertices > 0) == (gap == 0.0));
         // Without filling the holes stay: the ends, and where gaps meet.
         options.fill.reset();
-        CHECK(!check_account(gusset::Assembly(views(pieces), options), pieces).closed);
+        CHECK(!check_account(gusset::Join(views(pieces), options), pieces).closed);
     }
 }
 
 TEST_CASE("pairs, exclusions and widths through the wrapper") {
     const auto halves = cut(torus(24, 12), 0.06, [](Point p) { return p[1] > 0; });
-    gusset::AssemblyOptions options;
-    const gusset::Assembly joined(views(halves), options);
+    gusset::JoinOptions options;
+    const gusset::Join joined(views(halves), options);
     CHECK(joined.joints().size() == 2);
     options.excluded = {{{0, 1}, {UINT32_MAX, UINT32_MAX}}};
-    const gusset::Assembly apart(views(halves), options);
+    const gusset::Join apart(views(halves), options);
     CHECK(apart.joints().empty());
     options.excluded.clear();
     options.max_gap = 0.0;
-    const gusset::Assembly open(views(halves), options);
+    const gusset::Join open(views(halves), options);
     CHECK(check_account(open, halves).boundary == Lengths{12, 12, 12, 12});
     for (const gusset_left_loop &left : open.left()) {
         CHECK(left.reason == GUSSET_LEFT_TOO_FAR);
@@ -310,22 +310,22 @@ TEST_CASE("pairs, exclusions and widths through the wrapper") {
     };
     for (std::size_t other : {2u, 3u}) {
         options.pairs = {{{0, 1}, {vertex(0, 0), vertex(other, 1)}}};
-        const gusset::Assembly done(views(halves), options);
+        const gusset::Join done(views(halves), options);
         const Verdict verdict = check_account(done, halves, false);
         CHECK(verdict.boundary == Lengths{12, 12});
         CHECK(verdict.euler == 0);
     }
     options.pairs = {{{0, 7}, {0, 0}}};
-    CHECK_THROWS_AS(gusset::Assembly(views(halves), options), gusset::Error);
-    CHECK_THROWS_AS(gusset::Assembly(views({})), gusset::Error);
+    CHECK_THROWS_AS(gusset::Join(views(halves), options), gusset::Error);
+    CHECK_THROWS_AS(gusset::Join(views({})), gusset::Error);
 }
 
 TEST_SUITE_BEGIN("real meshes");
 
 namespace {
 /// The assembly of files of the data folder; nothing without data.
-std::optional<std::pair<gusset::Assembly, Verdict>> assembled(const std::vector<std::string> &names,
-                                                              const gusset::AssemblyOptions &options = {}) {
+std::optional<std::pair<gusset::Join, Verdict>> assembled(const std::vector<std::string> &names,
+                                                              const gusset::JoinOptions &options = {}) {
     const auto folder = data_folder();
     if (!folder) {
         return std::nullopt;
@@ -334,14 +334,14 @@ std::optional<std::pair<gusset::Assembly, Verdict>> assembled(const std::vector<
     for (const std::string &name : names) {
         pieces.push_back(read_soup(*folder + "/" + name));
     }
-    gusset::Assembly done(views(pieces), options);
+    gusset::Join done(views(pieces), options);
     const Verdict verdict = check_account(done, pieces);
     return std::pair(std::move(done), verdict);
 }
 
 /// Each loop of the result is a loop of the pieces that was left with its reason, or lies along a
 /// joint.
-void check_reasons(const gusset::Assembly &done) {
+void check_reasons(const gusset::Join &done) {
     CHECK(done.left().size() + done.joints().size() > 0);
     for (const gusset_left_loop &left : done.left()) {
         CHECK(left.vertices.count > 0);
@@ -396,7 +396,7 @@ TEST_CASE("garment: hem to waist, sleeves, neck and legs left") {
 
 TEST_CASE("bunny: head and body") {
     const std::string pair = "pairs/bunny_cut/";
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.strips.intersections = gusset::Intersections::report;
     if (const auto found = assembled({pair + "body.off", pair + "head.off"}, options)) {
         CHECK(found->second.components == 1);
@@ -426,7 +426,7 @@ TEST_CASE("body and hand: what is joined is valid, what is left has its reason")
                   << " loops left\n";
     }
     // The gap is wider than the wrist: joined if it may be that wide. Mouth and eyes stay.
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.max_gap = 0.4;
     options.whole_loops_only = true;
     if (const auto found = assembled({pair + "body_741_no_left_hand.obj", pair + "hand_hires.obj"}, options)) {

@@ -119,11 +119,11 @@ TEST_CASE("linear fields on every kind of result") {
     const gusset::Fill fill(up.view(), fine);
     check_fields(fill.origins(), fill.mesh(), {up});
 
-    gusset::AssemblyOptions all;
+    gusset::JoinOptions all;
     all.strips = options;
     all.fill = fine;
     const std::vector<gusset::MeshView> pieces{up.view(), down.view()};
-    const gusset::Assembly assembly(pieces, all);
+    const gusset::Join assembly(pieces, all);
     check_fields(assembly.origins(), assembly.mesh(), {up, down});
 
     // Faces with vertices of their own.
@@ -198,9 +198,9 @@ TEST_CASE("linear fields on real meshes") {
         const gusset::Fill fill(soup.view());
         check_fields(fill.origins(), fill.mesh(), {soup});
         const std::vector<gusset::MeshView> pieces{soup.view()};
-        gusset::AssemblyOptions rows;
+        gusset::JoinOptions rows;
         rows.strips.rows = gusset::StripRows::mean_edge();
-        const gusset::Assembly assembly(pieces, rows);
+        const gusset::Join assembly(pieces, rows);
         check_fields(assembly.origins(), assembly.mesh(), {soup});
         ++tried;
     }

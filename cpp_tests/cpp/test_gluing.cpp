@@ -244,7 +244,7 @@ TEST_CASE("nets glued by chance") {
         Net saturated = net;
         saturated.saturate();
         REQUIRE(saturated.classes() == net.classes());
-        gusset::JoinOptions options;
+        gusset::ConcatenateOptions options;
         options.direction = pick(2) == 0 ? gusset::Direction::right : gusset::Direction::down;
         options.equalise = static_cast<gusset::Replication>(pick(3));
         const Net torus = Net::from_primitive(Primitive::torus(2.0, 0.5).with(4 + pick(3), 4 + pick(3)));

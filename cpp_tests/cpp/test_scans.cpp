@@ -250,13 +250,13 @@ TEST_CASE("halves that overlap become one closed surface") {
     const gusset::Alignment found(views({first, disturbed}));
     REQUIRE(found.is_trusted());
     const std::vector<Soup> pieces = {first, moved(found.pieces()[1].pose, disturbed)};
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.trim = gusset::TrimOptions();
     options.fill = gusset::FillOptions();
-    const gusset::Assembly done(views(pieces), options);
-    CHECK(done.view().trimmed_faces > 0);
-    CHECK(done.view().loops_left == 0);
-    CHECK(done.view().non_manifold_edges == 0);
+    const gusset::Join done(views(pieces), options);
+    CHECK(done.report().trimmed_faces > 0);
+    CHECK(done.report().loops_left == 0);
+    CHECK(done.report().non_manifold_edges == 0);
     const Verdict verdict = judge(done.mesh());
     CHECK(verdict.is_mesh);
     CHECK(verdict.closed);
@@ -283,7 +283,7 @@ TEST_CASE("halves that overlap become one closed surface") {
             }
         }
     }
-    CHECK(gone == done.view().trimmed_faces);
+    CHECK(gone == done.report().trimmed_faces);
 
     // Old values come along.
     std::vector<std::vector<double>> heights(2);
@@ -307,12 +307,12 @@ TEST_CASE("halves that overlap become one closed surface") {
 
 TEST_CASE("overlaps stay if nothing is said") {
     const std::vector<Soup> pieces = {hills(24, 0.0), hills(24, 0.35)};
-    const gusset::Assembly kept_all(views(pieces));
-    CHECK(kept_all.view().trimmed_faces == 0);
-    gusset::AssemblyOptions options;
+    const gusset::Join kept_all(views(pieces));
+    CHECK(kept_all.report().trimmed_faces == 0);
+    gusset::JoinOptions options;
     options.trim = gusset::TrimOptions();
-    const gusset::Assembly trimmed(views(pieces), options);
-    CHECK(trimmed.view().trimmed_faces > 0);
+    const gusset::Join trimmed(views(pieces), options);
+    CHECK(trimmed.report().trimmed_faces > 0);
     const Verdict verdict = judge(trimmed.mesh());
     CHECK(verdict.is_mesh);
     CHECK(verdict.components == 1);
@@ -342,9 +342,9 @@ TEST_CASE("mistakes are errors") {
     CHECK(status([&] { gusset::Trim(views(pieces), viewpoints); }) == GUSSET_ERROR_COUNT_DIFFERS);
     viewpoints.viewpoints = {{0, 0, 9}, {0, NAN, 9}};
     CHECK(status([&] { gusset::Trim(views(pieces), viewpoints); }) == GUSSET_ERROR_NOT_FINITE);
-    gusset::AssemblyOptions assembly;
+    gusset::JoinOptions assembly;
     assembly.trim = viewpoints;
-    CHECK(status([&] { gusset::Assembly(views(pieces), assembly); }) == GUSSET_ERROR_NOT_FINITE);
+    CHECK(status([&] { gusset::Join(views(pieces), assembly); }) == GUSSET_ERROR_NOT_FINITE);
 }
 
 } // namespace scans_tests

@@ -14,7 +14,7 @@ using gusset::Axis;
 using gusset::BridgeMode;
 using gusset::Direction;
 using gusset::Field;
-using gusset::JoinOptions;
+using gusset::ConcatenateOptions;
 using gusset::NetMesh;
 using gusset::Operation;
 using gusset::Replication;
@@ -321,7 +321,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
             for (Replication equalise : {Replication::uniform, Replication::first, Replication::last, Replication::at_poles}) {
                 for (const Net &first : nets) {
                     for (const Net &second : nets) {
-                        JoinOptions options;
+                        ConcatenateOptions options;
                         options.direction = direction;
                         options.mode = mode;
                         options.equalise = equalise;
@@ -343,7 +343,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
         }
     }
 
-    JoinOptions down;
+    ConcatenateOptions down;
     down.direction = Direction::down;
     down.mode = BridgeMode::hide;
     const Net three = gusset::concatenate(std::vector<Net>{torus(), sphere, tube}, down);
@@ -455,7 +455,7 @@ TEST_CASE("scenes") {
         CHECK(identical(back.flatten(), whole));
     }
     scene.set_visible(flat, true);
-    JoinOptions right;
+    ConcatenateOptions right;
     right.mode = BridgeMode::keep;
     const Net wide = scene.flatten(right);
     CHECK(Scene::unflatten(wide, Direction::right).children(0).size() == 4);

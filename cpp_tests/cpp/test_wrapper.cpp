@@ -151,7 +151,9 @@ TEST_CASE("a context calls functions of the C interface by itself") {
     const gusset::MeshView triangle = gusset::MeshView::triangles(points, corners);
     const gusset::Context context;
     gusset_boundary *boundary = context.result(gusset_boundary_create, &triangle.get(), nullptr);
-    CHECK(gusset_boundary_loop_count(boundary) == 1);
+    auto loops = gusset::detail::sized<gusset_boundary_view>();
+    CHECK(gusset_boundary_get_view(boundary, &loops) == GUSSET_OK);
+    CHECK(loops.loop_count == 1);
     gusset_boundary_destroy(boundary);
     CHECK_THROWS_AS(context.result(gusset_boundary_create, nullptr, nullptr), gusset::Error);
 }
@@ -299,17 +301,17 @@ TEST_CASE("closed results face outwards if that is wanted") {
         const gusset::Stitch stitch = gusset::stitch(up.view(), down.view(), stitching);
         CHECK(second(stitch.mesh()) == expected);
         CHECK(stitch.turned_outwards().size() == (outwards ? stitch.mesh().face_count() : 0));
-        gusset::AssemblyOptions assembling;
+        gusset::JoinOptions assembling;
         assembling.max_gap = 3.0;
         assembling.outward = outwards ? gusset::Outward::closed : gusset::Outward::keep;
         const std::vector<gusset::MeshView> pieces{up.view(), down.view()};
-        const gusset::Assembly assembly(pieces, assembling);
+        const gusset::Join assembly(pieces, assembling);
         CHECK(second(assembly.mesh()) == expected);
-        CHECK(assembly.view().turned.count == (outwards ? 8 : 0));
+        CHECK(assembly.report().turned.count == (outwards ? 8 : 0));
     }
     CHECK(gusset::FillOptions().outward == gusset::Outward::keep);
     CHECK(gusset::StitchOptions().outward == gusset::Outward::keep);
-    CHECK(gusset::AssemblyOptions().outward == gusset::Outward::closed);
+    CHECK(gusset::JoinOptions().outward == gusset::Outward::closed);
 }
 
 TEST_CASE("views of any point type") {

@@ -270,7 +270,7 @@ void check_moves(Case &test, const Net &net) {
 }
 
 void check_join(Case &test, const Net &net, const Net &other, bool against) {
-    gusset::JoinOptions options;
+    gusset::ConcatenateOptions options;
     options.direction = test.random.one_in(2) ? gusset::Direction::right : gusset::Direction::down;
     options.equalise = static_cast<gusset::Replication>(test.random.below(3));
     options.mode = test.random.one_in(2) ? gusset::BridgeMode::hide : gusset::BridgeMode::keep;

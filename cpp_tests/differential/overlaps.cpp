@@ -158,11 +158,11 @@ void overlaps(Case &test) {
     for (const Soup &piece : pieces) {
         views.push_back(piece.view());
     }
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.trim.emplace();
     options.fill.emplace();
     options.fill->keep = truth.is_closed ? gusset::FillKeep::none : gusset::FillKeep::borders;
-    const gusset::Assembly done(views, options);
+    const gusset::Join done(views, options);
     test.note(truth.name);
     const Verdict verdict = judge(done.mesh());
     if (!test.check(verdict.is_mesh, "trimmed pieces joined are no mesh for CGAL")) {
@@ -179,6 +179,6 @@ void overlaps(Case &test) {
             bits = bits && (map.data[v] == UINT32_MAX || done.mesh().position(map.data[v]) == pieces[k].points[v]);
         }
     }
-    test.check(bits || done.view().welded_vertices > 0, "an old vertex of trimmed pieces has other bits");
+    test.check(bits || done.report().welded_vertices > 0, "an old vertex of trimmed pieces has other bits");
 }
 } // namespace campaign

@@ -215,7 +215,7 @@ void assembled(Case &test) {
             piece = inside_out(piece);
         }
     }
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.strips = random_stitch_options(random);
     options.strips.twist = 0;
     options.strips.cells = random.one_in(2) ? gusset::StripCells::quads : gusset::StripCells::triangles;
@@ -232,9 +232,9 @@ void assembled(Case &test) {
         views.push_back(piece.view());
         manifold = manifold && judge(piece.view(), false).is_mesh;
     }
-    const gusset::Assembly done(views, options);
+    const gusset::Join done(views, options);
     const gusset::MeshView mesh = done.mesh();
-    const gusset_assembly_view parts = done.view();
+    const gusset_join_report parts = done.report();
     std::vector<int> faces(mesh.face_count()), vertices(mesh.vertex_count());
     bool bits = true;
     for (std::size_t k = 0; k < pieces.size(); ++k) {

@@ -31,11 +31,13 @@ static uint64_t of_paths(const gusset_surface_paths *paths) {
 }
 
 static uint64_t boundary(const gusset_context *context) {
+    gusset_boundary_view loops = {.struct_size = sizeof loops};
     gusset_loop_view loop = {.struct_size = sizeof loop};
     gusset_boundary *own = NULL;
     uint64_t hash = 0;
     MUST(gusset_boundary_create(context, &shared.mesh, NULL, &own));
-    for (size_t i = 0; i < gusset_boundary_loop_count(own); ++i) {
+    MUST(gusset_boundary_get_view(own, &loops));
+    for (size_t i = 0; i < loops.loop_count; ++i) {
         MUST(gusset_boundary_get_loop(own, i, &loop));
         hash = hashed(hash, loop.vertices.data, loop.vertices.count * sizeof(uint32_t));
         MUST(gusset_boundary_get_loop(shared.boundary, i, &loop));
@@ -47,11 +49,11 @@ static uint64_t boundary(const gusset_context *context) {
 
 static uint64_t fill(const gusset_context *context) {
     gusset_mesh_view view = {.struct_size = sizeof view};
-    gusset_fill *fill = NULL;
-    MUST(gusset_fill_create(context, &shared.mesh, NULL, 0, NULL, &fill));
-    MUST(gusset_fill_get_mesh(fill, &view));
+    gusset_result *fill = NULL;
+    MUST(gusset_fill(context, &shared.mesh, NULL, 0, NULL, &fill));
+    MUST(gusset_result_get_mesh(fill, &view));
     const uint64_t hash = of_mesh(&view);
-    gusset_fill_destroy(fill);
+    gusset_result_destroy(fill);
     return hash;
 }
 
@@ -106,11 +108,11 @@ static uint64_t intersection(const gusset_context *context) {
 
 static uint64_t tessellated(const gusset_context *context) {
     gusset_mesh_view view = {.struct_size = sizeof view};
-    gusset_sheet_mesh *mesh = NULL;
-    MUST(gusset_sheet_mesh_create(context, shared.sheet, NULL, &mesh));
-    MUST(gusset_sheet_mesh_get_mesh(mesh, &view));
+    gusset_result *mesh = NULL;
+    MUST(gusset_sheet_to_mesh(context, shared.sheet, NULL, &mesh));
+    MUST(gusset_result_get_mesh(mesh, &view));
     const uint64_t hash = hashed(view.face_count, view.positions, view.vertex_count * 3 * sizeof(double));
-    gusset_sheet_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
     return hash;
 }
 
@@ -167,13 +169,6 @@ static void make_shared(void) {
             const uint32_t row = (uint32_t)(i * COLUMNS), next = (uint32_t)((j + 1) % (COLUMNS - 1));
             quad[0] = row + (uint32_t)j, quad[1] = row + next, quad[2] = row + COLUMNS + next, quad[3] = row + COLUMNS + (uint32_t)j;
         }
-    const gusset_mesh_view mesh = {.struct_size = sizeof mesh,
-                                   .positions = shared.points,
-                                   .vertex_count = ROWS * COLUMNS,
-                                   .face_corners = shared.quads,
-                                   .face_count = (ROWS - 1) * (COLUMNS - 1),
-                                   .scalar = GUSSET_F64,
-                                   .face_size = 4};
     const gusset_nodes tube = {.struct_size = sizeof tube,
                                .nodes = shared.points,
                                .rows = ROWS,
@@ -188,7 +183,7 @@ static void make_shared(void) {
     const gusset_outlines outlines = {.struct_size = sizeof outlines, .points = wave, .point_count = 7, .dimension = 2};
     gusset_sheet *flat = NULL;
     const gusset_sheet *lent = NULL;
-    shared.mesh = mesh;
+    shared.mesh = gusset_quads_f64(shared.points[0], ROWS * COLUMNS, shared.quads[0], (ROWS - 1) * (COLUMNS - 1));
     MUST(gusset_boundary_create(NULL, &shared.mesh, NULL, &shared.boundary));
     MUST(gusset_net_primitive_create(NULL, &ball, &shared.net));
     MUST(gusset_sheet_borrow_create(NULL, &tube, &shared.sheet));

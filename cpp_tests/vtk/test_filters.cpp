@@ -131,12 +131,12 @@ TEST_CASE("assembled as the library assembles: connections, and all of one") {
         tubes.push_back(tube(shape));
         parts->SetPartition(static_cast<unsigned>(i), tubes.back());
     }
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.strips.finish = gusset::Finish::blend;
     options.fill.emplace();
     const std::vector<Soup> soups{Soup(tubes[0]), Soup(tubes[1]), Soup(tubes[2])};
     const std::vector<gusset::MeshView> views{soups[0].view(), soups[1].view(), soups[2].view()};
-    const gusset::Assembly assembly(views, options);
+    const gusset::Join assembly(views, options);
     REQUIRE(assembly.mesh().vertex_count() > 3 * 60 - 12);
     for (const bool composite : {false, true}) {
         vtkNew<vtkGussetAssemble> filter;
@@ -242,7 +242,7 @@ TEST_CASE("pieces of floats beside pieces of doubles are joined in doubles") {
     assemble->AddInputData(b);
     assemble->Update();
     const std::vector<gusset::MeshView> views{first.view(), second.view()};
-    const gusset::Assembly assembly(views);
+    const gusset::Join assembly(views);
     REQUIRE(equals<double>(assemble->GetOutput(), assembly.mesh()));
     CHECK(assemble->GetOutput()->GetPoints()->GetDataType() == VTK_DOUBLE);
     CHECK(open_edges(assemble->GetOutput()) == 24);

@@ -40,14 +40,7 @@ static void make_shell(shell *s, uint32_t sides, double up) {
             *corner++ = a, *corner++ = b + sides, *corner++ = b;
         }
     }
-    s->view = (gusset_mesh_view){0};
-    s->view.struct_size = sizeof s->view;
-    s->view.positions = s->points;
-    s->view.vertex_count = k;
-    s->view.face_corners = s->corners;
-    s->view.face_count = (size_t)(corner - s->corners) / 3;
-    s->view.face_size = 3;
-    s->view.scalar = GUSSET_F64;
+    s->view = gusset_triangles_f64(s->points[0], k, s->corners, (size_t)(corner - s->corners) / 3);
 }
 
 /* Writes a mesh of double positions as an OBJ file. */
@@ -88,7 +81,7 @@ static void check(gusset_status status, const gusset_context *context) {
 int main(void) {
     static shell north, south;
     gusset_context *context = NULL;
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
     gusset_mesh_view whole = {0};
     gusset_quality_report quality = {0};
     make_shell(&north, 100, 1.0);
@@ -97,17 +90,17 @@ int main(void) {
     write_mesh("right.obj", &south.view);
 
     check(gusset_context_create(&context), NULL);
-    check(gusset_stitch_create(context, &north.view, NULL, &south.view, NULL, NULL, &stitch), context);
+    check(gusset_stitch(context, &north.view, NULL, &south.view, NULL, NULL, &stitch), context);
     whole.struct_size = sizeof whole;
     quality.struct_size = sizeof quality;
-    check(gusset_stitch_get_mesh(stitch, &whole), NULL);
-    check(gusset_stitch_get_quality(stitch, &quality), NULL);
+    check(gusset_result_get_mesh(stitch, &whole), NULL);
+    check(gusset_result_get_quality(stitch, &quality), NULL);
     write_mesh("after.obj", &whole);
     printf("two shells of %lu and %lu faces, stitched: %lu faces, %u boundary loops left, area of the strip %g\n",
            (unsigned long)north.view.face_count, (unsigned long)south.view.face_count, (unsigned long)whole.face_count,
            (unsigned)quality.loops_left, quality.area);
 
-    gusset_stitch_destroy(stitch);
+    gusset_result_destroy(stitch);
     gusset_context_destroy(context);
     return quality.loops_left != 0 || quality.orientation_conflicts != 0;
 }

@@ -6,16 +6,13 @@ int main(void) {
     const float up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
     const float down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -1}, {0, 1, -1}};
     const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
-    gusset_mesh_view a = {sizeof a, up, 0, 5, NULL, faces, 4, GUSSET_F32, GUSSET_U32, 3, 0, NULL};
-    gusset_mesh_view b = a, joined = {sizeof joined, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL};
-    gusset_stitch *stitch = NULL;
-    b.positions = down;
-    gusset_status status = gusset_stitch_create(NULL, &a, NULL, &b, NULL, NULL, &stitch);
-    if (status != GUSSET_OK || (status = gusset_stitch_get_mesh(stitch, &joined)) != GUSSET_OK) {
-        printf("%s\n", gusset_status_text(status));
-        return 1;
+
+    const gusset_mesh_view pieces[2] = {gusset_triangles_f32(up[0], 5, faces, 4), gusset_triangles_f32(down[0], 5, faces, 4)};
+    gusset_mesh_view joined = {.struct_size = sizeof joined};
+    gusset_result *result = NULL;
+    if (gusset_join(NULL, pieces, 2, NULL, &result) == GUSSET_OK && gusset_result_get_mesh(result, &joined) == GUSSET_OK) {
+        printf("%zu vertices, %zu faces\n", joined.vertex_count, joined.face_count);
     }
-    printf("%zu vertices, %zu faces\n", joined.vertex_count, joined.face_count);
-    gusset_stitch_destroy(stitch);
-    return 0;
+    gusset_result_destroy(result);
+    return joined.face_count == 0;
 }

@@ -46,7 +46,7 @@ Net bottle() {
     Net body = Net::from_primitive(Primitive::tube(0.42, 1.0).with(9, 33));
     Net neck = Net::from_primitive(Primitive::tube(0.16, 0.5).with(6, 17));
     neck.transform(Operation::translate({0, 0, 1.05}));
-    gusset::JoinOptions below;
+    gusset::ConcatenateOptions below;
     below.direction = gusset::Direction::down;
     Net joined = gusset::concatenate(body, neck, below);
     joined.transform(Operation::translate({0, 0, 0.5}));

@@ -24,7 +24,7 @@ import gusset_mesh as gm
 #! [job]
 def assembled(name, pieces):
     """One model: an account of it, which is small enough to travel, and the mesh itself."""
-    made = gm.assemble(pieces, fill=True, threads=1)  # a worker has one core
+    made = gm.join(pieces, fill=True, threads=1)  # a worker has one core
     mesh, check = made.mesh, gm.check(made.mesh)
     digest = hashlib.sha256(mesh.points.tobytes() + mesh.corners.tobytes()).hexdigest()
     account = {"name": name, "pieces": len(pieces), "joints": len(made.joints), "faces": mesh.face_count,

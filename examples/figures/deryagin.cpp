@@ -255,13 +255,13 @@ std::string bridges(const std::string &file) {
         net.transform(gusset::Operation::translate(by));
         return net;
     };
-    gusset::JoinOptions down;
+    gusset::ConcatenateOptions down;
     down.direction = gusset::Direction::down;
     const gusset::Net ball = gusset::Net::from_primitive(gusset::Primitive::sphere(0.8).with(11, 21));
     // Rows of a net run from below to above.
     draw(150, 72, gusset::concatenate(moved(ball, {0, 0, -1.25}), moved(ball, {0, 0, 1.25}), down), "pole to pole");
     draw(480, 72, gusset::concatenate(moved(ball, {-1.2, 0, 0}), moved(ball, {1.2, 0, 0})), "side by side");
-    gusset::JoinOptions film = down;
+    gusset::ConcatenateOptions film = down;
     film.rows = 9;
     film.properties.tension = 1;
     const gusset::Net ring = gusset::Net::from_primitive(gusset::Primitive::tube(1, 0.9).with(4, 25));

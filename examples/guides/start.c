@@ -12,15 +12,8 @@ typedef struct {
 } vertex;
 
 static gusset_mesh_view view_of(const vertex *vertices, size_t vertex_count, const uint32_t *corners, size_t face_count) {
-    gusset_mesh_view view = {0};
-    view.struct_size = sizeof view;
-    view.positions = vertices->position;
+    gusset_mesh_view view = gusset_triangles_f32(vertices->position, vertex_count, corners, face_count);
     view.position_stride = sizeof *vertices;
-    view.vertex_count = vertex_count;
-    view.face_corners = corners;
-    view.face_count = face_count;
-    view.face_size = 3;
-    view.scalar = GUSSET_F32;
     return view;
 }
 //! [view]
@@ -53,11 +46,14 @@ static int on_progress(void *user, double fraction, const char *stage) {
 //! [loops]
 static void print_loops(const gusset_context *context, const gusset_mesh_view *mesh) {
     gusset_boundary *boundary = NULL;
+    gusset_boundary_view loops = {0};
     gusset_loop_view loop = {0};
     size_t i;
     must(gusset_boundary_create(context, mesh, NULL, &boundary), context);
+    loops.struct_size = sizeof loops;
     loop.struct_size = sizeof loop;
-    for (i = 0; i < gusset_boundary_loop_count(boundary); ++i) {
+    must(gusset_boundary_get_view(boundary, &loops), NULL);
+    for (i = 0; i < loops.loop_count; ++i) {
         must(gusset_boundary_get_loop(boundary, i, &loop), NULL);
         printf("a loop of %lu vertices, %g long%s\n", (unsigned long)loop.vertices.count, loop.length,
                loop.flags == 0 ? "" : ", and odd: see its flags");
@@ -68,7 +64,7 @@ static void print_loops(const gusset_context *context, const gusset_mesh_view *m
 
 //! [attributes]
 /* What you keep for vertices goes with them: each vertex of the result has its sources. */
-static void carry_normals(const gusset_stitch *stitch, const vertex *const old[2], vertex *result, size_t count) {
+static void carry_normals(const gusset_result *stitch, const vertex *const old[2], vertex *result, size_t count) {
     gusset_channel normals = {0};
     const gusset_channel_values given[2] = {{old[0][0].normal, 5, sizeof(vertex)}, {old[1][0].normal, 5, sizeof(vertex)}};
     gusset_origins *origins = NULL;
@@ -77,7 +73,7 @@ static void carry_normals(const gusset_stitch *stitch, const vertex *const old[2
     normals.value_type = GUSSET_VALUE_F32;
     normals.components = 3;
     normals.rule = GUSSET_RULE_NORMAL;
-    must(gusset_stitch_origins_create(NULL, stitch, &origins), NULL);
+    must(gusset_result_origins_create(NULL, stitch, &origins), NULL);
     must(gusset_attributes_apply(NULL, origins, &normals, given, 2, result[0].normal, count, sizeof(vertex)), NULL);
     gusset_origins_destroy(origins);
 }
@@ -93,10 +89,10 @@ int main(void) {
     const gusset_mesh_view a = view_of(up, 5, faces, 4), b = view_of(down, 5, faces, 4);
     gusset_stitch_options options = {0};
     gusset_mesh_view whole = {0};
-    gusset_stitch_view parts = {0};
+    gusset_stitch_report parts = {0};
     gusset_quality_report quality = {0};
     gusset_context *context = NULL;
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
     vertex *result;
     size_t v;
 
@@ -111,16 +107,16 @@ int main(void) {
     //! [stitch]
     options.struct_size = sizeof options; /* all else 0: the defaults */
     options.finish = GUSSET_FINISH_BLEND; /* new vertices on a smooth surface; without it, the strip alone */
-    must(gusset_stitch_create(context, &a, NULL, &b, NULL, &options, &stitch), context);
+    must(gusset_stitch(context, &a, NULL, &b, NULL, &options, &stitch), context);
     //! [stitch]
 
     //! [result]
     whole.struct_size = sizeof whole;
     parts.struct_size = sizeof parts;
     quality.struct_size = sizeof quality;
-    must(gusset_stitch_get_mesh(stitch, &whole), NULL);
-    must(gusset_stitch_get_view(stitch, &parts), NULL);
-    must(gusset_stitch_get_quality(stitch, &quality), NULL);
+    must(gusset_result_get_mesh(stitch, &whole), NULL);
+    must(gusset_result_get_stitch(stitch, &parts), NULL);
+    must(gusset_result_get_quality(stitch, &quality), NULL);
     printf("%lu vertices, %lu faces, %lu of them new; %lu loops left\n", (unsigned long)whole.vertex_count,
            (unsigned long)whole.face_count, (unsigned long)parts.strip_face_count, (unsigned long)quality.loops_left);
     //! [result]
@@ -136,7 +132,7 @@ int main(void) {
     printf("the first new vertex has the normal %g %g %g\n", result[10].normal[0], result[10].normal[1], result[10].normal[2]);
 
     free(result);
-    gusset_stitch_destroy(stitch);
+    gusset_result_destroy(stitch);
     gusset_context_destroy(context);
     return quality.loops_left != 0;
 }

@@ -92,14 +92,14 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
     //! [assembly]
     const std::vector<gusset::MeshView> pieces = {gusset::MeshView::triangles(left.points, left.corners),
                                                   gusset::MeshView::triangles(right.points, right.corners)};
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.max_gap = 2.0;               // in the unit of the points
     options.fill = gusset::FillOptions(); // what is left is filled
-    const gusset::Assembly whole(pieces, options);
+    const gusset::Join whole(pieces, options);
     for (const gusset_joint &joint : whole.joints()) {
         std::cout << "a gap of " << joint.gap << (joint.outcome == GUSSET_JOINT_JOINED ? ", joined\n" : ", left\n");
     }
-    std::cout << whole.view().loops_left << " loops left\n";
+    std::cout << whole.report().loops_left << " loops left\n";
     //! [assembly]
 
     //! [left]
@@ -118,9 +118,9 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
         default: return "for a reason of a later version";
         }
     };
-    gusset::AssemblyOptions narrow;
+    gusset::JoinOptions narrow;
     narrow.max_gap = 0.5;
-    const gusset::Assembly apart(pieces, narrow);
+    const gusset::Join apart(pieces, narrow);
     for (const gusset_left_loop &loop : apart.left()) {
         std::cout << "left, a loop of " << loop.vertices.count << " vertices: " << why(loop) << '\n';
     }

@@ -67,7 +67,7 @@ bool assembled(const std::string &file) {
         drawing.mesh(views.back(), [&](std::size_t) { return colours[k]; });
     }
     drawing.caption(250, 318, "four pieces");
-    const gusset::Assembly assembly(views, assembly_of_quarters());
+    const gusset::Join assembly(views, assembly_of_quarters());
     std::vector<Colour> colour(assembly.mesh().face_count(), green);
     for (std::size_t k = 0; k < 4; ++k) {
         const gusset_indices faces = assembly.pieces()[k].faces;
@@ -108,10 +108,10 @@ bool scanned(const std::string &file) {
         move(pieces[k].points, found.pieces()[k].pose);
     }
     const std::vector<gusset::MeshView> views = side_by_side(480, "aligned");
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.trim.emplace();
     options.fill.emplace();
-    const gusset::Assembly whole(views, options);
+    const gusset::Join whole(views, options);
     std::vector<Colour> colour(whole.mesh().face_count(), red);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const gusset_indices faces = whole.pieces()[k].faces;
@@ -124,7 +124,7 @@ bool scanned(const std::string &file) {
     drawing.place(795, 165);
     drawing.mesh(whole.mesh(), [&](std::size_t f) { return colour[f]; });
     drawing.caption(795, 345, "trimmed and joined");
-    return found.is_trusted() && whole.view().loops_left == 0 && drawing.write(file);
+    return found.is_trusted() && whole.report().loops_left == 0 && drawing.write(file);
 }
 
 /// A ball with holes, whose rims are found, and filled: flat, and refined and fair.

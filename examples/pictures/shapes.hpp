@@ -89,8 +89,8 @@ inline std::vector<Mesh> quarters() {
     }
     return pieces;
 }
-inline gusset::AssemblyOptions assembly_of_quarters() {
-    gusset::AssemblyOptions options;
+inline gusset::JoinOptions assembly_of_quarters() {
+    gusset::JoinOptions options;
     options.max_gap = 0.3;
     options.strips.rows = gusset::StripRows::mean_edge();
     options.fill = gusset::FillOptions();

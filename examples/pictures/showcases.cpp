@@ -57,7 +57,7 @@ page::Showcase assembled() {
         views.push_back(pieces[k].view());
         show.bodies[0].add(views.back(), [&](std::size_t) { return k; });
     }
-    const gusset::Assembly assembly(views, assembly_of_quarters());
+    const gusset::Join assembly(views, assembly_of_quarters());
     std::vector<uint8_t> paint(assembly.mesh().face_count(), 4);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const gusset_indices faces = assembly.pieces()[k].faces;

@@ -44,7 +44,7 @@ pieces = [quarter(number) for number in range(4)]
 #! [pieces]
 
 #! [assemble]
-whole = pieces[0].gusset.assemble(*pieces[1:], fill=True)
+whole = pieces[0].gusset.join(*pieces[1:], fill=True)
 print(f"{whole.n_cells} faces, closed: {whole.is_manifold}, volume {whole.volume:.3f}")
 print("carried along:", whole.point_data.keys(), whole.cell_data.keys())
 #! [assemble]
@@ -53,7 +53,7 @@ picture("python_pieces", [("four pieces", pieces, {"scalars": "piece", "clim": (
                           ("their heights, carried over", whole, {"scalars": "height", "cmap": "viridis"})])
 
 #! [account]
-made = gm.assemble(pieces, fill=True)
+made = gm.join(pieces, fill=True)
 for joint in made.joints:
     print(f"{joint.face_count} faces across a gap of {joint.gap:.3f}")
 print(f"{len(made.account.holes)} holes filled, {made.account.loops_left} loops left")

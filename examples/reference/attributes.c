@@ -7,14 +7,7 @@ static const double down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -
 static const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
 
 static gusset_mesh_view pyramid(const double points[5][3]) {
-    const gusset_mesh_view view = {.struct_size = sizeof view,
-                                   .positions = points,
-                                   .vertex_count = 5,
-                                   .face_corners = faces,
-                                   .face_count = 4,
-                                   .scalar = GUSSET_F64,
-                                   .face_size = 3};
-    return view;
+    return gusset_triangles_f64(points[0], 5, faces, 4);
 }
 
 //! [stitch]
@@ -27,13 +20,13 @@ static void colours_across_a_strip(void) {
         .struct_size = sizeof colours, .domain = GUSSET_DOMAIN_VERTICES, .value_type = GUSSET_VALUE_U8, .components = 3};
     const gusset_channel_values given[2] = {{.values = red, .count = 5}, {.values = blue, .count = 5}};
     uint8_t made[32][3];
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
     gusset_origins *origins = NULL;
     gusset_origins_view vertices = {.struct_size = sizeof vertices};
 
-    MUST(gusset_stitch_create(NULL, &a, NULL, &b, NULL, &rows, &stitch));
-    MUST(gusset_stitch_origins_create(NULL, stitch, &origins));
-    gusset_stitch_destroy(stitch);
+    MUST(gusset_stitch(NULL, &a, NULL, &b, NULL, &rows, &stitch));
+    MUST(gusset_result_origins_create(NULL, stitch, &origins));
+    gusset_result_destroy(stitch);
     MUST(gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &vertices));
     /* Old vertices have one source, themselves; those of the row two, one on each rim. */
     HOLDS(vertices.starts.count == 3 && vertices.starts.data[1] == 5 && vertices.starts.data[2] == 10);
@@ -59,7 +52,7 @@ static void texture_coordinates_in_a_hole(void) {
                                     .rule = GUSSET_RULE_TEXTURE};
     const gusset_channel_values values = {.values = given, .count = 12};
     double made[18][2];
-    gusset_fill *fill = NULL;
+    gusset_result *fill = NULL;
     gusset_origins *origins = NULL;
     gusset_mesh_view filled = {.struct_size = sizeof filled};
     size_t corner;
@@ -67,16 +60,16 @@ static void texture_coordinates_in_a_hole(void) {
     for (corner = 0; corner < 12; ++corner) {
         given[corner][0] = 0.5 * (1.0 + up[faces[corner]][0]), given[corner][1] = 0.5 * (1.0 + up[faces[corner]][1]);
     }
-    MUST(gusset_fill_create(NULL, &mesh, NULL, 0, NULL, &fill));
-    MUST(gusset_fill_get_mesh(fill, &filled));
-    MUST(gusset_fill_origins_create(NULL, fill, &origins));
+    MUST(gusset_fill(NULL, &mesh, NULL, 0, NULL, &fill));
+    MUST(gusset_result_get_mesh(fill, &filled));
+    MUST(gusset_result_origins_create(NULL, fill, &origins));
     MUST(gusset_attributes_apply(NULL, origins, &channel, &values, 1, made, 18, 0));
     for (corner = 12; corner < 18; ++corner) {
         const uint32_t v = ((const uint32_t *)filled.face_corners)[corner];
         HOLDS(made[corner][0] == 0.5 * (1.0 + up[v][0]) && made[corner][1] == 0.5 * (1.0 + up[v][1]));
     }
     gusset_origins_destroy(origins);
-    gusset_fill_destroy(fill);
+    gusset_result_destroy(fill);
 }
 //! [fill]
 
@@ -91,12 +84,12 @@ static void materials_of_pieces(void) {
                                       .rule = GUSSET_RULE_NEAREST};
     const gusset_channel_values given[2] = {{.values = wood, .count = 4}, {.values = stone, .count = 4}};
     uint16_t made[16];
-    gusset_assembly *assembly = NULL;
+    gusset_result *assembly = NULL;
     gusset_origins *origins = NULL;
     size_t f, of_wood = 0;
 
-    MUST(gusset_assembly_create(NULL, pieces, 2, NULL, &assembly));
-    MUST(gusset_assembly_origins_create(NULL, assembly, &origins));
+    MUST(gusset_join(NULL, pieces, 2, NULL, &assembly));
+    MUST(gusset_result_origins_create(NULL, assembly, &origins));
     MUST(gusset_attributes_apply(NULL, origins, &materials, given, 2, made, 16, 0));
     /* The strip's faces have the material of the piece that they hang on. */
     for (f = 0; f < 16; ++f) {
@@ -104,7 +97,7 @@ static void materials_of_pieces(void) {
     }
     HOLDS(of_wood == 8);
     gusset_origins_destroy(origins);
-    gusset_assembly_destroy(assembly);
+    gusset_result_destroy(assembly);
 }
 //! [assembly]
 
@@ -113,16 +106,16 @@ static void values_along_polylines(void) {
     const double a[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const double b[2][3] = {{0, 1, 0}, {2, 1, 0}};
     const gusset_strip_options rows = {.struct_size = sizeof rows, .rows = GUSSET_ROWS_COUNT, .row_count = 1};
-    gusset_strip *strip = NULL;
+    gusset_result *strip = NULL;
     gusset_origins *origins = NULL;
     gusset_origins_view points = {.struct_size = sizeof points};
 
-    MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, &rows, &strip));
-    MUST(gusset_strip_origins_create(NULL, strip, &origins));
+    MUST(gusset_strip(NULL, a[0], 3, b[0], 2, &rows, &strip));
+    MUST(gusset_result_origins_create(NULL, strip, &origins));
     MUST(gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &points));
     HOLDS(points.starts.data[1] == 3 && points.starts.data[2] == 5);
     gusset_origins_destroy(origins);
-    gusset_strip_destroy(strip);
+    gusset_result_destroy(strip);
 }
 //! [strip]
 
@@ -132,13 +125,7 @@ static void normals_of_what_is_repaired(void) {
     const float points[6][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     const uint32_t corners[6] = {0, 1, 2, 3, 4, 5};
     const float normals[6][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
-    const gusset_mesh_view mesh = {.struct_size = sizeof mesh,
-                                   .positions = points,
-                                   .vertex_count = 6,
-                                   .face_corners = corners,
-                                   .face_count = 2,
-                                   .scalar = GUSSET_F32,
-                                   .face_size = 3};
+    const gusset_mesh_view mesh = gusset_triangles_f32(points[0], 6, corners, 2);
     const gusset_channel channel = {.struct_size = sizeof channel,
                                     .domain = GUSSET_DOMAIN_CORNERS,
                                     .value_type = GUSSET_VALUE_F32,
@@ -146,23 +133,23 @@ static void normals_of_what_is_repaired(void) {
                                     .rule = GUSSET_RULE_NORMAL};
     const gusset_channel_values given = {.values = normals, .count = 6};
     float turned[6][3], sewn[6][3];
-    gusset_weld *weld = NULL;
-    gusset_sew *sew = NULL;
-    gusset_orient *orient = NULL;
+    gusset_result *weld = NULL;
+    gusset_result *sew = NULL;
+    gusset_result *orient = NULL;
     gusset_origins *of_weld = NULL, *of_sew = NULL, *of_orient = NULL;
     gusset_origins_view vertices = {.struct_size = sizeof vertices};
     gusset_mesh_view welded = {.struct_size = sizeof welded};
     size_t k, up_count = 0;
 
-    MUST(gusset_weld_create(NULL, &mesh, NULL, &weld));
-    MUST(gusset_weld_get_mesh(weld, &welded));
-    MUST(gusset_weld_origins_create(NULL, weld, &of_weld));
+    MUST(gusset_weld(NULL, &mesh, NULL, &weld));
+    MUST(gusset_result_get_mesh(weld, &welded));
+    MUST(gusset_result_origins_create(NULL, weld, &of_weld));
     MUST(gusset_origins_get_view(of_weld, GUSSET_DOMAIN_VERTICES, &vertices));
     /* Four vertices of six; two have two sources in equal parts. */
     HOLDS(vertices.offsets.count == 5 && vertices.sources.count == 6);
 
-    MUST(gusset_orient_create(NULL, &welded, NULL, &orient));
-    MUST(gusset_orient_origins_create(NULL, orient, &of_orient));
+    MUST(gusset_orient(NULL, &welded, NULL, &orient));
+    MUST(gusset_result_origins_create(NULL, orient, &of_orient));
     /* The one face that was turned over has its normals turned, too. */
     MUST(gusset_attributes_apply(NULL, of_orient, &channel, &given, 1, turned, 6, 0));
     for (k = 0; k < 6; ++k) {
@@ -170,12 +157,12 @@ static void normals_of_what_is_repaired(void) {
     }
     HOLDS(up_count == 0 || up_count == 6);
 
-    MUST(gusset_sew_create(NULL, &mesh, NULL, &sew));
-    MUST(gusset_sew_origins_create(NULL, sew, &of_sew));
+    MUST(gusset_sew(NULL, &mesh, NULL, &sew));
+    MUST(gusset_result_origins_create(NULL, sew, &of_sew));
     MUST(gusset_attributes_apply(NULL, of_sew, &channel, &given, 1, sewn, 6, 0));
     HOLDS(memcmp(sewn, normals, sizeof sewn) == 0);
     gusset_origins_destroy(of_weld), gusset_origins_destroy(of_sew), gusset_origins_destroy(of_orient);
-    gusset_orient_destroy(orient), gusset_sew_destroy(sew), gusset_weld_destroy(weld);
+    gusset_result_destroy(orient), gusset_result_destroy(sew), gusset_result_destroy(weld);
 }
 //! [repair]
 
@@ -195,7 +182,7 @@ static void heights_on_the_mesh_of_a_net(void) {
     float given[27], made[64];
     const gusset_channel_values values = {.values = given, .count = 27};
     gusset_net *net = NULL;
-    gusset_net_mesh *mesh = NULL;
+    gusset_result *mesh = NULL;
     gusset_origins *origins = NULL;
     size_t k, last = 0;
 
@@ -203,8 +190,8 @@ static void heights_on_the_mesh_of_a_net(void) {
         given[k] = (float)(k % 9);
     }
     MUST(gusset_net_primitive_create(NULL, &tube, &net));
-    MUST(gusset_net_mesh_create(NULL, net, NULL, &mesh));
-    MUST(gusset_net_mesh_origins_create(NULL, mesh, &origins));
+    MUST(gusset_net_to_mesh(NULL, net, NULL, &mesh));
+    MUST(gusset_result_origins_create(NULL, mesh, &origins));
     /* Each corner has the node of its own cell: the last column of nodes is not the first one again. */
     MUST(gusset_attributes_apply(NULL, origins, &column, &values, 1, made, 64, 0));
     for (k = 0; k < 64; ++k) {
@@ -212,7 +199,7 @@ static void heights_on_the_mesh_of_a_net(void) {
     }
     HOLDS(last == 4);
     gusset_origins_destroy(origins);
-    gusset_net_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
     gusset_net_destroy(net);
 }
 //! [net]
@@ -226,7 +213,7 @@ static void values_on_the_mesh_of_a_sheet(void) {
     const gusset_channel channel = {.struct_size = sizeof channel, .value_type = GUSSET_VALUE_F64, .components = 1};
     const gusset_channel_values values = {.values = given, .count = 9};
     gusset_sheet *sheet = NULL;
-    gusset_sheet_mesh *mesh = NULL;
+    gusset_result *mesh = NULL;
     gusset_origins *origins = NULL;
     size_t k;
 
@@ -235,13 +222,13 @@ static void values_on_the_mesh_of_a_sheet(void) {
         given[k] = points[k][0] + 10.0 * points[k][1];
     }
     MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &sheet));
-    MUST(gusset_sheet_mesh_create(NULL, sheet, &finer, &mesh));
-    MUST(gusset_sheet_mesh_origins_create(NULL, mesh, &origins));
+    MUST(gusset_sheet_to_mesh(NULL, sheet, &finer, &mesh));
+    MUST(gusset_result_origins_create(NULL, mesh, &origins));
     MUST(gusset_attributes_apply(NULL, origins, &channel, &values, 1, made, 25, 0));
     /* Between nodes by the parameters of the cell: the second vertex is half-way along the first row. */
     HOLDS(made[0] == 0.0 && made[1] == 5.0 && made[24] == 22.0);
     gusset_origins_destroy(origins);
-    gusset_sheet_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
     gusset_sheet_destroy(sheet);
 }
 //! [sheet]
@@ -252,34 +239,31 @@ static void split_vertices_are_no_border(void) {
     const float points[6][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const uint32_t corners[6] = {0, 1, 2, 3, 4, 5};
     uint32_t merge[6];
-    gusset_mesh_view mesh = {.struct_size = sizeof mesh,
-                             .positions = points,
-                             .vertex_count = 6,
-                             .face_corners = corners,
-                             .face_count = 2,
-                             .scalar = GUSSET_F32,
-                             .face_size = 3};
+    gusset_mesh_view mesh = gusset_triangles_f32(points[0], 6, corners, 2);
     gusset_mesh_view whole = {.struct_size = sizeof whole};
+    gusset_boundary_view loops = {.struct_size = sizeof loops};
     gusset_boundary *boundary = NULL;
-    gusset_fill *fill = NULL;
+    gusset_result *fill = NULL;
 
     MUST(gusset_boundary_create(NULL, &mesh, NULL, &boundary));
-    HOLDS(gusset_boundary_loop_count(boundary) == 2);
+    MUST(gusset_boundary_get_view(boundary, &loops));
+    HOLDS(loops.loop_count == 2);
     gusset_boundary_destroy(boundary);
 
     MUST(gusset_mesh_find_merge(NULL, &mesh, NULL, merge));
     HOLDS(merge[3] == 1 && merge[5] == 2 && merge[4] == 4);
     mesh.merge = merge;
     MUST(gusset_boundary_create(NULL, &mesh, NULL, &boundary));
-    HOLDS(gusset_boundary_loop_count(boundary) == 1);
+    MUST(gusset_boundary_get_view(boundary, &loops));
+    HOLDS(loops.loop_count == 1);
     gusset_boundary_destroy(boundary);
 
     /* Old faces keep their vertices, and the result has a merge map, too. */
-    MUST(gusset_fill_create(NULL, &mesh, NULL, 0, NULL, &fill));
-    MUST(gusset_fill_get_mesh(fill, &whole));
+    MUST(gusset_fill(NULL, &mesh, NULL, 0, NULL, &fill));
+    MUST(gusset_result_get_mesh(fill, &whole));
     HOLDS(whole.face_count == 4 && memcmp(whole.face_corners, corners, sizeof corners) == 0);
     HOLDS(((const uint32_t *)whole.merge)[5] == 2);
-    gusset_fill_destroy(fill);
+    gusset_result_destroy(fill);
 }
 //! [merge]
 

@@ -11,7 +11,6 @@ typedef struct tube {
 } tube;
 
 static gusset_mesh_view shape(tube *made, double low, double high, double bulge) {
-    gusset_mesh_view view = {.struct_size = sizeof view, .scalar = GUSSET_F64, .face_size = 4};
     uint32_t i, j;
 
     for (i = 0; i < ROWS; ++i) {
@@ -29,23 +28,21 @@ static gusset_mesh_view shape(tube *made, double low, double high, double bulge)
             face[2] = ROUND * (i + 1) + next, face[3] = ROUND * (i + 1) + j;
         }
     }
-    view.positions = made->points, view.vertex_count = ROWS * ROUND;
-    view.face_corners = made->corners, view.face_count = (ROWS - 1) * ROUND;
-    return view;
+    return gusset_quads_f64(made->points[0], ROWS * ROUND, made->corners[0], (ROWS - 1) * ROUND);
 }
 
 //! [develop]
 static void a_lampshade_from_paper(void) {
     tube cone;
     gusset_mesh_view mesh = shape(&cone, 1.0, 0.4, 0.0), flat = {.struct_size = sizeof flat};
-    gusset_development_view laid = {.struct_size = sizeof laid};
-    gusset_development *development = NULL;
+    gusset_develop_report laid = {.struct_size = sizeof laid};
+    gusset_result *development = NULL;
     gusset_origins *origins = NULL;
     gusset_origins_view from = {.struct_size = sizeof from};
     size_t f;
 
-    MUST(gusset_development_create(NULL, &mesh, NULL, &development));
-    MUST(gusset_development_get_view(development, &laid));
+    MUST(gusset_develop(NULL, &mesh, NULL, &development));
+    MUST(gusset_result_get_develop(development, &laid));
     /* One piece, opened along the shortest path from rim to rim; every edge has its length. */
     HOLDS(laid.chart_count == 1 && laid.charts[0].finish == GUSSET_CHART_EXACT && laid.charts[0].overlaps == 0);
     HOLDS(laid.cut_edges.count == 2 * (ROWS - 1) && laid.cut_kinds.data[0] == GUSSET_CUT_OPENING);
@@ -56,15 +53,15 @@ static void a_lampshade_from_paper(void) {
     }
 
     /* The same as a mesh, for whatever takes one. */
-    MUST(gusset_development_get_mesh(development, &flat));
+    MUST(gusset_result_get_mesh(development, &flat));
     HOLDS(flat.vertex_count == laid.vertex_map.count && flat.face_count == mesh.face_count);
 
     /* Values of the surface are carried over by where its parts went. */
-    MUST(gusset_development_origins_create(NULL, development, &origins));
+    MUST(gusset_result_origins_create(NULL, development, &origins));
     MUST(gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &from));
     HOLDS(from.offsets.count == flat.vertex_count + 1 && from.sources.data[0] == laid.vertex_map.data[0]);
     gusset_origins_destroy(origins);
-    gusset_development_destroy(development);
+    gusset_result_destroy(development);
 }
 //! [develop]
 
@@ -74,25 +71,25 @@ static void a_barrel_with_darts(void) {
     gusset_mesh_view mesh = shape(&barrel, 1.0, 1.0, 1.6);
     /* Cut where the maker wants the seam: the ends of a path are enough. */
     const uint32_t seam[2] = {0, (ROWS - 1) * ROUND}, ends[2] = {0, 2};
-    gusset_development_options options = {
+    gusset_develop_options options = {
         .struct_size = sizeof options, .cuts = {seam, 2}, .cut_offsets = {ends, 2}, .max_stretch = 1.05};
-    gusset_development_view laid = {.struct_size = sizeof laid};
-    gusset_development *development = NULL;
+    gusset_develop_report laid = {.struct_size = sizeof laid};
+    gusset_result *development = NULL;
     double before;
 
-    MUST(gusset_development_create(NULL, &mesh, &options, &development));
-    MUST(gusset_development_get_view(development, &laid));
+    MUST(gusset_develop(NULL, &mesh, &options, &development));
+    MUST(gusset_result_get_develop(development, &laid));
     HOLDS(laid.charts[0].finish == GUSSET_CHART_CONVERGED && laid.charts[0].folds == 0 && laid.darts == 0);
     HOLDS(laid.cut_kinds.data[0] == GUSSET_CUT_GIVEN && laid.charts[0].max_stretch > 1.05);
     before = laid.charts[0].energy;
-    gusset_development_destroy(development);
+    gusset_result_destroy(development);
 
     /* Each dart lets some of the curvature go. */
     options.max_darts = 4;
-    MUST(gusset_development_create(NULL, &mesh, &options, &development));
-    MUST(gusset_development_get_view(development, &laid));
+    MUST(gusset_develop(NULL, &mesh, &options, &development));
+    MUST(gusset_result_get_develop(development, &laid));
     HOLDS(laid.darts > 0 && laid.charts[0].energy < before && laid.charts[0].folds == 0);
-    gusset_development_destroy(development);
+    gusset_result_destroy(development);
 }
 //! [darts]
 

@@ -66,22 +66,45 @@ static void a_context(void) {
 }
 //! [context]
 
+//! [view]
+static void views_of_arrays(void) {
+    /* Triangles, quads and polygons, in single and in double precision: a square in each way. */
+    const float narrow[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const double wide[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const uint32_t triangles[6] = {0, 1, 2, 0, 2, 3}, quad[4] = {0, 1, 2, 3}, offsets[2] = {0, 4};
+    const gusset_mesh_view views[6] = {gusset_triangles_f32(narrow[0], 4, triangles, 2), gusset_triangles_f64(wide[0], 4, triangles, 2),
+                                       gusset_quads_f32(narrow[0], 4, quad, 1),          gusset_quads_f64(wide[0], 4, quad, 1),
+                                       gusset_polygons_f32(narrow[0], 4, offsets, quad, 1),
+                                       gusset_polygons_f64(wide[0], 4, offsets, quad, 1)};
+    size_t k;
+
+    for (k = 0; k < 6; ++k) {
+        gusset_check_view found = {.struct_size = sizeof found};
+        gusset_check *check = NULL;
+        MUST(gusset_check_create(NULL, &views[k], &check));
+        MUST(gusset_check_get_view(check, &found));
+        HOLDS(found.face_count == (k < 2 ? 2 : 1) && found.boundary_edges.count == 4);
+        gusset_check_destroy(check);
+    }
+}
+//! [view]
+
 //! [boundary]
 static void loops(void) {
     gusset_boundary *boundary = NULL;
+    gusset_boundary_view all = {.struct_size = sizeof all};
     gusset_loop_view loop = {.struct_size = sizeof loop};
-    const gusset_defect *defects = NULL;
-    size_t i, defect_count = 0;
+    size_t i;
 
     MUST(gusset_boundary_create(NULL, &pyramid, NULL, &boundary));
-    HOLDS(gusset_boundary_walk_count(boundary) == 1);
-    for (i = 0; i < gusset_boundary_loop_count(boundary); ++i) {
+    MUST(gusset_boundary_get_view(boundary, &all));
+    HOLDS(all.loop_count == 1 && all.walk_count == 1);
+    for (i = 0; i < all.loop_count; ++i) {
         MUST(gusset_boundary_get_loop(boundary, i, &loop));
         HOLDS(loop.flags == 0 && loop.vertices.count == 4 && about(loop.length, 4.0 * sqrt(2.0)));
     }
-    /* Nothing is odd about this mesh. */
-    MUST(gusset_boundary_get_defects(boundary, &defects, &defect_count));
-    HOLDS(i == 1 && defect_count == 0);
+    /* The mesh has no defects. */
+    HOLDS(all.defect_count == 0);
     gusset_boundary_destroy(boundary);
 }
 //! [boundary]
@@ -131,8 +154,8 @@ static void a_soup_of_triangles(void) {
     double soup[12][3];
     uint32_t own[12];
     gusset_mesh_view mesh = pyramid, welded = {.struct_size = sizeof welded};
-    gusset_weld_view parts = {.struct_size = sizeof parts};
-    gusset_weld *weld = NULL;
+    gusset_weld_report parts = {.struct_size = sizeof parts};
+    gusset_result *weld = NULL;
     uint32_t h;
 
     for (h = 0; h < 12; ++h) {
@@ -140,12 +163,12 @@ static void a_soup_of_triangles(void) {
         own[h] = h;
     }
     mesh.positions = soup, mesh.vertex_count = 12, mesh.face_corners = own;
-    MUST(gusset_weld_create(NULL, &mesh, NULL, &weld));
-    MUST(gusset_weld_get_mesh(weld, &welded));
-    MUST(gusset_weld_get_view(weld, &parts));
+    MUST(gusset_weld(NULL, &mesh, NULL, &weld));
+    MUST(gusset_result_get_mesh(weld, &welded));
+    MUST(gusset_result_get_weld(weld, &parts));
     HOLDS(welded.vertex_count == 5 && welded.face_count == 4);
     HOLDS(parts.welded_vertices == 7 && parts.sewn_edges == 4 && parts.vertex_map.data[11] == parts.vertex_map.data[1]);
-    gusset_weld_destroy(weld);
+    gusset_result_destroy(weld);
 }
 //! [weld]
 
@@ -156,22 +179,22 @@ static void borders_that_do_not_match(void) {
     static const uint32_t faces[9] = {0, 1, 2, 4, 6, 3, 3, 6, 5};
     double flat[7][3] = {{0}};
     gusset_mesh_view mesh = pyramid, sewn = {.struct_size = sizeof sewn};
-    gusset_sew_view parts = {.struct_size = sizeof parts};
-    gusset_sew *sew = NULL;
+    gusset_sew_report parts = {.struct_size = sizeof parts};
+    gusset_result *sew = NULL;
     uint32_t v;
 
     for (v = 0; v < 7; ++v) {
         memcpy(flat[v], places[v], sizeof places[v]);
     }
     mesh.positions = flat, mesh.vertex_count = 7, mesh.face_corners = faces, mesh.face_count = 3;
-    MUST(gusset_sew_create(NULL, &mesh, NULL, &sew));
-    MUST(gusset_sew_get_mesh(sew, &sewn));
-    MUST(gusset_sew_get_view(sew, &parts));
+    MUST(gusset_sew(NULL, &mesh, NULL, &sew));
+    MUST(gusset_result_get_mesh(sew, &sewn));
+    MUST(gusset_result_get_sew(sew, &parts));
     HOLDS(sewn.vertex_count == 5 && sewn.face_count == 4);
     HOLDS(parts.splits == 1 && parts.sewn_edges == 2 && parts.left_vertices.count == 0);
     /* The first old face is the first two now. */
     HOLDS(parts.face_origin.data[1] == 0 && parts.face_map.data[1] == 2);
-    gusset_sew_destroy(sew);
+    gusset_result_destroy(sew);
 }
 //! [sew]
 
@@ -179,22 +202,23 @@ static void borders_that_do_not_match(void) {
 static void a_face_turned_over(void) {
     const uint32_t mixed[12] = {0, 1, 2, 0, 2, 3, 0, 4, 3, 0, 4, 1};
     gusset_mesh_view mesh = pyramid, oriented = {.struct_size = sizeof oriented};
-    gusset_orient_view parts = {.struct_size = sizeof parts};
-    gusset_orient *orient = NULL;
+    gusset_orient_report parts = {.struct_size = sizeof parts};
+    gusset_result *orient = NULL;
 
     mesh.face_corners = mixed;
-    MUST(gusset_orient_create(NULL, &mesh, NULL, &orient));
-    MUST(gusset_orient_get_mesh(orient, &oriented));
-    MUST(gusset_orient_get_view(orient, &parts));
+    MUST(gusset_orient(NULL, &mesh, NULL, &orient));
+    MUST(gusset_result_get_mesh(orient, &oriented));
+    MUST(gusset_result_get_orient(orient, &parts));
     HOLDS(parts.turned_faces == 1 && parts.turned[2] == 1 && parts.one_sided_faces.count == 0);
     HOLDS(memcmp(oriented.face_corners, corners, sizeof corners) == 0);
-    gusset_orient_destroy(orient);
+    gusset_result_destroy(orient);
 }
 //! [orient]
 
 int main(void) {
     what_is_loaded();
     a_context();
+    views_of_arrays();
     loops();
     tables();
     what_is_wrong();

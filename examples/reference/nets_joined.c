@@ -75,7 +75,7 @@ static void resolutions(void) {
 
 //! [net_join]
 static void joined_and_taken_apart(void) {
-    const gusset_join_options options = {.struct_size = sizeof options, .direction = GUSSET_DIRECTION_DOWN};
+    const gusset_concatenate_options options = {.struct_size = sizeof options, .direction = GUSSET_DIRECTION_DOWN};
     const gusset_bridge_properties soft = {.elasticity = 0.5};
     gusset_net *first = tube(), *second = NULL, *joined = NULL, *parts[2];
     const gusset_net *nets[2];
@@ -104,7 +104,7 @@ static void joined_and_taken_apart(void) {
 //! [net_settle]
 static void at_rest(void) {
     /* A film between two tubes, in four rows of its own. */
-    const gusset_join_options options = {.struct_size = sizeof options, .direction = GUSSET_DIRECTION_DOWN, .rows = 4,
+    const gusset_concatenate_options options = {.struct_size = sizeof options, .direction = GUSSET_DIRECTION_DOWN, .rows = 4,
                                          .properties = {.tension = 0.1}};
     const gusset_field shift = {.struct_size = sizeof shift, .kind = GUSSET_FIELD_TWIST, .axis = GUSSET_AXIS_X,
                                 .strength = 1.0, .values = {0.0}};
@@ -141,15 +141,15 @@ static void to_meshes_and_back(void) {
                                     .spacing = {1, 1},
                                     .scalar = GUSSET_F32};
     gusset_net *net = tube(), *found = NULL, *tent = NULL;
-    gusset_net_mesh *mesh = NULL;
+    gusset_result *mesh = NULL;
     gusset_net_grid *grid = NULL;
     gusset_mesh_view view = {.struct_size = sizeof view};
-    gusset_net_mesh_view maps = {.struct_size = sizeof maps};
+    gusset_net_mesh_report maps = {.struct_size = sizeof maps};
     gusset_net_grid_view parts = {.struct_size = sizeof parts};
 
-    MUST(gusset_net_mesh_create(NULL, net, &options, &mesh));
-    MUST(gusset_net_mesh_get_mesh(mesh, &view));
-    MUST(gusset_net_mesh_get_view(mesh, &maps));
+    MUST(gusset_net_to_mesh(NULL, net, &options, &mesh));
+    MUST(gusset_result_get_mesh(mesh, &view));
+    MUST(gusset_result_get_net_mesh(mesh, &maps));
     HOLDS(view.vertex_count == 5 * 8 && view.face_count == 4 * 8 && maps.texture_count > 0); /* closed round */
 
     /* Rows and columns found in a mesh of quads. */
@@ -159,16 +159,16 @@ static void to_meshes_and_back(void) {
     HOLDS(parts.face_of_cell.count == 32 && size_of(found).rows * size_of(found).columns == 5 * 9);
     gusset_net_destroy(found);
     gusset_net_grid_destroy(grid);
-    gusset_net_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
 
     /* And in one of triangles, two for each cell. */
-    MUST(gusset_net_mesh_create(NULL, net, &in_two, &mesh));
-    MUST(gusset_net_mesh_get_mesh(mesh, &view));
+    MUST(gusset_net_to_mesh(NULL, net, &in_two, &mesh));
+    MUST(gusset_result_get_mesh(mesh, &view));
     MUST(gusset_net_triangle_grid_create(NULL, &view, &grid));
     MUST(gusset_net_grid_get_view(grid, &parts));
     HOLDS(view.face_count == 64 && parts.face_of_cell.count == 32);
     gusset_net_grid_destroy(grid);
-    gusset_net_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
     gusset_net_destroy(net);
 
     MUST(gusset_net_from_heights_create(NULL, &heights, &tent));

@@ -11,7 +11,6 @@ typedef struct piece {
 
 /* The part of it from x = first on, as a scanner saw it that was turned about the z axis and moved along the x axis. */
 static gusset_mesh_view scan(piece *made, double first, double turn, double shift) {
-    gusset_mesh_view view = {.struct_size = sizeof view, .scalar = GUSSET_F64, .face_size = 3};
     uint32_t i, j;
 
     for (i = 0; i < SIDE; ++i) {
@@ -29,9 +28,7 @@ static gusset_mesh_view scan(piece *made, double first, double turn, double shif
             memcpy(made->corners[(SIDE - 1) * i + j], two, sizeof two);
         }
     }
-    view.positions = made->points, view.vertex_count = SIDE * SIDE;
-    view.face_corners = made->corners, view.face_count = sizeof made->corners / sizeof(uint32_t[3]);
-    return view;
+    return gusset_triangles_f64(made->points[0], SIDE * SIDE, made->corners[0], sizeof made->corners / sizeof(uint32_t[3]));
 }
 
 /* Takes the points of a piece to their new places. */
@@ -126,15 +123,15 @@ static void what_is_kept_of_an_overlap(void) {
 }
 //! [trim]
 
-//! [assembly]
+//! [join]
 static void scans_made_one_mesh(void) {
     piece first, second;
     gusset_mesh_view pieces[2];
-    const gusset_assembly_options trimmed = {.struct_size = sizeof trimmed, .overlaps = GUSSET_OVERLAPS_TRIM};
+    const gusset_join_options trimmed = {.struct_size = sizeof trimmed, .overlaps = GUSSET_OVERLAPS_TRIM};
     gusset_alignment_view found = {.struct_size = sizeof found};
-    gusset_assembly_view parts = {.struct_size = sizeof parts};
+    gusset_join_report parts = {.struct_size = sizeof parts};
     gusset_alignment *alignment = NULL;
-    gusset_assembly *assembly = NULL;
+    gusset_result *joined = NULL;
 
     pieces[0] = scan(&first, 0.0, 0.0, 0.0);
     pieces[1] = scan(&second, 0.35, pi / 90.0, 0.02);
@@ -144,14 +141,14 @@ static void scans_made_one_mesh(void) {
     move(&second, &found.pieces[1].pose);
     gusset_alignment_destroy(alignment);
 
-    MUST(gusset_assembly_create(NULL, pieces, 2, &trimmed, &assembly));
-    MUST(gusset_assembly_get_view(assembly, &parts));
+    MUST(gusset_join(NULL, pieces, 2, &trimmed, &joined));
+    MUST(gusset_result_get_join(joined, &parts));
     /* A strip between the two, and the border round both. */
     HOLDS(parts.trimmed_faces > 0 && parts.joint_count > 0 && parts.joints[0].outcome == GUSSET_JOINT_JOINED);
     HOLDS(parts.loops_left == 1 && parts.non_manifold_edges == 0);
-    gusset_assembly_destroy(assembly);
+    gusset_result_destroy(joined);
 }
-//! [assembly]
+//! [join]
 
 int main(void) {
     where_pieces_belong();

@@ -1,4 +1,4 @@
-/* Stitching: facing vertices, meridians, strips, stitches, holes, assemblies. */
+/* Stitching: facing vertices, meridians, strips, stitches, holes, joined pieces. */
 #include "example.h"
 
 /* Two open pyramids, point up and point down, with a gap between their square rims. */
@@ -7,14 +7,7 @@ static const double down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -
 static const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
 
 static gusset_mesh_view pyramid(const double points[5][3]) {
-    const gusset_mesh_view view = {.struct_size = sizeof view,
-                                   .positions = points,
-                                   .vertex_count = 5,
-                                   .face_corners = faces,
-                                   .face_count = 4,
-                                   .scalar = GUSSET_F64,
-                                   .face_size = 3};
-    return view;
+    return gusset_triangles_f64(points[0], 5, faces, 4);
 }
 
 //! [facing]
@@ -50,23 +43,23 @@ static void two_loops_joined(void) {
     const gusset_mesh_view a = pyramid(up), b = pyramid(down);
     gusset_stitch_options options = {.struct_size = sizeof options, .rows = GUSSET_ROWS_COUNT, .row_count = 1};
     gusset_mesh_view whole = {.struct_size = sizeof whole}, strip = {.struct_size = sizeof strip};
-    gusset_stitch_view parts = {.struct_size = sizeof parts};
+    gusset_stitch_report parts = {.struct_size = sizeof parts};
     gusset_quality_report quality = {.struct_size = sizeof quality};
-    gusset_stitch *stitch = NULL;
+    gusset_result *stitch = NULL;
 
     /* NULL for both loops: those that lie nearest to each other. */
-    MUST(gusset_stitch_create(NULL, &a, NULL, &b, NULL, &options, &stitch));
-    MUST(gusset_stitch_get_mesh(stitch, &whole));
-    MUST(gusset_stitch_get_strip(stitch, &strip));
-    MUST(gusset_stitch_get_view(stitch, &parts));
-    MUST(gusset_stitch_get_quality(stitch, &quality));
+    MUST(gusset_stitch(NULL, &a, NULL, &b, NULL, &options, &stitch));
+    MUST(gusset_result_get_mesh(stitch, &whole));
+    MUST(gusset_result_get_strip_mesh(stitch, &strip));
+    MUST(gusset_result_get_stitch(stitch, &parts));
+    MUST(gusset_result_get_quality(stitch, &quality));
     HOLDS(quality.loops_left == 0 && quality.orientation_conflicts == 0);
     /* The faces of A, those of B, then the strip; old vertices keep their bits. */
     HOLDS(parts.strip_face_first == 8 && whole.face_count == 8 + strip.face_count);
     HOLDS(memcmp(whole.positions, up, sizeof up) == 0);
     /* Each new vertex has parents on the rims: in a row the ends of its meridian, the second one twice. */
     HOLDS(parts.parents.count == 3 * (whole.vertex_count - 10) && parts.weights[0] == 0.5 && parts.weights[2] == 0.0);
-    gusset_stitch_destroy(stitch);
+    gusset_result_destroy(stitch);
 }
 //! [stitch]
 
@@ -74,25 +67,25 @@ static void two_loops_joined(void) {
 static void a_strip_of_no_mesh(void) {
     const double a[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const double b[2][3] = {{0, 1, 0}, {2, 1, 0}};
-    gusset_strip *strip = NULL;
-    gusset_strip_view parts = {.struct_size = sizeof parts};
+    gusset_result *strip = NULL;
+    gusset_strip_report parts = {.struct_size = sizeof parts};
     gusset_mesh_view mesh = {.struct_size = sizeof mesh};
     const gusset_strip_options rows = {
         .struct_size = sizeof rows, .rows = GUSSET_ROWS_COUNT, .row_count = 2, .cells = GUSSET_CELLS_QUADS};
 
-    MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, NULL, &strip));
-    MUST(gusset_strip_get_view(strip, &parts));
-    MUST(gusset_strip_get_mesh(strip, &mesh));
+    MUST(gusset_strip(NULL, a[0], 3, b[0], 2, NULL, &strip));
+    MUST(gusset_result_get_strip(strip, &parts));
+    MUST(gusset_result_get_mesh(strip, &mesh));
     HOLDS(mesh.vertex_count == 5 && mesh.face_count == 3 && parts.meridians.count == 2 * 4);
-    gusset_strip_destroy(strip);
+    gusset_result_destroy(strip);
 
     /* The paper's intermediate mesh: P has a row for each polyline and two between them. */
-    MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, &rows, &strip));
-    MUST(gusset_strip_get_view(strip, &parts));
-    MUST(gusset_strip_get_mesh(strip, &mesh));
+    MUST(gusset_strip(NULL, a[0], 3, b[0], 2, &rows, &strip));
+    MUST(gusset_result_get_strip(strip, &parts));
+    MUST(gusset_result_get_mesh(strip, &mesh));
     const size_t columns = parts.meridians.count / 2;
     HOLDS(parts.row_count == 2 && parts.matrix.count == 4 * columns && mesh.vertex_count == 5 + 2 * columns);
-    gusset_strip_destroy(strip);
+    gusset_result_destroy(strip);
 }
 //! [strip]
 
@@ -100,37 +93,43 @@ static void a_strip_of_no_mesh(void) {
 static void a_hole_filled(void) {
     const gusset_mesh_view mesh = pyramid(up);
     gusset_mesh_view filled = {.struct_size = sizeof filled};
-    gusset_fill_view parts = {.struct_size = sizeof parts};
+    gusset_fill_report parts = {.struct_size = sizeof parts};
     gusset_quality_report quality = {.struct_size = sizeof quality};
-    gusset_fill *fill = NULL;
+    gusset_result *fill = NULL;
 
     /* No loops named: all that the mesh has. */
-    MUST(gusset_fill_create(NULL, &mesh, NULL, 0, NULL, &fill));
-    MUST(gusset_fill_get_mesh(fill, &filled));
-    MUST(gusset_fill_get_view(fill, &parts));
-    MUST(gusset_fill_get_quality(fill, &quality));
+    MUST(gusset_fill(NULL, &mesh, NULL, 0, NULL, &fill));
+    MUST(gusset_result_get_mesh(fill, &filled));
+    MUST(gusset_result_get_fill(fill, &parts));
+    MUST(gusset_result_get_quality(fill, &quality));
     HOLDS(parts.hole_count == 1 && parts.holes[0].status == GUSSET_HOLE_FILLED);
     HOLDS(filled.face_count == 6 && about(quality.area, 2.0) && quality.loops_left == 0);
-    gusset_fill_destroy(fill);
+    gusset_result_destroy(fill);
 }
 //! [fill]
 
-//! [assembly]
+//! [join]
 static void many_pieces(void) {
     const gusset_mesh_view pieces[2] = {pyramid(up), pyramid(down)};
-    gusset_assembly_options options = {.struct_size = sizeof options, .gap = GUSSET_GAP_GIVEN, .max_gap = 2.5, .fill = 1};
+    gusset_join_options options = {.struct_size = sizeof options, .gap = GUSSET_GAP_GIVEN, .max_gap = 2.5, .fill = 1};
     gusset_mesh_view whole = {.struct_size = sizeof whole};
-    gusset_assembly_view parts = {.struct_size = sizeof parts};
-    gusset_assembly *assembly = NULL;
+    gusset_join_report parts = {.struct_size = sizeof parts};
+    gusset_result *joined = NULL;
 
-    MUST(gusset_assembly_create(NULL, pieces, 2, &options, &assembly));
-    MUST(gusset_assembly_get_mesh(assembly, &whole));
-    MUST(gusset_assembly_get_view(assembly, &parts));
+    /* The whole job: NULL options sew, orient and stitch by default. */
+    MUST(gusset_join(NULL, pieces, 2, NULL, &joined));
+    MUST(gusset_result_get_mesh(joined, &whole));
+    HOLDS(whole.vertex_count == 10 && whole.face_count == 16);
+    gusset_result_destroy(joined);
+
+    MUST(gusset_join(NULL, pieces, 2, &options, &joined));
+    MUST(gusset_result_get_mesh(joined, &whole));
+    MUST(gusset_result_get_join(joined, &parts));
     HOLDS(parts.joint_count == 1 && parts.joints[0].outcome == GUSSET_JOINT_JOINED && parts.loops_left == 0);
     HOLDS(whole.face_count == 16 && parts.pieces[1].faces.data[0] == 4);
-    gusset_assembly_destroy(assembly);
+    gusset_result_destroy(joined);
 }
-//! [assembly]
+//! [join]
 
 int main(void) {
     which_vertices_face_each_other();

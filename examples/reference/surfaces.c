@@ -221,15 +221,15 @@ static void beside(void) {
 //! [sheet_mesh]
 static void a_mesh_of_it(const gusset_sheet *sheet) {
     const gusset_sheet_mesh_options options = {.struct_size = sizeof options, .tolerance = 1e-3, .triangles = 1};
-    gusset_sheet_mesh *mesh = NULL;
+    gusset_result *mesh = NULL;
     gusset_mesh_view view = {.struct_size = sizeof view};
-    gusset_sheet_mesh_view parts = {.struct_size = sizeof parts};
+    gusset_sheet_mesh_report parts = {.struct_size = sizeof parts};
 
-    MUST(gusset_sheet_mesh_create(NULL, sheet, &options, &mesh));
-    MUST(gusset_sheet_mesh_get_mesh(mesh, &view));
-    MUST(gusset_sheet_mesh_get_view(mesh, &parts));
+    MUST(gusset_sheet_to_mesh(NULL, sheet, &options, &mesh));
+    MUST(gusset_result_get_mesh(mesh, &view));
+    MUST(gusset_result_get_sheet_mesh(mesh, &parts));
     HOLDS(parts.vertex_count == view.vertex_count && parts.deviation <= 1e-3);
-    gusset_sheet_mesh_destroy(mesh);
+    gusset_result_destroy(mesh);
 }
 //! [sheet_mesh]
 

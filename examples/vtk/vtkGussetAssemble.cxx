@@ -19,7 +19,7 @@ int vtkGussetAssemble::FillInputPortInformation(int, vtkInformation *info) {
 
 int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inputs, vtkInformationVector *outputs) {
     vtkPolyData *output = vtkPolyData::GetData(outputs, 0);
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     if (!this->Weld) {
         options.weld.reset();
     }
@@ -55,7 +55,7 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
         }
         const std::vector<gusset::MeshView> views = gusset_vtk::views_of(pieces);
         gusset_vtk::with_names(pieces, [&] {
-            const gusset::Assembly assembly(views, options, run.context());
+            const gusset::Join assembly(views, options, run.context());
             std::vector<gusset::Indices> vertices;
             for (const gusset_piece_map &piece : assembly.pieces()) {
                 vertices.push_back(gusset::detail::indices(piece.vertices));

@@ -125,7 +125,7 @@ std::vector<Waterplane> of_surface(const gusset::Surface &port, const std::vecto
 }
 
 /// Of each face of the closed hull whether a piece has it; the others are new.
-std::vector<bool> given_faces(const gusset::Assembly &whole) {
+std::vector<bool> given_faces(const gusset::Join &whole) {
     std::vector<bool> given(whole.mesh().face_count());
     for (const gusset_piece_map &piece : whole.pieces()) {
         for (const uint32_t f : gusset::Indices(piece.faces.data, piece.faces.count)) {
@@ -145,7 +145,7 @@ bool is_wet(const MeshView &mesh, std::size_t f, double water) {
 }
 
 /// The hull from the bow and above, and from the stern and below; what is under water in red, what was filled in green.
-void draw(const gusset::Assembly &whole, double water, const Point3 &centre, double scale, const std::string &file) {
+void draw(const gusset::Join &whole, double water, const Point3 &centre, double scale, const std::string &file) {
     const std::vector<bool> given = given_faces(whole);
     const auto colour = [&](std::size_t f) {
         return !given[f] ? pictures::green : is_wet(whole.mesh(), f, water) ? pictures::red : pictures::grey;
@@ -167,7 +167,7 @@ void draw(const gusset::Assembly &whole, double water, const Point3 &centre, dou
 }
 
 /// The table, its surfaces and the closed hull for a page.
-page::Showcase show(const std::vector<ship::Station> &stations, const std::vector<MeshView> &pieces, const gusset::Assembly &whole,
+page::Showcase show(const std::vector<ship::Station> &stations, const std::vector<MeshView> &pieces, const gusset::Join &whole,
                     double water, double length) {
     page::Showcase shown;
     shown.id = "ship";
@@ -240,9 +240,9 @@ int main(int argc, char **argv) try {
     for (const gusset::SheetMesh &mesh : meshes) {
         views.push_back(mesh.mesh());
     }
-    gusset::AssemblyOptions options;
+    gusset::JoinOptions options;
     options.fill = gusset::FillOptions(); // slits under a flat keel, steps of the deck
-    const gusset::Assembly whole(views, options);
+    const gusset::Join whole(views, options);
     //! [hull]
 
     double apart = 0;
@@ -251,8 +251,8 @@ int main(int argc, char **argv) try {
     }
     const workshop::Measure size = workshop::measure(whole.mesh());
     std::cout << stations.size() << " stations; " << views.size() << " pieces, meshes within " << apart
-              << " m of their surfaces; joined: " << whole.view().joint_count << " strips, " << whole.view().hole_count
-              << " holes filled, " << whole.view().loops_left << " loops left\nclosed: " << whole.mesh().face_count()
+              << " m of their surfaces; joined: " << whole.report().joint_count << " strips, " << whole.report().hole_count
+              << " holes filled, " << whole.report().loops_left << " loops left\nclosed: " << whole.mesh().face_count()
               << " faces, Euler characteristic " << workshop::euler(whole.mesh()) << ", " << size.area << " m2, "
               << size.volume << " m3\n";
     claims.closed(whole.mesh(), "the hull");

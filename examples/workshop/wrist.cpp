@@ -118,7 +118,7 @@ void clip(pictures::Drawing &drawing, int x, int width) {
     drawing.add(text.str());
 }
 
-void draw(const std::vector<MeshView> &pieces, const gusset::Assembly &whole, const std::string &file) {
+void draw(const std::vector<MeshView> &pieces, const gusset::Join &whole, const std::string &file) {
     const auto box = [&](gusset::Indices vertices) {
         std::array<Point3, 2> found{whole.mesh().position(vertices[0]), whole.mesh().position(vertices[0])};
         for (const uint32_t v : vertices) {
@@ -191,9 +191,9 @@ page::Showcase show(const std::vector<MeshView> &pieces) {
     }
     shown.states = {{"Apart", 0, {}, "Two meshes; no vertex of them moves."}};
     for (const gusset::Finish finish : {gusset::Finish::strip, gusset::Finish::blend}) {
-        gusset::AssemblyOptions options;
+        gusset::JoinOptions options;
         options.strips.finish = finish;
-        const gusset::Assembly whole(pieces, options);
+        const gusset::Join whole(pieces, options);
         std::vector<uint8_t> paint(whole.mesh().face_count(), 2);
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             for (const uint32_t f : gusset::Indices(whole.pieces()[k].faces.data, whole.pieces()[k].faces.count)) {
@@ -239,9 +239,9 @@ int main(int argc, char **argv) try {
     //! [wrist]
     const gusset::openmesh::Input a(body), b(hand); // positions are read where OpenMesh keeps them
     const std::vector<MeshView> pieces{a.view(), b.view()};
-    gusset::AssemblyOptions options; // by default what faces each other is joined, and no hole is filled
+    gusset::JoinOptions options; // by default what faces each other is joined, and no hole is filled
     options.strips.finish = blend ? gusset::Finish::blend : gusset::Finish::strip;
-    const gusset::Assembly whole(pieces, options);
+    const gusset::Join whole(pieces, options);
     //! [wrist]
     for (std::size_t k = 0; k < 2; ++k) {
         std::cout << (k == 0 ? "body: " : "hand: ") << pieces[k].vertex_count() << " vertices, "
@@ -265,7 +265,7 @@ int main(int argc, char **argv) try {
     const std::size_t loops = gusset::Boundary(pieces[0]).size() + gusset::Boundary(pieces[1]).size();
     const bool joined = whole.joints().size() == 1 && whole.joints()[0].outcome == GUSSET_JOINT_JOINED;
     claims.hold(joined, "one joint, at the wrist");
-    claims.hold(whole.view().loops_left == loops - 2, "all other holes stay open");
+    claims.hold(whole.report().loops_left == loops - 2, "all other holes stay open");
     claims.hold(euler(whole.mesh()) == euler(pieces[0]) + euler(pieces[1]), "a strip round the wrist adds nothing");
     const gusset::Check check(whole.mesh());
     claims.hold(check.is_manifold() && check.is_oriented(), "the result is an oriented manifold");

@@ -48,9 +48,9 @@ public:
         boundary_.reset(context.result(gusset_boundary_create, &mesh.get(), &given));
     }
 
-    std::size_t size() const noexcept { return gusset_boundary_loop_count(boundary_.get()); }
+    std::size_t size() const noexcept { return view().loop_count; }
     bool empty() const noexcept { return size() == 0; }
-    std::size_t walk_count() const noexcept { return gusset_boundary_walk_count(boundary_.get()); }
+    std::size_t walk_count() const noexcept { return view().walk_count; }
 
     /// Loop `i`; throws Error (GUSSET_ERROR_NO_SUCH_ELEMENT) from size() on.
     Loop operator[](std::size_t i) const {
@@ -61,10 +61,8 @@ public:
     }
 
     Span<const gusset_defect> defects() const & {
-        const gusset_defect *data = nullptr;
-        std::size_t count = 0;
-        detail::check(gusset_boundary_get_defects(boundary_.get(), &data, &count));
-        return {data, count};
+        const gusset_boundary_view found = view();
+        return {found.defects, found.defect_count};
     }
     Span<const gusset_defect> defects() const && = delete;
 
@@ -72,6 +70,12 @@ public:
     iterator end() const noexcept { return {this, size()}; }
 
 private:
+    /// All zero if this was moved from.
+    gusset_boundary_view view() const noexcept {
+        auto found = detail::sized<gusset_boundary_view>();
+        (void)!gusset_boundary_get_view(boundary_.get(), &found);
+        return found;
+    }
     detail::Handle<gusset_boundary, gusset_boundary_destroy> boundary_;
 };
 

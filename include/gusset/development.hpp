@@ -2,21 +2,20 @@
 #ifndef GUSSET_DEVELOPMENT_HPP
 #define GUSSET_DEVELOPMENT_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/mesh.hpp>
+#include <gusset/result.hpp>
 
 #include <array>
 
 namespace gusset {
 
-/// Which distortion is least; see gusset_development_options.
+/// Which distortion is least; see gusset_develop_options.
 enum class Distortion : uint32_t {
     symmetric = GUSSET_DISTORTION_SYMMETRIC,
     rigid = GUSSET_DISTORTION_RIGID,
     conformal = GUSSET_DISTORTION_CONFORMAL
 };
 
-/// How a surface is developed; see gusset_development_options.
+/// How a surface is developed; see gusset_develop_options.
 struct DevelopmentOptions {
     Distortion distortion = Distortion::symmetric;
     /// Paths along which the surface is cut, each through vertices of the mesh.
@@ -28,8 +27,8 @@ struct DevelopmentOptions {
     uint32_t max_iterations = 0;
 };
 
-/// A surface in the plane; see gusset_development_create.
-class Development {
+/// A surface in the plane; see gusset_develop. Its mesh is flat, with z = 0.
+class Development : public Result {
 public:
     explicit Development(const MeshView &mesh, const DevelopmentOptions &options = {}, const Context &context = Context()) {
         std::vector<uint32_t> vertices, offsets{0};
@@ -37,7 +36,7 @@ public:
             vertices.insert(vertices.end(), path.begin(), path.end());
             offsets.push_back(static_cast<uint32_t>(vertices.size()));
         }
-        auto given = detail::sized<gusset_development_options>();
+        auto given = detail::sized<gusset_develop_options>();
         given.distortion = static_cast<uint32_t>(options.distortion);
         given.max_darts = options.max_darts;
         given.cuts = {vertices.data(), vertices.size()};
@@ -45,49 +44,41 @@ public:
         // 0 would be no limit.
         given.max_stretch = options.max_stretch ? (*options.max_stretch == 0.0 ? -1.0 : *options.max_stretch) : 0.0;
         given.max_iterations = options.max_iterations;
-        development_.reset(context.result(gusset_development_create, &mesh.get(), &given));
+        take(context.result(gusset_develop, &mesh.get(), &given));
     }
 
-    /// The flat mesh, with z = 0.
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_development_get_mesh, development_.get())); }
-    MeshView mesh() const && = delete;
     /// The places of the vertices in the plane.
     Span<const std::array<double, 2>> points() const & {
-        const gusset_development_view all = view();
+        const gusset_develop_report all = report();
         return {reinterpret_cast<const std::array<double, 2> *>(all.points), all.vertex_map.count};
     }
     Span<const std::array<double, 2>> points() const && = delete;
     /// Of each vertex, that of the surface that it is.
-    Indices vertex_map() const & { return detail::indices(view().vertex_map); }
+    Indices vertex_map() const & { return detail::indices(report().vertex_map); }
     Indices vertex_map() const && = delete;
     /// Of each face its chart.
-    Indices face_charts() const & { return detail::indices(view().face_charts); }
+    Indices face_charts() const & { return detail::indices(report().face_charts); }
     Indices face_charts() const && = delete;
     /// Of each face the largest factor by which lengths in it grow, and the least.
     Span<const std::array<double, 2>> stretches() const & {
-        const gusset_development_view all = view();
+        const gusset_develop_report all = report();
         return {reinterpret_cast<const std::array<double, 2> *>(all.stretches), all.face_charts.count};
     }
     Span<const std::array<double, 2>> stretches() const && = delete;
     /// The connected components, each with its account.
-    Span<const gusset_chart> charts() const & { return {view().charts, view().chart_count}; }
+    Span<const gusset_chart> charts() const & { return {report().charts, report().chart_count}; }
     Span<const gusset_chart> charts() const && = delete;
     /// Edges of the surface that were cut, two vertices an edge.
-    Indices cut_edges() const & { return detail::indices(view().cut_edges); }
+    Indices cut_edges() const & { return detail::indices(report().cut_edges); }
     Indices cut_edges() const && = delete;
     /// Of each of them GUSSET_CUT_...
-    Indices cut_kinds() const & { return detail::indices(view().cut_kinds); }
+    Indices cut_kinds() const & { return detail::indices(report().cut_kinds); }
     Indices cut_kinds() const && = delete;
     /// The number of darts.
-    uint32_t darts() const { return view().darts; }
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_development_origins_create, development_.get()));
-    }
+    uint32_t darts() const { return report().darts; }
 
 private:
-    gusset_development_view view() const { return detail::lent(gusset_development_get_view, development_.get()); }
-    detail::Handle<gusset_development, gusset_development_destroy> development_;
+    gusset_develop_report report() const { return detail::lent(gusset_result_get_develop, get()); }
 };
 
 } // namespace gusset

@@ -2,8 +2,7 @@
 #ifndef GUSSET_FILL_HPP
 #define GUSSET_FILL_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/mesh.hpp>
+#include <gusset/result.hpp>
 #include <gusset/stitch.hpp>
 
 namespace gusset {
@@ -77,8 +76,8 @@ inline gusset_fill_options as_c(const FillOptions &options) {
 }
 } // namespace detail
 
-/// A mesh with holes filled; see gusset_fill_create.
-class Fill {
+/// A mesh with holes filled; see gusset_fill. Its old vertices and faces come first.
+class Fill : public Result {
 public:
     /// All holes. Groups need loops: with them it throws.
     explicit Fill(const MeshView &mesh, const FillOptions &options = {}, const Context &context = Context()) {
@@ -99,46 +98,38 @@ public:
         create(mesh, given.empty() ? &none : given.data(), given.size(), options, context);
     }
 
-    /// Old vertices and faces first.
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_fill_get_mesh, fill_.get())); }
-    MeshView mesh() const && = delete;
     /// A report on each loop.
     Span<const gusset_hole> holes() const & {
-        const gusset_fill_view found = view();
+        const gusset_fill_report found = report();
         return {found.holes, found.hole_count};
     }
     Span<const gusset_hole> holes() const && = delete;
     /// The vertices of a hole's rim.
-    Indices rim(const gusset_hole &hole) const & { return {view().rims.data + hole.rim_first, hole.rim_count}; }
+    Indices rim(const gusset_hole &hole) const & { return {report().rims.data + hole.rim_first, hole.rim_count}; }
     Indices rim(const gusset_hole &hole) const && = delete;
     /// Three vertices of its patch's rims for each new vertex.
-    Indices parents() const & { return detail::indices(view().parents); }
+    Indices parents() const & { return detail::indices(report().parents); }
     Indices parents() const && = delete;
     /// How much each new vertex has of its parents, three numbers a vertex.
-    Span<const double> weights() const & { return {view().weights, view().parents.count}; }
+    Span<const double> weights() const & { return {report().weights, report().parents.count}; }
     Span<const double> weights() const && = delete;
     /// Pairs of faces that cut each other; empty if they were not looked for.
     std::optional<Indices> intersections() const & {
-        return detail::intersections(view());
+        return detail::intersections(report());
     }
     std::optional<Indices> intersections() const && = delete;
     /// The faces that Outward::closed turned over.
-    Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
+    Indices turned_outwards() const & { return detail::indices(report().turned_outwards); }
     Indices turned_outwards() const && = delete;
-    gusset_quality_report quality() const { return detail::lent(gusset_fill_get_quality, fill_.get()); }
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_fill_origins_create, fill_.get()));
-    }
+    gusset_quality_report quality() const { return detail::lent(gusset_result_get_quality, get()); }
 
 private:
     void create(const MeshView &mesh, const gusset_indices *loops, std::size_t count, const FillOptions &options,
                 const Context &context) {
         const gusset_fill_options given = detail::as_c(options);
-        fill_.reset(context.result(gusset_fill_create, &mesh.get(), loops, count, &given));
+        take(context.result(gusset_fill, &mesh.get(), loops, count, &given));
     }
-    gusset_fill_view view() const { return detail::lent(gusset_fill_get_view, fill_.get()); }
-    detail::Handle<gusset_fill, gusset_fill_destroy> fill_;
+    gusset_fill_report report() const { return detail::lent(gusset_result_get_fill, get()); }
 };
 
 } // namespace gusset

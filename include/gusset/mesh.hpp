@@ -119,8 +119,7 @@ private:
 /// The positions of new vertices; see the constants.
 enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
 
-/// The side that closed components face: that of most of their faces, or as they are, in results of stitching and filling;
-/// or outwards.
+/// The side that closed components of a result face; see the constants.
 enum class Outward : uint32_t { keep = GUSSET_OUTWARD_KEEP, closed = GUSSET_OUTWARD_CLOSED };
 
 /// For each vertex the smallest one with an equal key, or without keys at the same position; see

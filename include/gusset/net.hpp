@@ -538,9 +538,9 @@ inline DecimatedNet Net::decimated(double tolerance, const Context &context) con
 
 /// Joins nets side by side to one; a net may occur several times. See
 /// gusset_net_concatenate_create.
-inline Net concatenate(Span<const Net *const> nets, const JoinOptions &options = {},
+inline Net concatenate(Span<const Net *const> nets, const ConcatenateOptions &options = {},
                        const Context &context = Context()) {
-    const gusset_join_options given = detail::as_c(options);
+    const gusset_concatenate_options given = detail::as_c(options);
     std::vector<const gusset_net *> handles;
     for (const Net *net : nets) {
         handles.push_back(net != nullptr ? net->get() : nullptr);
@@ -548,7 +548,7 @@ inline Net concatenate(Span<const Net *const> nets, const JoinOptions &options =
     return Net(context.result(gusset_net_concatenate_create, handles.data(), handles.size(), &given));
 }
 /// Joins nets side by side to one; see gusset_net_concatenate_create.
-inline Net concatenate(Span<const Net> nets, const JoinOptions &options = {}, const Context &context = Context()) {
+inline Net concatenate(Span<const Net> nets, const ConcatenateOptions &options = {}, const Context &context = Context()) {
     std::vector<const Net *> pointers;
     for (const Net &net : nets) {
         pointers.push_back(&net);
@@ -556,12 +556,12 @@ inline Net concatenate(Span<const Net> nets, const JoinOptions &options = {}, co
     return concatenate(Span<const Net *const>(pointers), options, context);
 }
 /// The same of nets that are not copied.
-inline Net concatenate(std::initializer_list<const Net *> nets, const JoinOptions &options = {},
+inline Net concatenate(std::initializer_list<const Net *> nets, const ConcatenateOptions &options = {},
                        const Context &context = Context()) {
     return concatenate(Span<const Net *const>(nets.begin(), nets.size()), options, context);
 }
 /// Joins two nets.
-inline Net concatenate(const Net &first, const Net &second, const JoinOptions &options = {},
+inline Net concatenate(const Net &first, const Net &second, const ConcatenateOptions &options = {},
                        const Context &context = Context()) {
     const Net *const nets[] = {&first, &second};
     return concatenate(Span<const Net *const>(nets, 2), options, context);

@@ -16,7 +16,7 @@ enum class Replication : uint32_t {
     last = GUSSET_REPLICATE_LAST,
     at = GUSSET_REPLICATE_AT,
     at_poles = GUSSET_REPLICATE_AT_POLES,
-    /// For JoinOptions only.
+    /// For ConcatenateOptions only.
     refuse = GUSSET_REPLICATE_REFUSE
 };
 
@@ -59,8 +59,8 @@ struct Bridge {
     uint32_t rows;
 };
 
-/// The options of joins; see gusset_join_options.
-struct JoinOptions {
+/// The options of joins; see gusset_concatenate_options.
+struct ConcatenateOptions {
     Direction direction = Direction::right;
     BridgeMode mode = BridgeMode::keep;
     /// The largest distance of nodes that are welded.
@@ -87,8 +87,8 @@ inline gusset_reformat_options as_c(const ReformatOptions &options) {
     given.column_index = options.column_index;
     return given;
 }
-inline gusset_join_options as_c(const JoinOptions &options) {
-    auto given = detail::sized<gusset_join_options>();
+inline gusset_concatenate_options as_c(const ConcatenateOptions &options) {
+    auto given = detail::sized<gusset_concatenate_options>();
     given.tolerance = options.tolerance;
     given.properties = options.properties;
     given.direction = static_cast<gusset_direction>(options.direction);

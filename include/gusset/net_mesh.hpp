@@ -2,8 +2,7 @@
 #ifndef GUSSET_NET_MESH_HPP
 #define GUSSET_NET_MESH_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/mesh.hpp>
+#include <gusset/result.hpp>
 #include <gusset/net.hpp>
 
 namespace gusset {
@@ -28,9 +27,9 @@ struct NetMeshOptions {
     double max_edge_ratio = 0.0;
 };
 
-/// The mesh of a net; see gusset_net_mesh_create. It keeps nothing of the net; views and spans live
+/// The mesh of a net; see gusset_net_to_mesh. It keeps nothing of the net; views and spans live
 /// as long as this.
-class NetMesh {
+class NetMesh : public Result {
 public:
     /// The index of an element that is not in the mesh.
     static constexpr uint32_t none = UINT32_MAX;
@@ -43,41 +42,34 @@ public:
         given.fill_corners = options.fill_corners ? 1 : 0;
         given.texture = options.texture ? 1 : 0;
         given.max_edge_ratio = options.max_edge_ratio;
-        mesh_.reset(context.result(gusset_net_mesh_create, net.get(), &given));
+        take(context.result(gusset_net_to_mesh, net.get(), &given));
     }
 
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_net_mesh_get_mesh, mesh_.get())); }
-    MeshView mesh() const && = delete;
     /// Of each node its vertex, or none.
-    Indices vertex_of_node() const & { return detail::indices(view().vertex_of_node); }
+    Indices vertex_of_node() const & { return detail::indices(report().vertex_of_node); }
     Indices vertex_of_node() const && = delete;
     /// Of each vertex the first of its nodes.
-    Indices node_of_vertex() const & { return detail::indices(view().node_of_vertex); }
+    Indices node_of_vertex() const & { return detail::indices(report().node_of_vertex); }
     Indices node_of_vertex() const && = delete;
     /// Of each face its cell: cell (i, j) is i * (columns - 1) + j.
-    Indices cell_of_face() const & { return detail::indices(view().cell_of_face); }
+    Indices cell_of_face() const & { return detail::indices(report().cell_of_face); }
     Indices cell_of_face() const && = delete;
     /// Edges without faces, two vertices each.
-    Indices wires() const & { return detail::indices(view().wires); }
+    Indices wires() const & { return detail::indices(report().wires); }
     Indices wires() const && = delete;
     /// Of each corner of the mesh the index of its texture coordinates; empty unless requested.
-    Indices texture_corners() const & { return detail::indices(view().texture_corners); }
+    Indices texture_corners() const & { return detail::indices(report().texture_corners); }
     Indices texture_corners() const && = delete;
     /// u and v from 0 to 1: column and row.
     Span<const std::array<double, 2>> texture_coordinates() const & {
         static_assert(sizeof(std::array<double, 2>) == 2 * sizeof(double), "packed");
-        const gusset_net_mesh_view found = view();
+        const gusset_net_mesh_report found = report();
         return {reinterpret_cast<const std::array<double, 2> *>(found.texture_coordinates), found.texture_count};
     }
     Span<const std::array<double, 2>> texture_coordinates() const && = delete;
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_net_mesh_origins_create, mesh_.get()));
-    }
 
 private:
-    gusset_net_mesh_view view() const { return detail::lent(gusset_net_mesh_get_view, mesh_.get()); }
-    detail::Handle<gusset_net_mesh, gusset_net_mesh_destroy> mesh_;
+    gusset_net_mesh_report report() const { return detail::lent(gusset_result_get_net_mesh, get()); }
 };
 
 /// A net that was found in a mesh; see gusset_net_grid_create. It keeps nothing of the mesh; spans

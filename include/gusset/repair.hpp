@@ -2,8 +2,7 @@
 #ifndef GUSSET_REPAIR_HPP
 #define GUSSET_REPAIR_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/mesh.hpp>
+#include <gusset/result.hpp>
 
 namespace gusset {
 
@@ -33,133 +32,112 @@ inline gusset_weld_options as_c(const WeldOptions &options) {
 }
 } // namespace detail
 
-/// A mesh whose vertices that lie together are one; see gusset_weld_create.
-class Weld {
+/// A mesh whose vertices that lie together are one; see gusset_weld.
+class Weld : public Result {
 public:
     /// The index of an element that is not in the result.
     static constexpr uint32_t none = UINT32_MAX;
 
     explicit Weld(const MeshView &mesh, const WeldOptions &options = {}, const Context &context = Context()) {
         const gusset_weld_options given = detail::as_c(options);
-        weld_.reset(context.result(gusset_weld_create, &mesh.get(), &given));
+        take(context.result(gusset_weld, &mesh.get(), &given));
     }
 
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_weld_get_mesh, weld_.get())); }
-    MeshView mesh() const && = delete;
     /// Of each old vertex its index in the result, or none.
-    Indices vertex_map() const & { return detail::indices(view().vertex_map); }
+    Indices vertex_map() const & { return detail::indices(report().vertex_map); }
     Indices vertex_map() const && = delete;
     /// Of each old face its index in the result, or none.
-    Indices face_map() const & { return detail::indices(view().face_map); }
+    Indices face_map() const & { return detail::indices(report().face_map); }
     Indices face_map() const && = delete;
     /// Half-edges of the old mesh: free edges that lie on another and are not sewn to it.
-    Indices left_edges() const & { return detail::indices(view().left_edges); }
+    Indices left_edges() const & { return detail::indices(report().left_edges); }
     Indices left_edges() const && = delete;
     /// Vertices of the old mesh that lie together with another and are not welded to it.
-    Indices left_vertices() const & { return detail::indices(view().left_vertices); }
+    Indices left_vertices() const & { return detail::indices(report().left_vertices); }
     Indices left_vertices() const && = delete;
     /// The number of vertices welded to one of a smaller index.
-    uint32_t welded_vertices() const { return view().welded_vertices; }
+    uint32_t welded_vertices() const { return report().welded_vertices; }
     /// The number of edges sewn from two free edges.
-    uint32_t sewn_edges() const { return view().sewn_edges; }
+    uint32_t sewn_edges() const { return report().sewn_edges; }
     /// How far apart vertices that lie together were allowed to be, short edges apart; 0 for equal positions.
-    double tolerance() const { return view().tolerance; }
+    double tolerance() const { return report().tolerance; }
     /// The number of faces dropped.
-    uint32_t dropped_faces() const { return view().dropped_faces; }
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_weld_origins_create, weld_.get()));
-    }
+    uint32_t dropped_faces() const { return report().dropped_faces; }
 
 private:
-    gusset_weld_view view() const { return detail::lent(gusset_weld_get_view, weld_.get()); }
-    detail::Handle<gusset_weld, gusset_weld_destroy> weld_;
+    gusset_weld_report report() const { return detail::lent(gusset_result_get_weld, get()); }
 };
 
-/// A mesh whose borders are sewn, also where their vertices do not match; see gusset_sew_create.
-class Sew {
+/// A mesh whose borders are sewn, also where their vertices do not match; see gusset_sew.
+class Sew : public Result {
 public:
     /// The index of an element that is not in the result.
     static constexpr uint32_t none = UINT32_MAX;
 
     explicit Sew(const MeshView &mesh, const WeldOptions &options = {}, const Context &context = Context()) {
         const gusset_weld_options given = detail::as_c(options);
-        sew_.reset(context.result(gusset_sew_create, &mesh.get(), &given));
+        take(context.result(gusset_sew, &mesh.get(), &given));
     }
 
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_sew_get_mesh, sew_.get())); }
-    MeshView mesh() const && = delete;
     /// Of each old vertex its index in the result, or none.
-    Indices vertex_map() const & { return detail::indices(view().vertex_map); }
+    Indices vertex_map() const & { return detail::indices(report().vertex_map); }
     Indices vertex_map() const && = delete;
     /// Of each old face the index of the first face that it became, or none.
-    Indices face_map() const & { return detail::indices(view().face_map); }
+    Indices face_map() const & { return detail::indices(report().face_map); }
     Indices face_map() const && = delete;
     /// Of each face of the result, the old face that it is, or is a part of.
-    Indices face_origin() const & { return detail::indices(view().face_origin); }
+    Indices face_origin() const & { return detail::indices(report().face_origin); }
     Indices face_origin() const && = delete;
     /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
-    Indices left_vertices() const & { return detail::indices(view().left_vertices); }
+    Indices left_vertices() const & { return detail::indices(report().left_vertices); }
     Indices left_vertices() const && = delete;
     /// The number of vertices welded to one of a smaller index.
-    uint32_t welded_vertices() const { return view().welded_vertices; }
+    uint32_t welded_vertices() const { return report().welded_vertices; }
     /// The number of edges sewn from two free edges, or parts of such.
-    uint32_t sewn_edges() const { return view().sewn_edges; }
+    uint32_t sewn_edges() const { return report().sewn_edges; }
     /// The number of points at which free edges were split.
-    uint32_t splits() const { return view().splits; }
+    uint32_t splits() const { return report().splits; }
     /// The number of old faces that were cut or gained corners.
-    uint32_t split_faces() const { return view().split_faces; }
+    uint32_t split_faces() const { return report().split_faces; }
     /// The number of old faces dropped.
-    uint32_t dropped_faces() const { return view().dropped_faces; }
+    uint32_t dropped_faces() const { return report().dropped_faces; }
     /// How far apart what lies together was allowed to be, short edges apart; 0 for equal positions.
-    double tolerance() const { return view().tolerance; }
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_sew_origins_create, sew_.get()));
-    }
+    double tolerance() const { return report().tolerance; }
 
 private:
-    gusset_sew_view view() const { return detail::lent(gusset_sew_get_view, sew_.get()); }
-    detail::Handle<gusset_sew, gusset_sew_destroy> sew_;
+    gusset_sew_report report() const { return detail::lent(gusset_result_get_sew, get()); }
 };
 
-/// A mesh whose faces agree with their neighbours; see gusset_orient_create.
-class Orient {
+/// A mesh whose faces agree with their neighbours; see gusset_orient.
+class Orient : public Result {
 public:
     explicit Orient(const MeshView &mesh, Outward outward = Outward::keep, const Context &context = Context()) {
         auto given = detail::sized<gusset_orient_options>();
         given.outward = static_cast<uint32_t>(outward);
-        orient_.reset(context.result(gusset_orient_create, &mesh.get(), &given));
+        take(context.result(gusset_orient, &mesh.get(), &given));
     }
 
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_orient_get_mesh, orient_.get())); }
-    MeshView mesh() const && = delete;
     /// Of each face, 1 if it was turned over.
     Span<const uint8_t> turned() const & {
-        const gusset_orient_view found = view();
+        const gusset_orient_report found = report();
         return {found.turned, found.face_count};
     }
     Span<const uint8_t> turned() const && = delete;
     /// The number of faces turned over.
-    uint32_t turned_faces() const { return view().turned_faces; }
+    uint32_t turned_faces() const { return report().turned_faces; }
     /// The number of components.
-    uint32_t component_count() const { return view().component_count; }
+    uint32_t component_count() const { return report().component_count; }
     /// The number of closed components that were turned to face outwards.
-    uint32_t inverted_components() const { return view().inverted_components; }
+    uint32_t inverted_components() const { return report().inverted_components; }
     /// The smallest face of each one-sided component.
-    Indices one_sided_faces() const & { return detail::indices(view().one_sided_faces); }
+    Indices one_sided_faces() const & { return detail::indices(report().one_sided_faces); }
     Indices one_sided_faces() const && = delete;
     /// For each one-sided component a half-edge where two faces disagree.
-    Indices one_sided_half_edges() const & { return detail::indices(view().one_sided_half_edges); }
+    Indices one_sided_half_edges() const & { return detail::indices(report().one_sided_half_edges); }
     Indices one_sided_half_edges() const && = delete;
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_orient_origins_create, orient_.get()));
-    }
 
 private:
-    gusset_orient_view view() const { return detail::lent(gusset_orient_get_view, orient_.get()); }
-    detail::Handle<gusset_orient, gusset_orient_destroy> orient_;
+    gusset_orient_report report() const { return detail::lent(gusset_result_get_orient, get()); }
 };
 
 } // namespace gusset

@@ -90,8 +90,8 @@ public:
     }
     /// The nets of all visible instances as one net. `options`: empty for each net below the one
     /// before, with hidden bridges.
-    Net flatten(const std::optional<JoinOptions> &options = std::nullopt, const Context &context = Context()) const {
-        const gusset_join_options given = detail::as_c(options.value_or(JoinOptions()));
+    Net flatten(const std::optional<ConcatenateOptions> &options = std::nullopt, const Context &context = Context()) const {
+        const gusset_concatenate_options given = detail::as_c(options.value_or(ConcatenateOptions()));
         return Net(context.result(gusset_scene_flatten_create, get(), options ? &given : nullptr));
     }
 

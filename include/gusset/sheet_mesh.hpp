@@ -2,8 +2,7 @@
 #ifndef GUSSET_SHEET_MESH_HPP
 #define GUSSET_SHEET_MESH_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/mesh.hpp>
+#include <gusset/result.hpp>
 #include <gusset/sheet.hpp>
 
 namespace gusset {
@@ -18,9 +17,9 @@ struct SheetMeshOptions {
     bool triangles = false;
 };
 
-/// The mesh of a sheet; see gusset_sheet_mesh_create. It keeps nothing of the sheet; views and
+/// The mesh of a sheet; see gusset_sheet_to_mesh. It keeps nothing of the sheet; views and
 /// spans live as long as this, and are not lent by a temporary.
-class SheetMesh {
+class SheetMesh : public Result {
 public:
     explicit SheetMesh(const Sheet &sheet, const SheetMeshOptions &options = {}, const Context &context = Context()) {
         auto given = detail::sized<gusset_sheet_mesh_options>();
@@ -28,36 +27,27 @@ public:
         given.min_u = options.min_u;
         given.min_v = options.min_v;
         given.triangles = options.triangles ? 1 : 0;
-        mesh_.reset(context.result(gusset_sheet_mesh_create, sheet.get(), &given));
+        take(context.result(gusset_sheet_to_mesh, sheet.get(), &given));
     }
 
-    MeshView mesh() const & {
-        return MeshView(detail::lent(gusset_sheet_mesh_get_mesh, mesh_.get()));
-    }
-    MeshView mesh() const && = delete;
     /// The place of each vertex.
     Span<const SurfacePlace> places() const & {
-        const gusset_sheet_mesh_view all = view();
+        const gusset_sheet_mesh_report all = report();
         return {all.places, all.vertex_count};
     }
     Span<const SurfacePlace> places() const && = delete;
     /// Of each vertex the unit normal; 0 where there is none.
     Points normals() const & {
-        const gusset_sheet_mesh_view all = view();
+        const gusset_sheet_mesh_report all = report();
         return detail::points(all.normals, all.vertex_count);
     }
     Points normals() const && = delete;
     /// A bound of the distance between the surface and the triangles, or either pair of triangles
     /// of quads.
-    double deviation() const { return view().deviation; }
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_sheet_mesh_origins_create, mesh_.get()));
-    }
+    double deviation() const { return report().deviation; }
 
 private:
-    gusset_sheet_mesh_view view() const { return detail::lent(gusset_sheet_mesh_get_view, mesh_.get()); }
-    detail::Handle<gusset_sheet_mesh, gusset_sheet_mesh_destroy> mesh_;
+    gusset_sheet_mesh_report report() const { return detail::lent(gusset_result_get_sheet_mesh, get()); }
 };
 
 } // namespace gusset

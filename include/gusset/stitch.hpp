@@ -83,59 +83,57 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
 
 /// A finished stitch: the whole mesh, the strip, and the maps of the inputs into it. Made by
 /// stitch() and stitch_within().
-class Stitch {
+class Stitch : public Result {
 public:
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_stitch_get_mesh, stitch_.get())); }
-    MeshView mesh() const && = delete;
-    MeshView strip() const & { return MeshView(detail::lent(gusset_stitch_get_strip, stitch_.get())); }
+    MeshView strip() const & { return MeshView(detail::lent(gusset_result_get_strip_mesh, get())); }
     MeshView strip() const && = delete;
 
-    gusset_quality_report quality() const { return detail::lent(gusset_stitch_get_quality, stitch_.get()); }
+    gusset_quality_report quality() const { return detail::lent(gusset_result_get_quality, get()); }
 
     /// Of each old vertex of mesh 0 or 1 its index in the result.
-    Indices vertex_map(int mesh) const & { return detail::indices(view().vertex_map[mesh != 0]); }
+    Indices vertex_map(int mesh) const & { return detail::indices(report().vertex_map[mesh != 0]); }
     Indices vertex_map(int mesh) const && = delete;
     /// Of each old face of mesh 0 or 1 its index in the result.
-    Indices face_map(int mesh) const & { return detail::indices(view().face_map[mesh != 0]); }
+    Indices face_map(int mesh) const & { return detail::indices(report().face_map[mesh != 0]); }
     Indices face_map(int mesh) const && = delete;
     /// The vertices of a rim in the result, from the first meridian on.
-    Indices rim(int mesh) const & { return detail::indices(view().rim[mesh != 0]); }
+    Indices rim(int mesh) const & { return detail::indices(report().rim[mesh != 0]); }
     Indices rim(int mesh) const && = delete;
     /// Pairs of places on the rims, i and j interleaved.
-    Indices meridians() const & { return detail::indices(view().meridians); }
+    Indices meridians() const & { return detail::indices(report().meridians); }
     Indices meridians() const && = delete;
     /// The strip's faces in the result: the first, and their number.
     std::pair<std::size_t, std::size_t> strip_faces() const {
-        const gusset_stitch_view found = view();
+        const gusset_stitch_report found = report();
         return {found.strip_face_first, found.strip_face_count};
     }
     /// The paper's matrix P, row by row: row_count() + 2 rows with one vertex for each meridian.
-    Indices matrix() const & { return detail::indices(view().matrix); }
+    Indices matrix() const & { return detail::indices(report().matrix); }
     Indices matrix() const && = delete;
     /// The number of interior rows.
-    uint32_t row_count() const { return view().row_count; }
+    uint32_t row_count() const { return report().row_count; }
     /// Of each new vertex its three parents, interleaved.
-    Indices parents() const & { return detail::indices(view().parents); }
+    Indices parents() const & { return detail::indices(report().parents); }
     Indices parents() const && = delete;
     /// How much each new vertex has of its parents, three numbers a vertex.
-    Span<const double> weights() const & { return {view().weights, view().parents.count}; }
+    Span<const double> weights() const & { return {report().weights, report().parents.count}; }
     Span<const double> weights() const && = delete;
     /// The strip is a closed band between whole loops.
-    bool is_closed_band() const { return view().closed != 0; }
+    bool is_closed_band() const { return report().closed != 0; }
     /// Pairs of faces of mesh() that intersect each other, interleaved; empty if they were not
     /// sought.
     std::optional<Indices> intersections() const & {
-        return detail::intersections(view());
+        return detail::intersections(report());
     }
     std::optional<Indices> intersections() const && = delete;
     /// What the strip is: a blend that was asked for may have had to give way to the strip.
-    Finish finish() const { return static_cast<Finish>(view().finish); }
+    Finish finish() const { return static_cast<Finish>(report().finish); }
     /// The number of local back-offs of the fairing.
-    uint32_t back_off_count() const { return view().back_off_count; }
+    uint32_t back_off_count() const { return report().back_off_count; }
     /// The second piece was turned over to agree with the first.
-    bool turned() const { return view().turned != 0; }
+    bool turned() const { return report().turned != 0; }
     /// The faces that Outward::closed turned over.
-    Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
+    Indices turned_outwards() const & { return detail::indices(report().turned_outwards); }
     Indices turned_outwards() const && = delete;
 
     /// The call of the C interface; stitch() and stitch_within() are its cases.
@@ -146,19 +144,13 @@ public:
             return loop != nullptr ? gusset_indices{loop->data(), loop->size()} : gusset_indices{nullptr, 0};
         };
         const gusset_indices first = list(loop_a), second = list(loop_b);
-        stitch_.reset(context.result(gusset_stitch_create, &a.get(), loop_a != nullptr ? &first : nullptr,
+        take(context.result(gusset_stitch, &a.get(), loop_a != nullptr ? &first : nullptr,
                                      b != nullptr ? &b->get() : nullptr, loop_b != nullptr ? &second : nullptr,
                                      &given));
     }
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_stitch_origins_create, stitch_.get()));
-    }
 
 private:
-    gusset_stitch_view view() const { return detail::lent(gusset_stitch_get_view, stitch_.get()); }
-
-    detail::Handle<gusset_stitch, gusset_stitch_destroy> stitch_;
+    gusset_stitch_report report() const { return detail::lent(gusset_result_get_stitch, get()); }
 };
 
 /// Joins the two loops of a and b that lie nearest to each other.

@@ -2,8 +2,7 @@
 #ifndef GUSSET_STRIP_HPP
 #define GUSSET_STRIP_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/mesh.hpp>
+#include <gusset/result.hpp>
 
 namespace gusset {
 
@@ -60,8 +59,9 @@ struct StripOptions {
     StripCells cells = StripCells::triangles;
 };
 
-/// A strip between two polylines that belong to no mesh; see gusset_strip_create.
-class Strip {
+/// A strip between two polylines that belong to no mesh; see gusset_strip. Its mesh has the points of a, those of b, then
+/// the new ones row by row, and the faces between them.
+class Strip : public Result {
 public:
     Strip(Points a, Points b, bool closed, const StripOptions &options = {}, const Context &context = Context()) {
         auto given = detail::sized<gusset_strip_options>();
@@ -72,39 +72,31 @@ public:
         given.rows = options.rows.mode;
         given.row_count = options.rows.count;
         given.cells = static_cast<uint32_t>(options.cells);
-        strip_.reset(context.result(gusset_strip_create, detail::numbers(a.data()), a.size(),
+        take(context.result(gusset_strip, detail::numbers(a.data()), a.size(),
                                     detail::numbers(b.data()), b.size(), &given));
     }
-    /// The points of a, those of b, then the new ones row by row, and the faces between them.
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_strip_get_mesh, strip_.get())); }
-    MeshView mesh() const && = delete;
     /// The points that the first meridian joins.
-    std::array<uint32_t, 2> start() const { return {view().start[0], view().start[1]}; }
+    std::array<uint32_t, 2> start() const { return {report().start[0], report().start[1]}; }
     /// Pairs of places counted from there, interleaved.
-    Indices meridians() const & { return detail::indices(view().meridians); }
+    Indices meridians() const & { return detail::indices(report().meridians); }
     Indices meridians() const && = delete;
     /// The paper's matrix P, row by row: row_count() + 2 rows with one vertex for each meridian.
-    Indices matrix() const & { return detail::indices(view().matrix); }
+    Indices matrix() const & { return detail::indices(report().matrix); }
     Indices matrix() const && = delete;
     /// The number of interior rows.
-    uint32_t row_count() const { return view().row_count; }
+    uint32_t row_count() const { return report().row_count; }
     /// Of each new vertex its two parents, interleaved.
-    Indices parents() const & { return detail::indices(view().parents); }
+    Indices parents() const & { return detail::indices(report().parents); }
     Indices parents() const && = delete;
     /// Of each new vertex the weight of its second parent.
     Span<const double> weights() const & {
-        const gusset_strip_view found = view();
+        const gusset_strip_report found = report();
         return {found.weights, found.parents.count / 2};
     }
     Span<const double> weights() const && = delete;
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_strip_origins_create, strip_.get()));
-    }
 
 private:
-    gusset_strip_view view() const { return detail::lent(gusset_strip_get_view, strip_.get()); }
-    detail::Handle<gusset_strip, gusset_strip_destroy> strip_;
+    gusset_strip_report report() const { return detail::lent(gusset_result_get_strip, get()); }
 };
 
 } // namespace gusset

@@ -15,12 +15,22 @@ from ._records import Record, filled
 from .errors import error
 from .mesh import Mesh, lent_mesh
 
+
 def create(
     kind: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, name: Optional[str] = None, is_short: bool = False
 ) -> Any:
     """Calls ``gusset_<name>_create`` with a context, these arguments and a handle to be made, which is returned."""
+    return _made(kind, f"gusset_{name or kind}_create", arguments, threads, progress, is_short)
+
+
+def result(function: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, is_short: bool = False) -> Any:
+    """Calls ``gusset_<function>``, which makes a mesh, in the same way."""
+    return _made("result", f"gusset_{function}", arguments, threads, progress, is_short)
+
+
+def _made(kind: str, function: str, arguments: Any, threads: int, progress: Optional[Progress], is_short: bool) -> Any:
     made = ffi.new(f"struct gusset_{kind} **")
-    call(getattr(lib, f"gusset_{name or kind}_create"), *arguments, made, threads=threads, progress=progress, is_short=is_short)
+    call(getattr(lib, function), *arguments, made, threads=threads, progress=progress, is_short=is_short)
     return ffi.gc(made[0], getattr(lib, f"gusset_{kind}_destroy"))
 
 
@@ -39,14 +49,6 @@ class Handle:
     def account(self) -> Record:
         """What was done: the view of the result in ``gusset.h``."""
         return filled(getattr(lib, f"gusset_{self.KIND}_get_view"), f"gusset_{self.KIND}_view", self._handle)
-
-    def _lent_mesh(self, function: str) -> Mesh:
-        view = ffi.new("struct gusset_mesh_view *")
-        view.struct_size = ffi.sizeof("struct gusset_mesh_view")
-        status = getattr(lib, function)(self._handle, view)
-        if status != 0:
-            raise error(status, "")
-        return lent_mesh(view, self._handle)
 
 
 class Origins(Handle):
@@ -76,17 +78,30 @@ class Origins(Handle):
 
 
 class MeshResult(Handle):
-    """A mesh that was made of others, an account of it, and where its elements come from."""
+    """A mesh that an operation made, its report, and where its elements come from."""
+
+    @cached_property
+    def account(self) -> Record:
+        """The report of the operation in ``gusset.h``."""
+        return filled(getattr(lib, f"gusset_result_get_{self.KIND}"), f"gusset_{self.KIND}_report", self._handle)
+
+    def _lent_mesh(self, function: Any) -> Mesh:
+        view = ffi.new("struct gusset_mesh_view *")
+        view.struct_size = ffi.sizeof("struct gusset_mesh_view")
+        status = function(self._handle, view)
+        if status != 0:
+            raise error(status, "")
+        return lent_mesh(view, self._handle)
 
     @cached_property
     def mesh(self) -> Mesh:
         """The mesh; its arrays are the result's own, and cannot be written to."""
-        return self._lent_mesh(f"gusset_{self.KIND}_get_mesh")
+        return self._lent_mesh(lib.gusset_result_get_mesh)
 
     @cached_property
     def origins(self) -> Origins:
         """Where its vertices, corners and faces come from."""
-        return Origins(create("origins", self._handle, name=f"{self.KIND}_origins"))
+        return Origins(create("origins", self._handle, name="result_origins"))
 
     def carry(
         self, values: Any, domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0

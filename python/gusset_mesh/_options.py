@@ -253,7 +253,7 @@ class NetMeshOptions(TypedDict, total=False):
 
 
 class JoinOptions(TypedDict, total=False):
-    """Fields of ``gusset_join_options``; what is not given is as by default."""
+    """Fields of ``gusset_concatenate_options``; what is not given is as by default."""
 
     #: How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
     tolerance: float
@@ -341,7 +341,7 @@ class SheetMeshOptions(TypedDict, total=False):
 
 
 class DevelopmentOptions(TypedDict, total=False):
-    """Fields of ``gusset_development_options``; what is not given is as by default."""
+    """Fields of ``gusset_develop_options``; what is not given is as by default."""
 
     #: Which distortion is least: one of the words
     distortion: Literal['symmetric', 'rigid', 'conformal']
@@ -360,9 +360,9 @@ class DevelopmentOptions(TypedDict, total=False):
 
 
 class AssemblyOptions(TypedDict, total=False):
-    """Fields of ``gusset_assembly_options``; what is not given is as by default."""
+    """Fields of ``gusset_join_options``; what is not given is as by default."""
 
-    #: GUSSET_ASSEMBLY_WELD, GUSSET_ASSEMBLY_NO_WELD or GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE.
+    #: GUSSET_WELDING_SEW, GUSSET_WELDING_NONE or GUSSET_WELDING_EDGE_TO_EDGE.
     weld: Literal['weld', 'no_weld', 'weld_edge_to_edge']
     #: GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face
     #: each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned, nor in the end.
@@ -505,7 +505,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "texture": ('flag', {}, None),
         "max_edge_ratio": ('float', {}, None),
     },
-    "gusset_join_options": {
+    "gusset_concatenate_options": {
         "tolerance": ('float', {}, None),
         "direction": ('choice', {'right': 0, 'down': 1}, None),
         "mode": ('choice', {'keep': 0, 'hide': 1, 'weld': 2}, None),
@@ -540,7 +540,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "min_v": ('int', {}, None),
         "triangles": ('flag', {}, None),
     },
-    "gusset_development_options": {
+    "gusset_develop_options": {
         "distortion": ('choice', {'symmetric': 0, 'rigid': 1, 'conformal': 2}, None),
         "max_darts": ('int', {}, None),
         "cuts": ('array', {}, None),
@@ -548,7 +548,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "max_stretch": ('float', {}, None),
         "max_iterations": ('int', {}, None),
     },
-    "gusset_assembly_options": {
+    "gusset_join_options": {
         "weld": ('choice', {'weld': 0, 'no_weld': 1, 'weld_edge_to_edge': 2}, None),
         "orientation": ('choice', {'fix': 0, 'keep': 2}, None),
         "gap": ('choice', {'auto': 0, 'given': 1}, None),

@@ -11,21 +11,26 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import indices_of
 from ._call import Progress
-from ._handles import Handle, MeshResult, create
+from ._handles import Handle, MeshResult, create, result
 from ._keywords import options as structs
 from ._library import ffi, holding, lib
-from ._options import (AlignOptions, AssemblyOptions, BoundaryOptions, DevelopmentOptions, FillOptions, OrientOptions, StitchOptions, TrimOptions,
-                       Unpack, WeldOptions)
+from ._options import (AlignOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, StitchOptions, TrimOptions, Unpack,
+                       WeldOptions)
 from ._records import Record, filled, indices_struct
 from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
-__all__ = ["Aligned", "Assembled", "Boundary", "Checked", "Developed", "Filled", "Oriented", "Sewn", "Stitched", "Trimmed", "Welded",
-           "align", "assemble", "boundary_loops", "check", "develop", "fill", "orient", "sew", "stitch", "trim", "weld"]
+__all__ = ["Aligned", "Boundary", "Checked", "Developed", "Filled", "Joined", "Oriented", "Sewn", "Stitched", "Trimmed", "Welded",
+           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "sew", "stitch", "trim", "weld"]
 
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
     """What is made of meshes, by a call of which they are the first arguments."""
     return create(kind, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=kind in _QUICK and _are_small(meshes))
+
+
+def _result(function: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
+    """The same, of a mesh that is made of meshes."""
+    return result(function, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=function in _QUICK and _are_small(meshes))
 
 
 #: What takes time in proportion to the mesh: of a small one it ends before anybody could want to stop it.
@@ -42,7 +47,7 @@ class Boundary(Handle, Sequence[Record]):
     KIND = "boundary"
 
     def __len__(self) -> int:
-        return int(lib.gusset_boundary_loop_count(self._handle))
+        return int(self.account.loop_count)
 
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, slice):
@@ -125,7 +130,7 @@ def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = Non
     >>> weld(apart, unused="remove").mesh.vertex_count
     4
     """
-    return Welded(_create("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+    return Welded(_result("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
 
 
 class Sewn(MeshResult):
@@ -143,7 +148,7 @@ def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None
     >>> sew(both, unused="remove").account.splits
     1
     """
-    return Sewn(_create("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+    return Sewn(_result("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
 
 
 class Oriented(MeshResult):
@@ -158,7 +163,7 @@ def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
     >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).account.turned_faces
     1
     """
-    return Oriented(_create("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
+    return Oriented(_result("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
 
 
 def _loops(loops: Iterable[Any]) -> Any:
@@ -179,12 +184,12 @@ class Stitched(MeshResult):
     @cached_property
     def strip(self) -> Mesh:
         """The strip alone."""
-        return self._lent_mesh("gusset_stitch_get_strip")
+        return self._lent_mesh(lib.gusset_result_get_strip_mesh)
 
     @cached_property
     def quality(self) -> Record:
         """Measures of the strip and of the result."""
-        return filled(lib.gusset_stitch_get_quality, "gusset_quality_report", self._handle)
+        return filled(lib.gusset_result_get_quality, "gusset_quality_report", self._handle)
 
 
 def stitch(
@@ -210,7 +215,7 @@ def stitch(
     of = [ffi.NULL if loop is None else _loops([loop]) for loop in (loop_a, loop_b)]
     meshes = of_one_precision([a] if b is None else [a, b])
     views = [view_of(mesh) for mesh in meshes]
-    return Stitched(create("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
+    return Stitched(result("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
                            threads=threads, progress=progress))
 
 
@@ -228,7 +233,7 @@ class Filled(MeshResult):
     @cached_property
     def quality(self) -> Record:
         """Measures of the new faces and of the result."""
-        return filled(lib.gusset_fill_get_quality, "gusset_quality_report", self._handle)
+        return filled(lib.gusset_result_get_quality, "gusset_quality_report", self._handle)
 
 
 def fill(
@@ -245,14 +250,14 @@ def fill(
     """
     listed = None if loops is None else list(loops)
     given = _loops(listed) if listed is not None else ffi.NULL
-    return Filled(_create("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"groups": len(listed or ())}),
+    return Filled(_result("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"groups": len(listed or ())}),
                          threads=threads, progress=progress))
 
 
-class Assembled(MeshResult):
+class Joined(MeshResult):
     """Many pieces in one mesh."""
 
-    KIND = "assembly"
+    KIND = "join"
 
     @property
     def joints(self) -> list[Record]:
@@ -261,20 +266,20 @@ class Assembled(MeshResult):
         return found
 
 
-def assemble(
-    pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AssemblyOptions]
-) -> Assembled:
+def join(
+    pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[JoinOptions]
+) -> Joined:
     """Joins many pieces: borders that lie together are welded, those that face each other joined by strips.
 
     ``fill=True`` fills what holes are left; ``overlaps="trim"`` keeps one of surfaces that lie on one another, as scans do.
 
     >>> left = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]], [[0, 1, 4, 3], [1, 2, 5, 4]]
     >>> right = [[x + 2, y, z] for x, y, z in left[0]], left[1]
-    >>> assemble([left, right]).account.welded_vertices
+    >>> join([left, right]).account.welded_vertices
     2
     """
     given = of_one_precision(pieces)
-    return Assembled(_create("assembly", given, len(given), structs("assembly_options", options), threads=threads, progress=progress))
+    return Joined(_result("join", given, len(given), structs("join_options", options), threads=threads, progress=progress))
 
 
 class Aligned(Handle):
@@ -322,7 +327,7 @@ def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Pro
 class Developed(MeshResult):
     """A surface laid out flat."""
 
-    KIND = "development"
+    KIND = "develop"
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -331,11 +336,11 @@ class Developed(MeshResult):
         return found
 
 
-def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopmentOptions]) -> Developed:
+def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopOptions]) -> Developed:
     """Lays a surface out flat: cut along ``cuts``, unfolded where it can be, else with the least distortion.
 
     >>> roof = [[0, 0, 0], [0, 2, 0], [1, 0, 1], [1, 2, 1], [2, 0, 0], [2, 2, 0]], [[0, 2, 3, 1], [2, 4, 5, 3]]
     >>> float(develop(roof).account.stretches.max().round(9))
     1.0
     """
-    return Developed(_create("development", [as_mesh(mesh)], structs("development_options", options), threads=threads, progress=progress))
+    return Developed(_result("develop", [as_mesh(mesh)], structs("develop_options", options), threads=threads, progress=progress))

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import pointer
 from ._call import Progress, call
-from ._handles import Handle, MeshResult, create
+from ._handles import Handle, MeshResult, create, result
 from ._keywords import options as structs
 from ._library import constants, ffi, lib, one_of
-from ._options import JoinOptions, NetMeshOptions, Unpack
+from ._options import ConcatenateOptions, NetMeshOptions, Unpack
 from ._records import Record, filled, lent
 from .mesh import MeshLike, as_mesh, view_of
 
@@ -142,7 +142,7 @@ class Net(Handle):
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
         """Its faces, as quads or triangles, nodes that are glued as one vertex."""
-        return NetMesh(create("net_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
+        return NetMesh(result("net_to_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
 
     def resampled(self, rows: int, columns: int, interpolation: Literal["bicubic", "bilinear"] = "bicubic") -> Net:
         """The same shape with other numbers of rows and columns."""
@@ -163,10 +163,10 @@ class Net(Handle):
         return copy
 
     @classmethod
-    def concatenate(cls, nets: Sequence[Net], **options: Unpack[JoinOptions]) -> Net:
+    def concatenate(cls, nets: Sequence[Net], **options: Unpack[ConcatenateOptions]) -> Net:
         """Nets beside one another, with bridges between them."""
         handles = ffi.new("struct gusset_net *[]", [net._handle for net in nets])
-        return cls._of(create("net", handles, len(nets), structs("join_options", options), name="net_concatenate"))
+        return cls._of(create("net", handles, len(nets), structs("concatenate_options", options), name="net_concatenate"))
 
     def __repr__(self) -> str:
         return f"<Net of {self.shape[0]} x {self.shape[1]} nodes>"

@@ -70,10 +70,10 @@ class GussetAccessor:
         inputs = [self._polydata(one) for one in (self._dataset, other) if one is not None]
         return self._done(joining.stitch(*map(from_polydata, inputs), **options), inputs)
 
-    def assemble(self, *others: Any, **options: Any) -> Any:
-        """Joins it with other pieces: see :func:`gusset_mesh.assemble`."""
+    def join(self, *others: Any, **options: Any) -> Any:
+        """Joins it with other pieces: see :func:`gusset_mesh.join`."""
         inputs = [self._polydata(one) for one in (self._dataset, *others)]
-        return self._done(joining.assemble([from_polydata(one) for one in inputs], **options), inputs)
+        return self._done(joining.join([from_polydata(one) for one in inputs], **options), inputs)
 
     def fill(self, **options: Any) -> Any:
         """Fills its holes: see :func:`gusset_mesh.fill`."""

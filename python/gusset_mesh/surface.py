@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import pointer
 from ._call import Progress, call
-from ._handles import Handle, MeshResult, create
+from ._handles import Handle, MeshResult, create, result
 from ._keywords import options as structs
 from ._library import ffi, holding, lib, one_of
 from ._options import ContourOptions, IntersectionOptions, NearestOptions, SheetMeshOptions, SurfaceOptions, Unpack
@@ -76,7 +76,7 @@ class Sheet(Handle):
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[SheetMeshOptions]) -> SheetMesh:
         """Faces on it: within ``tolerance``, or in so many parts of each cell."""
-        return SheetMesh(create("sheet_mesh", self._handle, structs("sheet_mesh_options", options), threads=threads, progress=progress))
+        return SheetMesh(result("sheet_to_mesh", self._handle, structs("sheet_mesh_options", options), threads=threads, progress=progress))
 
 
 class Paths(Handle, Sequence[NDArray[np.float64]]):

@@ -76,7 +76,7 @@ assert gm.weld((np.eye(3), [[0, 1, 2]])).mesh.vertex_count == 3
 """
 
 
-@pytest.mark.parametrize("job", ["gm.assemble(pieces, fill=True)", "gm.filters.assemble(*pieces)"])
+@pytest.mark.parametrize("job", ["gm.join(pieces, fill=True)", "gm.filters.assemble(*pieces)"])
 @pytest.mark.parametrize("after", [0.2, 1.0])
 def test_ctrl_c_stops_a_long_call(job, after):
     said = subprocess.run([sys.executable, "-c", INTERRUPTED.format(tests=TESTS, after=after, job=job)], capture_output=True, text=True)
@@ -106,14 +106,14 @@ def test_other_threads_run_meanwhile():
 
 
 def test_many_threads_give_the_same_bytes():
-    expected = gm.assemble([shapes.cap(), shapes.cap(-1)], fill=True).mesh.points.tobytes()
+    expected = gm.join([shapes.cap(), shapes.cap(-1)], fill=True).mesh.points.tobytes()
     mesh = gm.Mesh(*shapes.cap())
     got, failed = [], []
 
     def work():
         try:
             for _ in range(20):
-                got.append(gm.assemble([mesh, shapes.cap(-1)], fill=True).mesh.points.tobytes())
+                got.append(gm.join([mesh, shapes.cap(-1)], fill=True).mesh.points.tobytes())
                 gm.boundary_loops(mesh)
         except BaseException as error:  # noqa: BLE001
             failed.append(error)

@@ -28,7 +28,7 @@ def test_viewpoints_have_three_coordinates(viewpoints):
     with pytest.raises(ValueError, match="viewpoints"):
         gm.trim([TUBE, TUBE], viewpoints=viewpoints)
     with pytest.raises(ValueError, match="viewpoints"):
-        gm.assemble([TUBE, TUBE], trim_options={"viewpoints": viewpoints})
+        gm.join([TUBE, TUBE], trim_options={"viewpoints": viewpoints})
 
 
 def test_meshes_are_looked_at_again():
@@ -143,7 +143,7 @@ def test_grids_with_any_strides():
 def test_every_account_can_be_read():
     net = gm.Net(shapes.grid(6, 9))
     made = [gm.stitch(shapes.cap(), shapes.cap(-1)), gm.fill(TUBE), gm.weld(TUBE), gm.sew(TUBE), gm.orient(TUBE), gm.check(TUBE),
-            gm.assemble([TUBE]), gm.develop(TUBE), gm.align([TUBE, TUBE]), gm.trim([TUBE, TUBE]), net, net.mesh(texture=True), gm.Sheet(net.nodes),
+            gm.join([TUBE]), gm.develop(TUBE), gm.align([TUBE, TUBE]), gm.trim([TUBE, TUBE]), net, net.mesh(texture=True), gm.Sheet(net.nodes),
             gm.Surface(net.nodes), gm.Sheet(net.nodes).mesh(), gm.Surface(net.nodes).section([0, 0, 0], [1, 0, 0.1]),
             gm.Outline([[0, 0], [1, 1], [2, 0]]), gm.Outline([[0, 0], [1, 1], [2, 0]]).curve]
     for one in made:
@@ -162,4 +162,4 @@ def test_pyvista_datasets():
     assert np.isnan(filled.point_data["gappy"]).any()
     curves, report = pv.Line(resolution=5).gusset.outline()
     assert curves.n_lines == 1
-    assert half.gusset.assemble(trimesh.creation.icosphere()).n_cells > half.n_cells
+    assert half.gusset.join(trimesh.creation.icosphere()).n_cells > half.n_cells

@@ -48,14 +48,14 @@ def test_mixed_precision_is_the_wider_one():
     a, b = shapes.cap(), shapes.cap(-1)
     made = gm.stitch((a[0].astype(np.float32), a[1]), b)
     assert made.mesh.points.dtype == np.float64
-    assert gm.assemble([a, (b[0].astype(np.float32), b[1])]).mesh.points.dtype == np.float64
+    assert gm.join([a, (b[0].astype(np.float32), b[1])]).mesh.points.dtype == np.float64
 
 
 def test_assembly_of_many_pieces():
     points, faces = shapes.cap(rows=12, columns=40, end=np.pi - 0.3)
     turn = np.arctan2(*points[faces].mean(axis=1)[:, 1::-1].T)
     pieces = [trimesh.Trimesh(points, faces[(turn >= a) & (turn < a + np.pi / 2)], process=True) for a in np.arange(-2, 2) * np.pi / 2]
-    made = gm.assemble(pieces, fill=True)
+    made = gm.join(pieces, fill=True)
     whole = to_trimesh(made.mesh)
     assert whole.is_watertight and whole.euler_number == 2
     assert whole.volume == pytest.approx(4 / 3 * np.pi, rel=0.05)

@@ -69,7 +69,7 @@ def test_blend_and_normals():
 
 def test_the_other_jobs():
     upper, lower = halves()
-    assert upper.gusset.assemble(lower, fill=True).is_manifold
+    assert upper.gusset.join(lower, fill=True).is_manifold
     filled = upper.gusset.fill(refine="rim_density", fairing="thin_plate")
     assert filled.is_manifold and np.allclose(filled.point_data["height"][:upper.n_points], upper.points[:, 2], atol=1e-6)
     assert upper.gusset.boundary_loops().n_cells == 1
@@ -90,7 +90,7 @@ def test_filters_by_name():
     assert loops.n_lines == 1
     with pytest.raises(AttributeError, match="fill_holes"):
         upper.gusset.nothing_of_the_kind
-    assert "assemble" in dir(upper.gusset) and "develop" in dir(upper.gusset)
+    assert "join" in dir(upper.gusset) and "develop" in dir(upper.gusset)
 
 
 def test_cells_that_are_no_polygons_are_left_out():

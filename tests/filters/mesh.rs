@@ -75,13 +75,12 @@ fn fill_holes_closes_what_it_may() {
 fn closed_results_are_turned_outwards_as_the_flags_say() {
     let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
     let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
-    for (id, flag, soups, later) in [
-        ("stitch", "outward", &turned[..], 0),
-        ("fill_holes", "outward", &turned[..1], 0),
-        ("assemble", "keep_inside_out", &turned[..], 2),
-    ] {
+    for (id, soups, later, default) in
+        [("stitch", &turned[..], 0, 0.0), ("fill_holes", &turned[..1], 0, 0.0), ("assemble", &turned[..], 2, 1.0)]
+    {
         let params = Filter::find(id).unwrap().params;
-        let place = params.iter().position(|param| param.id == flag).unwrap();
+        let place = params.iter().position(|param| param.id == "outward").unwrap();
+        assert_eq!(params[place].default, [default], "{id}");
         assert_eq!(place + 1 + later, params.len(), "hosts store parameters by their places");
         for set in [false, true] {
             let mut given: Vec<f64> =
@@ -90,15 +89,14 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
             let outputs = run_on(id, soups, &given).unwrap();
             let (points, joined) = mesh(&outputs[0]);
             let volume = common::volume(|v| points[v as usize], joined.iter().copied());
-            let outwards = set == (flag == "outward");
-            assert!(if outwards { volume > 1.0 } else { volume < -1.0 }, "{id} {set}: {volume}");
+            assert!(if set { volume > 1.0 } else { volume < -1.0 }, "{id} {set}: {volume}");
             let count = match id {
                 "assemble" => value(&outputs[1], "turned_faces") as usize,
                 _ => value(&outputs[1], "turned_outwards") as usize,
             };
             let all = if id == "assemble" { faces } else { joined.len() };
-            assert_eq!(count, if outwards { all } else { 0 }, "{id} {set}");
-            assert_eq!(text(&outputs[1]).contains("turned over"), outwards, "{}", text(&outputs[1]));
+            assert_eq!(count, if set { all } else { 0 }, "{id} {set}");
+            assert_eq!(text(&outputs[1]).contains("turned over"), set, "{}", text(&outputs[1]));
         }
     }
 }

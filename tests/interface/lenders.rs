@@ -7,6 +7,7 @@ use gusset::capi::curve::export::*;
 use gusset::capi::curve::intersect::*;
 use gusset::capi::curve::{gusset_curve, gusset_curve_create, gusset_curve_destroy};
 use gusset::capi::mesh::GUSSET_F64;
+use gusset::capi::mesh::result::*;
 use gusset::capi::net::mesh::*;
 use gusset::capi::net::{gusset_net_create, gusset_net_destroy, gusset_net_view};
 use gusset::capi::status::gusset_status::{self, GUSSET_OK};
@@ -94,8 +95,8 @@ fn the_mesh_of_a_net_without_nodes() {
     // SAFETY: as above.
     unsafe {
         let net = made(gusset_net_destroy, |out| gusset_net_create(DEFAULTS, &raw const arrays, ptr::null(), out));
-        let mesh = made(gusset_net_mesh_destroy, |out| gusset_net_mesh_create(DEFAULTS, net.handle, ptr::null(), out));
-        let view = lent(|out| gusset_net_mesh_get_mesh(mesh.handle, out));
+        let mesh = made(gusset_result_destroy, |out| gusset_net_to_mesh(DEFAULTS, net.handle, ptr::null(), out));
+        let view = lent(|out| gusset_result_get_mesh(mesh.handle, out));
         assert_eq!((view.vertex_count, view.face_count), (0, 0));
         assert!(view.positions.is_null() && view.face_corners.is_null() && !view.face_offsets.is_null());
     }

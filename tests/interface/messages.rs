@@ -7,9 +7,9 @@ use gusset::capi::context::*;
 use gusset::capi::curve::frame::*;
 use gusset::capi::curve::outline::gusset_outlines;
 use gusset::capi::curve::outline_options::gusset_outline_options;
-use gusset::capi::mesh::assembly::*;
-use gusset::capi::mesh::assembly_options::gusset_assembly_options;
 use gusset::capi::mesh::fill::gusset_fill_options;
+use gusset::capi::mesh::join::gusset_join;
+use gusset::capi::mesh::join_options::gusset_join_options;
 use gusset::capi::mesh::stitch_options::gusset_stitch_options;
 use gusset::capi::mesh::weld::gusset_weld_options;
 use gusset::capi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
@@ -44,32 +44,29 @@ fn message(call: impl FnOnce(*const gusset_context) -> gusset_status) -> String 
 }
 
 /// Of the options of an assembly; they are looked at before the pieces.
-fn of_assembly(options: &gusset_assembly_options) -> String {
+fn of_assembly(options: &gusset_join_options) -> String {
     let mut out = ptr::null_mut();
     // SAFETY: options that live, and no pieces.
-    message(|context| unsafe { gusset_assembly_create(context, ptr::null(), 0, options, &raw mut out) })
+    message(|context| unsafe { gusset_join(context, ptr::null(), 0, options, &raw mut out) })
 }
 
 #[test]
 fn a_field_of_options_within_options_is_named_by_its_path() {
-    let plain = sized::<gusset_assembly_options>();
+    let plain = sized::<gusset_join_options>();
     let weld = gusset_weld_options { tolerance_mode: 7, ..sized() };
-    let options = gusset_assembly_options { weld_options: &raw const weld, ..plain };
+    let options = gusset_join_options { weld_options: &raw const weld, ..plain };
     assert_eq!(of_assembly(&options), "weld_options.tolerance_mode has the unknown value 7");
     let strips = gusset_stitch_options { orientation: 9, ..sized() };
-    let options = gusset_assembly_options { strip_options: &raw const strips, ..plain };
+    let options = gusset_join_options { strip_options: &raw const strips, ..plain };
     assert_eq!(of_assembly(&options), "strip_options.orientation has the unknown value 9");
     let strips = gusset_stitch_options { reserved: 1, ..sized() };
-    let options = gusset_assembly_options { strip_options: &raw const strips, ..plain };
+    let options = gusset_join_options { strip_options: &raw const strips, ..plain };
     assert_eq!(of_assembly(&options), "strip_options.reserved has the unknown value 1");
     let fill = gusset_fill_options { keep: 3, ..sized() };
-    let options = gusset_assembly_options { fill_options: &raw const fill, ..plain };
+    let options = gusset_join_options { fill_options: &raw const fill, ..plain };
     assert_eq!(of_assembly(&options), "fill_options.keep has the unknown value 3");
     // Its own fields have no path.
-    assert_eq!(
-        of_assembly(&gusset_assembly_options { orientation: 9, ..plain }),
-        "orientation has the unknown value 9"
-    );
+    assert_eq!(of_assembly(&gusset_join_options { orientation: 9, ..plain }), "orientation has the unknown value 9");
 }
 
 #[test]

@@ -7,6 +7,7 @@ use gusset::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, ass
 use gusset::check::check;
 use gusset::fill;
 use gusset::mesh::{Mesh, MeshView, NONE};
+use gusset::repair::orient::Outward;
 use gusset::repair::weld;
 use gusset::stitch::{self, Fairing, Rows};
 use gusset::{Error, Job};
@@ -146,7 +147,7 @@ proptest! {
         let flipped = done.turned.iter().filter(|&&turned| turned).count();
         prop_assert_eq!(flipped, turned);
         let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
-        let kept = assemble(&views, &Options { keep_inside_out: true, ..welding() }, &Job::default()).unwrap();
+        let kept = assemble(&views, &Options { outward: Outward::Keep, ..welding() }, &Job::default()).unwrap();
         prop_assert!(turned == 63 || (volume_of(&kept) > 0.0) == (turned < 63));
         prop_assert_eq!(kept.turned.iter().filter(|&&turned| turned).count(), turned.min(126 - turned));
     }
@@ -175,7 +176,7 @@ fn pieces_inside_out_agree_with_the_first() {
             let is_turned = |k: usize| set >> k & 1 == 1;
             let given: Vec<Soup> =
                 pieces.iter().enumerate().map(|(k, p)| if is_turned(k) { p.turned() } else { p.clone() }).collect();
-            let done = run(&given, &Options { keep_inside_out: true, ..Options::default() });
+            let done = run(&given, &Options { outward: Outward::Keep, ..Options::default() });
             assert_closed(&done, chi);
             assert_eq!(volume_of(&done) > 0.0, !is_turned(0));
             for (k, map) in done.maps.iter().enumerate() {

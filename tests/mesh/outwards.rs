@@ -130,7 +130,7 @@ fn assembled(pieces: &[Soup], options: &assemble::Options<'_>) -> Assembly {
 /// A row in each strip, and results as most of the first piece has them.
 fn staying() -> assemble::Options<'static> {
     let strip = stitch::Options { rows: Rows::Count(1), ..stitch::Options::default() };
-    assemble::Options { keep_inside_out: true, strip, ..assemble::Options::default() }
+    assemble::Options { outward: Outward::Keep, strip, ..assemble::Options::default() }
 }
 
 #[test]
@@ -147,7 +147,7 @@ fn an_assembly_faces_outwards_unless_told_not_to() {
             .collect();
         let fill = Some(fill::Options { outward: Outward::Closed, ..fill::Options::default() });
         let kept = assembled(&given, &assemble::Options { fill, ..staying() });
-        let done = assembled(&given, &assemble::Options { fill, keep_inside_out: false, ..staying() });
+        let done = assembled(&given, &assemble::Options { fill, outward: Outward::Closed, ..staying() });
         for (result, outwards) in [(&kept, [set & 1 == 0, set & 4 == 0]), (&done, [true; 2])] {
             assert_closed(&result.mesh);
             assert_eq!((result.joints.len(), result.holes.len(), result.loops_left), (1, 1, 0));
@@ -181,7 +181,7 @@ fn an_assembly_faces_outwards_unless_told_not_to() {
             .collect();
         assert_turned(&kept.mesh, &done.mesh, &turned);
         // Who wants nothing turned gets nothing turned.
-        let options = assemble::Options { keep_orientation: true, keep_inside_out: false, fill, ..staying() };
+        let options = assemble::Options { keep_orientation: true, outward: Outward::Closed, fill, ..staying() };
         assert!(!assembled(&given, &options).turned.contains(&true));
     }
 }
@@ -194,7 +194,7 @@ fn an_open_assembly_is_the_same_bit_for_bit() {
     for given in [pieces.clone(), pieces.iter().map(Soup::turned).collect()] {
         let kept = assembled(&given, &staying());
         assert!(kept.loops_left > 0 && !kept.joints.is_empty());
-        assert_eq!(assembled(&given, &assemble::Options { keep_inside_out: false, ..staying() }), kept);
+        assert_eq!(assembled(&given, &assemble::Options { outward: Outward::Closed, ..staying() }), kept);
     }
 }
 

@@ -1,5 +1,6 @@
 use super::align::why_not;
 use super::data::{Input, Output};
+use super::fill_holes::OUTWARD_HELP;
 use super::filter::Filter;
 use super::param::{Param, Values};
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE};
@@ -15,6 +16,7 @@ use gusset_base::{alloc, choices};
 use gusset_stitch::align::{self, Alignment, align};
 use gusset_stitch::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use gusset_stitch::fill;
+use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::repair::weld;
 use gusset_stitch::stitch::{self, Fairing, Finish, Meridians, Rows};
 use gusset_stitch::trim;
@@ -45,10 +47,7 @@ pub(super) const FILTER: Filter = Filter {
         Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
         Param::choice("finish", "Finish", Finish::CHOICES.texts).with_help(FINISH_HELP),
         Param::choice("holes", "Remaining holes", HOLES).with_help("The treatment of holes that remain."),
-        Param::flag("keep_inside_out", "Keep inside out").with_help(
-            "Leaves closed components of the result as they are; otherwise the faces of those that are inside out are \
-             reversed, each by its own volume, also inside others.",
-        ),
+        Param { default: &[1.0], ..Param::flag("outward", "Turn outwards") }.with_help(OUTWARD_HELP),
         Param::choice("overlaps", "Overlaps", OVERLAPS.texts).with_help("The treatment of pieces that overlap."),
         Param::flag("align", "Align first").with_help(
             "Pieces that overlap are moved to where they fit before all else, as the filter align moves them from where they \
@@ -104,7 +103,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         weld: edge_to_edge.map(|_| weld),
         edge_to_edge: edge_to_edge == Some(true),
         max_gap: if max_gap < 0.0 { MaxGap::Auto } else { MaxGap::Given(max_gap) },
-        keep_inside_out: values.is_set("keep_inside_out"),
+        outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
         whole_loops_only: values.choice("extent", EXTENTS),
         strip: stitch::Options {
             meridians: values.choice("meridians", Meridians::CHOICES),

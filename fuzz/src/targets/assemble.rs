@@ -7,6 +7,7 @@ use gusset::Job;
 use gusset::assemble::{Options, assemble};
 use gusset::check::check;
 use gusset::mesh::MeshView;
+use gusset::repair::orient::Outward;
 use gusset::repair::weld;
 
 /// Runs one case.
@@ -30,7 +31,7 @@ fn put_together(pieces: &[MeshView<'_>], [_, flags, choice]: [u8; 3]) {
         weld: flag(0).then(weld::Options::default),
         edge_to_edge: flag(1),
         keep_orientation: flag(2),
-        keep_inside_out: flag(3),
+        outward: if flag(3) { Outward::Keep } else { Outward::Closed },
         whole_loops_only: flag(4),
         within_components: flag(5),
         fill: flag(6).then(gusset::fill::Options::default),

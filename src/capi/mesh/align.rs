@@ -12,34 +12,38 @@ use crate::error::Error;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 
+/// The poses in which pieces begin.
+pub type gusset_alignment_start = u32;
 /// The pieces begin where their positions say, or where poses move them if these are given.
-pub const GUSSET_ALIGN_AS_GIVEN: u32 = 0;
+pub const GUSSET_ALIGN_AS_GIVEN: gusset_alignment_start = 0;
 /// Each piece begins with its principal axes on those of the first one, in the one of the four ways
 /// to do so after which most of it lies on the first. For pieces that show the same object whole.
-pub const GUSSET_ALIGN_PRINCIPAL_AXES: u32 = 1;
+pub const GUSSET_ALIGN_PRINCIPAL_AXES: gusset_alignment_start = 1;
 /// The pieces are put together by rims that run alike, and it is their rims that hold them then:
 /// for pieces of one surface that was cut or broken and do not overlap.
-pub const GUSSET_ALIGN_RIMS: u32 = 2;
+pub const GUSSET_ALIGN_RIMS: gusset_alignment_start = 2;
 
+/// Whether the pose of a piece can be trusted, and if not why.
+pub type gusset_aligned_reason = u32;
 /// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What
 /// fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
 /// scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
 /// more.
 /// Pieces that hold each other fast, but could slide together along the rest, pass, too.
-pub const GUSSET_ALIGNED_TRUSTED: u32 = 0;
+pub const GUSSET_ALIGNED_TRUSTED: gusset_aligned_reason = 0;
 /// It has no faces with an area, or too little of it lies on other pieces.
-pub const GUSSET_ALIGNED_NO_OVERLAP: u32 = 1;
+pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
 /// Where it is near others, too much of it lies off them.
-pub const GUSSET_ALIGNED_POOR_FIT: u32 = 2;
+pub const GUSSET_ALIGNED_POOR_FIT: gusset_aligned_reason = 2;
 /// The overlaps leave it free to slide or to turn, as planes, spheres or cylinders do.
-pub const GUSSET_ALIGNED_UNDETERMINED: u32 = 3;
+pub const GUSSET_ALIGNED_UNDETERMINED: gusset_aligned_reason = 3;
 /// Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
-pub const GUSSET_ALIGNED_FACES_OTHER_WAY: u32 = 4;
+pub const GUSSET_ALIGNED_FACES_OTHER_WAY: gusset_aligned_reason = 4;
 /// It lies on no other piece, and is more than fifty times as large or small as the first one: its
 /// unit of length is another, most likely.
-pub const GUSSET_ALIGNED_OTHER_SIZE: u32 = 5;
+pub const GUSSET_ALIGNED_OTHER_SIZE: gusset_aligned_reason = 5;
 /// It fits pieces that cannot be trusted only.
-pub const GUSSET_ALIGNED_TRUSTED_BY_NONE: u32 = 6;
+pub const GUSSET_ALIGNED_TRUSTED_BY_NONE: gusset_aligned_reason = 6;
 
 /// How pieces are aligned; all zero is the default.
 #[repr(C)]
@@ -48,7 +52,7 @@ pub struct gusset_alignment_options {
     /// sizeof(gusset_alignment_options), set by the caller.
     pub struct_size: usize,
     /// Where the pieces begin: GUSSET_ALIGN_...
-    pub start: u32,
+    pub start: gusset_alignment_start,
     /// So many points of each piece are looked for on the others; 0: 2,000.
     pub samples: u32,
     /// Read for GUSSET_ALIGN_AS_GIVEN: motions of the pieces, rotations and translations, or NULL.
@@ -76,7 +80,7 @@ pub struct gusset_aligned_piece {
     /// of the piece. Of the first piece 1.
     pub hold: f64,
     /// GUSSET_ALIGNED_...
-    pub reason: u32,
+    pub reason: gusset_aligned_reason,
     /// 0.
     pub reserved: u32,
 }

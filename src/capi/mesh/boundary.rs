@@ -1,7 +1,7 @@
 //! C interface: boundary loops.
 
 use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
-use crate::capi::context::{create, guard, gusset_context, lend};
+use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, lent};
@@ -9,18 +9,21 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::{Defect, NONE};
 use gusset_base::alloc;
-use std::ptr;
 
+/// The treatment of edges with three or more faces.
+pub type gusset_non_manifold = u32;
 /// At an edge with three or more faces each face has a border of its own; loops run along it and
 /// are always closed.
-pub const GUSSET_NON_MANIFOLD_CUT: u32 = 0;
+pub const GUSSET_NON_MANIFOLD_CUT: gusset_non_manifold = 0;
 /// Only edges with exactly one face belong to loops; one that meets an edge with more ends there,
 /// as an open chain.
-pub const GUSSET_NON_MANIFOLD_STOP: u32 = 1;
+pub const GUSSET_NON_MANIFOLD_STOP: gusset_non_manifold = 1;
 
+/// The part of the mesh that is checked.
+pub type gusset_survey = u32;
 /// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on
 /// the loops.
-pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
+pub const GUSSET_SURVEY_WHOLE_MESH: gusset_survey = 0;
 /// As little is looked at as will give the loops, which is many times faster. Where the boundary
 /// itself is odd (open, touching itself, badly oriented, with three faces on an edge) the whole
 /// mesh is looked at after all. But what is away from the boundary is not reported, nor an edge
@@ -28,7 +31,7 @@ pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
 /// rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that
 /// was made to deceive may hide a boundary. For meshes from hostile hands take
 /// GUSSET_SURVEY_WHOLE_MESH.
-pub const GUSSET_SURVEY_BOUNDARY_ONLY: u32 = 1;
+pub const GUSSET_SURVEY_BOUNDARY_ONLY: gusset_survey = 1;
 
 /// The chain does not close: it has one vertex more than it has edges.
 pub const GUSSET_LOOP_OPEN: u32 = 1;
@@ -62,16 +65,18 @@ const _: () = assert!(
         && GUSSET_EDGE_ZERO_LENGTH == EdgeFlags::ZERO_LENGTH
 );
 
+/// The kind of a defect.
+pub type gusset_defect_kind = u32;
 /// A face (index) that repeats a vertex (other).
-pub const GUSSET_DEFECT_DEGENERATE_FACE: u32 = 1;
+pub const GUSSET_DEFECT_DEGENERATE_FACE: gusset_defect_kind = 1;
 /// An edge whose two faces run it in the same direction: half-edges index and other.
-pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: u32 = 2;
+pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: gusset_defect_kind = 2;
 /// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
 /// half-edge is index.
-pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: u32 = 3;
+pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: gusset_defect_kind = 3;
 /// A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at
 /// edges with three or more faces, whose own ends are therefore listed too where a loop passes them.
-pub const GUSSET_DEFECT_BOW_TIE: u32 = 4;
+pub const GUSSET_DEFECT_BOW_TIE: gusset_defect_kind = 4;
 
 /// The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_boundary {
@@ -88,9 +93,9 @@ pub struct gusset_boundary_options {
     /// sizeof(gusset_boundary_options), set by the caller.
     pub struct_size: usize,
     /// GUSSET_NON_MANIFOLD_...
-    pub non_manifold: u32,
+    pub non_manifold: gusset_non_manifold,
     /// GUSSET_SURVEY_...
-    pub survey: u32,
+    pub survey: gusset_survey,
 }
 
 /// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a
@@ -121,7 +126,7 @@ pub struct gusset_loop_view {
 #[derive(Clone, Copy)]
 pub struct gusset_defect {
     /// GUSSET_DEFECT_...
-    pub kind: u32,
+    pub kind: gusset_defect_kind,
     /// The face, half-edge or vertex.
     pub index: u32,
     /// The second element of the kinds that have one, else UINT32_MAX.
@@ -130,7 +135,25 @@ pub struct gusset_defect {
     pub count: u32,
 }
 
-versioned! { gusset_boundary_options: 16, gusset_loop_view: 80 }
+/// The loops of a boundary as a whole. Pointers are valid until the boundary is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_boundary_view {
+    /// sizeof(gusset_boundary_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of loops and open chains; 0 if the mesh is closed. gusset_boundary_get_loop lends each.
+    pub loop_count: usize,
+    /// The number of walks that the loops were cut from. Loops that touch at vertices count as one walk where the walk
+    /// round the boundary passes from one loop to the next.
+    pub walk_count: usize,
+    /// Degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and the bow-tie vertices on its
+    /// boundary. NULL if there are none.
+    pub defects: *const gusset_defect,
+    /// The number of defects.
+    pub defect_count: usize,
+}
+
+versioned! { gusset_boundary_options: 16, gusset_boundary_view: 40, gusset_loop_view: 80 }
 fixed! { gusset_defect: 16 }
 
 c_enum! {
@@ -165,7 +188,7 @@ impl From<&Defect> for gusset_defect {
 /// along edges with three or more faces alone are left out; a loop that is cut out of another walk
 /// may have no edge with exactly one face. A face of fewer than three sides of different ends has no
 /// border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places
-/// are no errors: see the flags of each loop, and gusset_boundary_get_defects.
+/// are no errors: see the flags of each loop, and the defects.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh the mesh.
@@ -205,32 +228,29 @@ pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary)
     handle::destroy(boundary);
 }
 
-/// The number of loops and open chains: 0 if the mesh is closed, or for NULL.
+/// Lends the number of loops and all defects, valid until the boundary is destroyed.
 ///
 /// @param boundary the boundary.
-/// @return their number; 0 for NULL.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_boundary_loop_count(boundary: *const gusset_boundary) -> usize {
-    handle::get(boundary, "boundary").map_or(0, |b| b.boundary.len())
+#[must_use]
+pub unsafe extern "C" fn gusset_boundary_get_view(
+    boundary: *const gusset_boundary,
+    view: *mut gusset_boundary_view,
+) -> gusset_status {
+    lend!(boundary, view, |gusset_boundary { boundary, defects }| gusset_boundary_view {
+        struct_size: size_of::<gusset_boundary_view>(),
+        loop_count: boundary.len(),
+        walk_count: boundary.walk_count() as usize,
+        defects: lent(defects),
+        defect_count: defects.len(),
+    })
 }
 
-/// The number of walks that the loops were cut from: loops that touch at vertices, counted as one
-/// where the walk round the boundary passes from one to the next.
-///
-/// 0 for NULL.
-///
-/// @param boundary the boundary.
-/// @return their number; 0 for NULL.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_boundary_walk_count(boundary: *const gusset_boundary) -> usize {
-    handle::get(boundary, "boundary").map_or(0, |b| b.boundary.walk_count() as usize)
-}
-
-/// Lends loop number `index`, below gusset_boundary_loop_count.
+/// Lends loop number `index`, below loop_count of gusset_boundary_view.
 ///
 /// @param boundary the boundary.
 /// @param index its number, from 0.
@@ -258,32 +278,5 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
             flags: found.flags.0,
             walk: found.walk,
         }
-    })
-}
-
-/// Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges
-/// of the whole mesh, and the bow-tie vertices on its boundary.
-///
-/// They are valid until the boundary is destroyed; NULL and 0 if there is nothing.
-///
-/// @param boundary the boundary.
-/// @param[out] defects receives the first one.
-/// @param[out] count receives how many.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_boundary_get_defects(
-    boundary: *const gusset_boundary,
-    defects: *mut *const gusset_defect,
-    count: *mut usize,
-) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let (count, defects) = (input::output(count, 0, "count"), input::output(defects, ptr::null(), "defects"));
-        let (count, defects) = (count?, defects?);
-        let found = &handle::get(boundary, "boundary")?.defects;
-        (*defects, *count) = (lent(found), found.len());
-        Ok(())
     })
 }

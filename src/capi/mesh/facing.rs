@@ -6,7 +6,7 @@ use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, fill, lent};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::stitch_options::tolerance;
+use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, tolerance};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -32,14 +32,14 @@ pub struct gusset_facing_options {
     /// sizeof(gusset_facing_options), set by the caller.
     pub struct_size: usize,
     /// GUSSET_RUN_...
-    pub run: u32,
+    pub run: gusset_facing_run,
     /// GUSSET_TOLERANCE_...
-    pub tolerance_mode: u32,
+    pub tolerance_mode: gusset_tolerance_mode,
     /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read
     /// for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
     /// GUSSET_CENTRES_...
-    pub centres: u32,
+    pub centres: gusset_centres,
     /// 0.
     pub reserved: u32,
 }

@@ -1,105 +1,63 @@
 //! C interface: hole filling.
 
 use crate::attributes::KeepSplits;
-use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::glue::{c_enum, fixed, versioned};
-use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, choice, flag, lent};
-use crate::capi::mesh::stitch::gusset_quality_report;
-use crate::capi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
+use crate::capi::context::{create, gusset_context};
+use crate::capi::glue::{c_enum, versioned};
+use crate::capi::input::{self, choice, flag};
+use crate::capi::mesh::fill_report::{Fill, gusset_fill_report, gusset_fill_weight};
+use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::stitch_options::{
+    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, gusset_fairing, gusset_intersections, gusset_outward, outward,
+};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
-use crate::fill::{
-    Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together,
-    Weight, fill_holes,
-};
+use crate::fill::{Continuity, Fairing, Keep, Limits, Options, Refinement, Selection, Together, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
+use crate::repair::orient::Outward;
 use gusset_base::alloc;
 
-/// The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
-/// the rim's included, t being the angle between the normals on both sides, and over the triangles of
-/// the mean square of how far the surface that was there is likely to have been from them, as its
-/// tangent planes at the rim say, in units of 1 / 140 of its length. By area alone if it is planar.
-pub const GUSSET_WEIGHT_CONTINUATION: u32 = 0;
-/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
-/// of the angle between its faces.
-pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 1;
-/// The least largest angle between neighbouring faces, those beyond the rim included, and then the
-/// least area, as Liepa has it.
-pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 2;
-/// The least area, exactly.
-pub const GUSSET_WEIGHT_AREA: u32 = 3;
-
+/// The loops that are not holes.
+pub type gusset_fill_keep = u32;
 /// All loops are holes.
-pub const GUSSET_KEEP_NONE: u32 = 0;
+pub const GUSSET_KEEP_NONE: gusset_fill_keep = 0;
 /// The longest loop is none: the outline of an open sheet.
-pub const GUSSET_KEEP_LONGEST: u32 = 1;
+pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 1;
 /// Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the
 /// sheet: whose area vector points as that of their component, and is at least half as long as its
 /// area.
-pub const GUSSET_KEEP_BORDERS: u32 = 2;
+pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 2;
 
+/// The loops that get one patch.
+pub type gusset_fill_together = u32;
 /// Each loop gets a patch of its own.
-pub const GUSSET_TOGETHER_APART: u32 = 0;
+pub const GUSSET_TOGETHER_APART: gusset_fill_together = 0;
 /// All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one
 /// plane, up to some 160 loops.
-pub const GUSSET_TOGETHER_ONE: u32 = 1;
+pub const GUSSET_TOGETHER_ONE: gusset_fill_together = 1;
 /// Loops get one patch where that costs less, by the weight asked for, than patches of their own.
 /// Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
 /// gains most first: about 8 pairs for each loop and 256 in all, as the log says, and at most 16
 /// loops for a patch. By area alone the ends of a short tube cost less together, along the tube
 /// itself.
-pub const GUSSET_TOGETHER_CHEAPEST: u32 = 2;
+pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 
-/// Triangles between the vertices of the rims.
-pub const GUSSET_PATCH_PLAIN: u32 = 0;
-/// With new vertices, where the plain triangles are, but for those beside creases that go on.
-pub const GUSSET_PATCH_REFINED: u32 = 1;
-/// With new vertices, faired.
-pub const GUSSET_PATCH_FAIRED: u32 = 2;
-
+/// The new vertices of patches.
+pub type gusset_refinement = u32;
 /// No new vertices.
-pub const GUSSET_REFINE_NONE: u32 = 0;
+pub const GUSSET_REFINE_NONE: gusset_refinement = 0;
 /// New vertices as dense as those round the hole.
-pub const GUSSET_REFINE_RIM_DENSITY: u32 = 1;
+pub const GUSSET_REFINE_RIM_DENSITY: gusset_refinement = 1;
 
+/// How smoothly faired patches continue the old surface.
+pub type gusset_fill_continuity = u32;
 /// Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is
 /// least.
-pub const GUSSET_CONTINUITY_C1: u32 = 0;
+pub const GUSSET_CONTINUITY_C1: gusset_fill_continuity = 0;
 /// They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old
 /// faces round each rim have a say, and with them their noise.
-pub const GUSSET_CONTINUITY_C2: u32 = 1;
-
-/// Filled; with plan_only, to be filled.
-pub const GUSSET_HOLE_FILLED: u32 = 0;
-/// Left: it is no hole, as keep has it.
-pub const GUSSET_HOLE_KEPT: u32 = 1;
-/// Left: it exceeds max_edges, max_length, max_diameter or max_area.
-pub const GUSSET_HOLE_TOO_LARGE: u32 = 2;
-/// Left: an open chain.
-pub const GUSSET_HOLE_OPEN: u32 = 3;
-/// Left: it runs along an edge with three or more faces.
-pub const GUSSET_HOLE_NON_MANIFOLD: u32 = 4;
-/// Left: the faces along it disagree in orientation.
-pub const GUSSET_HOLE_NOT_ORIENTED: u32 = 5;
-/// Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
-pub const GUSSET_HOLE_NOT_SIMPLE: u32 = 6;
-/// Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
-pub const GUSSET_HOLE_NOT_FREE: u32 = 7;
-/// Left: every triangulation would have an edge between two vertices of one old face, which is an
-/// edge of the mesh or becomes one once its polygons are cut into triangles; or none was found that
-/// closes all loops together which are to get one patch, as where two of them share a vertex.
-pub const GUSSET_HOLE_NO_TRIANGULATION: u32 = 8;
-
-/// A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
-pub struct gusset_fill {
-    pub(crate) filled: Filled,
-    holes: Vec<gusset_hole>,
-}
-
-handle! { gusset_fill }
+pub const GUSSET_CONTINUITY_C2: gusset_fill_continuity = 1;
 
 /// How holes are filled; all zero is the default: triangles without new vertices, in every hole.
 #[repr(C)]
@@ -108,17 +66,17 @@ pub struct gusset_fill_options {
     /// sizeof(gusset_fill_options), set by the caller.
     pub struct_size: usize,
     /// GUSSET_WEIGHT_...
-    pub weight: u32,
+    pub weight: gusset_fill_weight,
     /// GUSSET_REFINE_...
-    pub refine: u32,
+    pub refine: gusset_refinement,
     /// GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
-    pub fairing: u32,
+    pub fairing: gusset_fairing,
     /// GUSSET_KEEP_...: which loops are no holes; read if all loops are asked for.
-    pub keep: u32,
+    pub keep: gusset_fill_keep,
     /// GUSSET_INTERSECTIONS_...: whether faces of patches that cut each other or old faces are looked
     /// for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
     /// (REPORT), or neither (IGNORE).
-    pub intersections: u32,
+    pub intersections: gusset_intersections,
     /// 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
     /// which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
     /// which of them together says get one patch. 0 or 1.
@@ -136,100 +94,23 @@ pub struct gusset_fill_options {
     /// Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
     pub max_area: f64,
     /// GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
-    pub outward: u32,
+    pub outward: gusset_outward,
     /// GUSSET_TOGETHER_...: which loops get one patch; read without groups.
-    pub together: u32,
+    pub together: gusset_fill_together,
     /// A number for each of the loops given, loop_count in all: those with the same number get one
     /// patch, a surface of genus 0 between them, but for loops that are left for reasons of their
     /// own. NULL: as together says. Needs loops.
     pub groups: *const u32,
     /// GUSSET_CONTINUITY_...: how smoothly faired vertices go on the surface round the hole.
-    pub continuity: u32,
+    pub continuity: gusset_fill_continuity,
     /// 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
     /// 1.
     pub ignore_creases: u32,
 }
 
-/// The account of one loop.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_hole {
-    /// Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before
-    /// closed components were turned outwards, or, of a given loop that is not simple, free or
-    /// oriented, as given.
-    pub rim_first: usize,
-    /// How many they are.
-    pub rim_count: usize,
-    /// Its patch's first face in the result: the faces and the new vertices of a patch of several
-    /// loops are in the accounts of all of them.
-    pub face_first: usize,
-    /// How many faces the patch has.
-    pub face_count: usize,
-    /// The patch's first new vertex in the result.
-    pub vertex_first: usize,
-    /// How many new vertices the patch has.
-    pub vertex_count: usize,
-    /// The sum of its edges' lengths, in the unit of the positions.
-    pub length: f64,
-    /// The diagonal of the box round it, along the axes.
-    pub diameter: f64,
-    /// The area of the cone of triangles from its edges to their common centre: that of the hole if
-    /// it is planar and convex, more otherwise.
-    pub area: f64,
-    /// GUSSET_HOLE_...
-    pub status: u32,
-    /// GUSSET_WEIGHT_...: the weight that the patch's triangulation is best by: the one asked for, or
-    /// one that cuts less.
-    pub weight: u32,
-    /// GUSSET_PATCH_...: what the patch is made of: what was asked for, or less, which cuts less.
-    pub finish: u32,
-    /// The number of the patch, from 0 on in the order of the faces; loops with the same number have
-    /// one patch. UINT32_MAX if it has none, as all have in a plan.
-    pub patch: u32,
-}
-
-/// The accounts of all loops. Pointers are valid until the fill is destroyed.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_fill_view {
-    /// sizeof(gusset_fill_view), set by the caller.
-    pub struct_size: usize,
-    /// One for each loop: those given, in their order, or all that the mesh has, as
-    /// gusset_boundary_get_loop numbers them. NULL if there are none.
-    pub holes: *const gusset_hole,
-    /// How many.
-    pub hole_count: usize,
-    /// The vertices of all rims.
-    pub rims: gusset_indices,
-    /// Of each new vertex, in their order, three vertices of its patch's rims.
-    pub parents: gusset_indices,
-    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
-    /// new vertices. They place it at the nearest point of the plain triangulation of the rims,
-    /// which it is itself if its patch was neither faired nor creased, or if the hole is flat.
-    pub weights: *const f64,
-    /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
-    /// which is a new face's; ascending. What they share, a vertex or an edge, is no cut, nor are
-    /// vertices and edges at the same place; any other touch is. Exact.
-    pub intersections: gusset_indices,
-    /// Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
-    /// Each keeps its first corner and has the others in reverse order.
-    pub turned_outwards: gusset_indices,
-    /// 1 if intersections were looked for, 0 if not.
-    pub intersections_known: u32,
-    /// 0.
-    pub reserved: u32,
-}
-
-versioned! { gusset_fill_options: 72, gusset_fill_view: 104 }
-fixed! { gusset_hole: 88 }
+versioned! { gusset_fill_options: 72 }
 
 c_enum! {
-    weight: Weight {
-        GUSSET_WEIGHT_CONTINUATION => Continuation,
-        GUSSET_WEIGHT_AREA_AND_BEND => AreaAndBend,
-        GUSSET_WEIGHT_BEND_THEN_AREA => BendThenArea,
-        GUSSET_WEIGHT_AREA => Area,
-    }
     fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
     continuity: Continuity { GUSSET_CONTINUITY_C1 => C1, GUSSET_CONTINUITY_C2 => C2 }
     keep: Keep {
@@ -241,22 +122,6 @@ c_enum! {
         GUSSET_TOGETHER_APART => Apart,
         GUSSET_TOGETHER_ONE => One,
         GUSSET_TOGETHER_CHEAPEST => Cheapest,
-    }
-    finish: Finish {
-        GUSSET_PATCH_PLAIN => Plain,
-        GUSSET_PATCH_REFINED => Refined,
-        GUSSET_PATCH_FAIRED => Faired,
-    }
-    status: HoleStatus {
-        GUSSET_HOLE_FILLED => Filled,
-        GUSSET_HOLE_KEPT => Kept,
-        GUSSET_HOLE_TOO_LARGE => TooLarge,
-        GUSSET_HOLE_OPEN => Open,
-        GUSSET_HOLE_NON_MANIFOLD => NonManifold,
-        GUSSET_HOLE_NOT_ORIENTED => NotOriented,
-        GUSSET_HOLE_NOT_SIMPLE => NotSimple,
-        GUSSET_HOLE_NOT_FREE => NotFree,
-        GUSSET_HOLE_NO_TRIANGULATION => NoTriangulation,
     }
 }
 
@@ -284,7 +149,7 @@ impl gusset_fill_options {
             keep: choice(self.keep)?,
             together: choice(self.together)?,
             plan_only: flag(self.plan_only, "plan_only")?,
-            outward: choice(self.outward)?,
+            outward: outward(self.outward, Outward::Keep)?,
         })
     }
 
@@ -297,26 +162,6 @@ impl gusset_fill_options {
             return Err(Failure::new(GUSSET_ERROR_NULL_ARGUMENT, "groups are given, but loops is NULL"));
         }
         input::list(self.groups, count, "groups").map(Some)
-    }
-}
-
-impl gusset_hole {
-    pub(crate) fn of(hole: &Hole) -> Self {
-        gusset_hole {
-            rim_first: hole.rim.start,
-            rim_count: hole.rim.len(),
-            face_first: hole.faces.start as usize,
-            face_count: hole.faces.len(),
-            vertex_first: hole.vertices.start as usize,
-            vertex_count: hole.vertices.len(),
-            length: hole.measures.length,
-            diameter: hole.measures.diameter,
-            area: hole.measures.area,
-            status: hole.status.number(),
-            weight: hole.weight.number(),
-            finish: hole.finish.number(),
-            patch: hole.patch,
-        }
     }
 }
 
@@ -365,7 +210,7 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 ///     loops that the mesh has.
 /// @param loop_count see loops.
 /// @param options NULL for the defaults.
-/// @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
 ///     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops),
 ///     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
@@ -380,15 +225,15 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_fill_create(
+pub unsafe extern "C" fn gusset_fill(
     context: *const gusset_context,
     mesh: *const gusset_mesh_view,
     loops: *const gusset_indices,
     loop_count: usize,
     options: *const gusset_fill_options,
-    fill: *mut *mut gusset_fill,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, fill, "fill", |job| {
+    create(context, result, "result", |job| {
         let given_options = input::read(options, true, "options")?;
         let options = given_options.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
@@ -410,68 +255,23 @@ pub unsafe extern "C" fn gusset_fill_create(
         };
         let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
         filled.keep_splits(&[&mesh], &job.part(0.95, 1.0))?;
-        let holes = alloc::collect(filled.holes.iter().map(gusset_hole::of))?;
-        Ok(gusset_fill { filled, holes })
+        Ok(gusset_result(Made::Fill(Fill::new(filled)?)))
     })
 }
 
-/// Destroys a fill; NULL is allowed.
+/// Lends the reports of the loops, for results of gusset_fill.
 ///
-/// @param[in,out] fill the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
-    handle::destroy(fill);
-}
-
-/// Lends the result, valid until the fill is destroyed.
-///
-/// @param fill the filled mesh.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *mut gusset_mesh_view) -> gusset_status {
-    lend!(fill, view, |fill| mesh::lend(&fill.filled.mesh))
-}
-
-/// Lends the accounts of the loops.
-///
-/// @param fill the filled mesh.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_fill_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *mut gusset_fill_view) -> gusset_status {
-    lend!(fill, parts, |gusset_fill { filled, holes }| gusset_fill_view {
-        struct_size: size_of::<gusset_fill_view>(),
-        holes: lent(holes),
-        hole_count: holes.len(),
-        rims: gusset_indices::lend(&filled.rims),
-        parents: gusset_indices::lend(filled.parents.as_flattened()),
-        weights: lent(filled.weights.as_flattened()),
-        intersections: gusset_indices::lend(filled.intersections.as_deref().unwrap_or_default().as_flattened()),
-        intersections_known: u32::from(filled.intersections.is_some()),
-        turned_outwards: gusset_indices::lend(&filled.turned_outwards),
-        reserved: 0,
-    })
-}
-
-/// Measures of the new faces and of the result.
-///
-/// @param fill the filled mesh.
-/// @param[out] quality receives the measures; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_fill_get_quality(
-    fill: *const gusset_fill,
-    quality: *mut gusset_quality_report,
+pub unsafe extern "C" fn gusset_result_get_fill(
+    result: *const gusset_result,
+    report: *mut gusset_fill_report,
 ) -> gusset_status {
-    lend!(fill, quality, |fill| gusset_quality_report::of(&fill.filled.quality))
+    report!(result, report, "gusset_fill", Made::Fill(fill) => fill.report())
 }

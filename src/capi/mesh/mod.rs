@@ -1,16 +1,20 @@
 //! C interface: meshes, as arrays of the host or of a result.
 
 pub mod align;
-pub mod assembly;
-pub mod assembly_options;
 pub mod attributes;
 pub mod boundary;
 pub mod check;
 pub mod develop;
+pub mod develop_report;
 pub mod facing;
 pub mod fill;
+pub mod fill_report;
+pub mod join;
+pub mod join_options;
+pub mod join_report;
 pub mod orient;
 pub mod origins;
+pub mod result;
 pub mod sew;
 pub mod stitch;
 pub mod stitch_options;
@@ -29,14 +33,18 @@ use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions
 use gusset_base::alloc;
 use std::ffi::c_void;
 
+/// The type of coordinates.
+pub type gusset_scalar = u32;
 /// Coordinates are 32-bit floats.
-pub const GUSSET_F32: u32 = 1;
+pub const GUSSET_F32: gusset_scalar = 1;
 /// Coordinates are 64-bit floats.
-pub const GUSSET_F64: u32 = 2;
+pub const GUSSET_F64: gusset_scalar = 2;
+/// The type of indices.
+pub type gusset_index = u32;
 /// Indices and face offsets are 32-bit unsigned integers.
-pub const GUSSET_U32: u32 = 0;
+pub const GUSSET_U32: gusset_index = 0;
 /// Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
-pub const GUSSET_U64: u32 = 1;
+pub const GUSSET_U64: gusset_index = 1;
 
 /// Indices that a result lends, or that the caller gives.
 #[repr(C)]
@@ -80,9 +88,9 @@ pub struct gusset_mesh_view {
     /// The number of faces.
     pub face_count: usize,
     /// GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
-    pub scalar: u32,
+    pub scalar: gusset_scalar,
     /// GUSSET_U32.
-    pub index: u32,
+    pub index: gusset_index,
     /// The number of corners of every face, or 0 if face_offsets is given.
     pub face_size: u32,
     /// 0.

@@ -1,19 +1,11 @@
 //! C interface: where the elements of results come from.
 
 use crate::attributes::{Domain, Origins};
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::lend;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{choice, lent};
-use crate::capi::mesh::assembly::gusset_assembly;
-use crate::capi::mesh::develop::gusset_development;
-use crate::capi::mesh::fill::gusset_fill;
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::orient::gusset_orient;
-use crate::capi::mesh::sew::gusset_sew;
-use crate::capi::mesh::stitch::gusset_stitch;
-use crate::capi::mesh::strip::gusset_strip;
-use crate::capi::mesh::weld::gusset_weld;
 use crate::capi::status::gusset_status;
 
 /// Elements of meshes, and of what meshes are made from.
@@ -67,167 +59,6 @@ pub struct gusset_origins_view {
 }
 
 versioned! { gusset_origins_view: 64 }
-
-/// The origins of a stitched mesh, whose inputs are its one or two meshes.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param stitch the stitched mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
-///     CANCELLED.
-/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
-///     face, and linear in n.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_stitch_origins_create(
-    context: *const gusset_context,
-    stitch: *const gusset_stitch,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_stitch(&handle::get(stitch, "stitch")?.0, job)?))
-    })
-}
-
-/// The origins of a strip, whose inputs are its two polylines; they have no corners and faces, and
-/// nor have its own any sources.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param strip the strip.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity As gusset_stitch_origins_create.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_strip_origins_create(
-    context: *const gusset_context,
-    strip: *const gusset_strip,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_ruled(&handle::get(strip, "strip")?.0, job)?))
-    })
-}
-
-/// The origins of a mesh with holes filled.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param fill the mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity As gusset_stitch_origins_create.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_fill_origins_create(
-    context: *const gusset_context,
-    fill: *const gusset_fill,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_filled(&handle::get(fill, "fill")?.filled, job)?))
-    })
-}
-
-/// The origins of an assembly, whose inputs are its pieces.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param assembly the assembly.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity As gusset_stitch_origins_create.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_assembly_origins_create(
-    context: *const gusset_context,
-    assembly: *const gusset_assembly,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_assembly(&handle::get(assembly, "assembly")?.done, job)?))
-    })
-}
-
-/// The origins of a welded mesh.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param weld the welded mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity O(size); 16 bytes for each vertex, corner and face.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_weld_origins_create(
-    context: *const gusset_context,
-    weld: *const gusset_weld,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| Ok(gusset_origins(Origins::of_weld(&handle::get(weld, "weld")?.0, job)?)))
-}
-
-/// The origins of a sewn mesh. A corner that a face gained on an edge has the face's corners at both
-/// ends of the edge.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sew the sewn mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity As gusset_weld_origins_create.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sew_origins_create(
-    context: *const gusset_context,
-    sew: *const gusset_sew,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| Ok(gusset_origins(Origins::of_sew(&handle::get(sew, "sew")?.0, job)?)))
-}
-
-/// The origins of an oriented mesh.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param orient the oriented mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity As gusset_weld_origins_create.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_orient_origins_create(
-    context: *const gusset_context,
-    orient: *const gusset_orient,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_oriented(&handle::get(orient, "orient")?.done, job)?))
-    })
-}
-
-/// The origins of a development: each vertex comes from one, corners and faces are those of the
-/// surface.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param development the development.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
-/// @complexity As gusset_weld_origins_create.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_development_origins_create(
-    context: *const gusset_context,
-    development: *const gusset_development,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_developed(&handle::get(development, "development")?.done, job)?))
-    })
-}
 
 /// Destroys origins; NULL is allowed.
 ///

@@ -1,26 +1,21 @@
 //! C interface: sewing.
 
 use crate::attributes::KeepSplits;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::handle::{self, handle};
 use crate::capi::input;
+use crate::capi::mesh::result::{Made, gusset_result, report};
 use crate::capi::mesh::weld::gusset_weld_options;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
-use crate::repair::sew::{Sew, sew};
+use crate::repair::sew::sew;
 
-/// A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
-pub struct gusset_sew(pub(crate) Sew);
-
-handle! { gusset_sew }
-
-/// What became of the old mesh. Lists are ascending; pointers are valid until the sewn mesh is
+/// What became of the old mesh. Lists are ascending; pointers are valid until the result is
 /// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_sew_view {
-    /// sizeof(gusset_sew_view), set by the caller.
+pub struct gusset_sew_report {
+    /// sizeof(gusset_sew_report), set by the caller.
     pub struct_size: usize,
     /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
     pub vertex_map: gusset_indices,
@@ -48,11 +43,11 @@ pub struct gusset_sew_view {
     pub tolerance: f64,
 }
 
-versioned! { gusset_sew_view: 104 }
+versioned! { gusset_sew_report: 104 }
 
 /// Sews borders that lie on one another, also where their vertices do not match.
 ///
-/// Vertices are welded first, as by gusset_weld_create. Where a vertex of one border then lies
+/// Vertices are welded first, as by gusset_weld. Where a vertex of one border then lies
 /// inside a free edge of another (a T-junction), the edge is split there, if that makes pieces of
 /// which exactly two lie on one another; triangles with split edges are cut into triangles, none of
 /// them turned over, and larger faces gain corners. Then borders are welded again. So the result
@@ -72,63 +67,46 @@ versioned! { gusset_sew_view: 104 }
 /// @param mesh the mesh.
 /// @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded
 ///     before edges are split, and borders after it.
-/// @param[out] sew receives the result, for gusset_sew_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_weld_create, TOO_LARGE (the result has too many
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_weld, TOO_LARGE (the result has too many
 ///     elements).
 /// @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside
 ///     each edge; linear extra memory.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sew_create(
+pub unsafe extern "C" fn gusset_sew(
     context: *const gusset_context,
     mesh: *const gusset_mesh_view,
     options: *const gusset_weld_options,
-    sew: *mut *mut gusset_sew,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, sew, "sew", |job| {
+    create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
-        Ok(gusset_sew(done))
+        Ok(gusset_result(Made::Sew(done)))
     })
 }
 
-/// Destroys a sewn mesh; NULL is allowed.
+/// Lends the maps, lists and counts, for results of gusset_sew.
 ///
-/// @param[in,out] sew the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_sew_destroy(sew: *mut gusset_sew) {
-    handle::destroy(sew);
-}
-
-/// Lends the sewn mesh, valid until its handle is destroyed.
-///
-/// @param sew the sewn mesh.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sew_get_mesh(sew: *const gusset_sew, view: *mut gusset_mesh_view) -> gusset_status {
-    lend!(sew, view, |sew| mesh::lend(&sew.0.mesh))
-}
-
-/// Lends the maps, lists and counts.
-///
-/// @param sew the sewn mesh.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_sew_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sew_get_view(sew: *const gusset_sew, parts: *mut gusset_sew_view) -> gusset_status {
-    lend!(sew, parts, |gusset_sew(done)| gusset_sew_view {
-        struct_size: size_of::<gusset_sew_view>(),
+pub unsafe extern "C" fn gusset_result_get_sew(
+    result: *const gusset_result,
+    report: *mut gusset_sew_report,
+) -> gusset_status {
+    report!(result, report, "gusset_sew", Made::Sew(done) => gusset_sew_report {
+        struct_size: size_of::<gusset_sew_report>(),
         vertex_map: gusset_indices::lend(&done.vertex_map),
         face_map: gusset_indices::lend(&done.face_map),
         face_origin: gusset_indices::lend(&done.face_origin),

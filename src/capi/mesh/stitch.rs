@@ -1,27 +1,22 @@
 //! C interface: stitching.
 
 use crate::attributes::KeepSplits;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice, lent};
-use crate::capi::mesh::stitch_options::gusset_stitch_options;
+use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::stitch_options::{gusset_stitch_options, gusset_strip_finish};
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
-use crate::stitch::{Quality, Request, Stitch, stitch};
+use crate::stitch::{Request, stitch};
 use gusset_base::alloc;
 
-/// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
-pub struct gusset_stitch(pub(crate) Stitch);
-
-handle! { gusset_stitch }
-
-/// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1
+/// The parts of a stitch. Pointers are valid until the result is destroyed. Index 0 is the first mesh, 1
 /// the second.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_stitch_view {
-    /// sizeof(gusset_stitch_view), set by the caller.
+pub struct gusset_stitch_report {
+    /// sizeof(gusset_stitch_report), set by the caller.
     pub struct_size: usize,
     /// Per old vertex of each mesh, its index in the result; empty for the second if there was only
     /// one mesh.
@@ -73,54 +68,13 @@ pub struct gusset_stitch_view {
     pub back_off_count: u32,
     /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
     /// the strip.
-    pub finish: u32,
+    pub finish: gusset_strip_finish,
     /// Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
     /// end, ascending. Each keeps its first corner and has the others in reverse order.
     pub turned_outwards: gusset_indices,
 }
 
-/// Measures of a strip, or of filled holes, and of the whole result's connectivity.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_quality_report {
-    /// sizeof(gusset_quality_report), set by the caller.
-    pub struct_size: usize,
-    /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
-    pub min_angle: f64,
-    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius),
-    /// 1 for an equilateral triangle, infinite for a degenerate one.
-    pub max_aspect: f64,
-    /// The longest edge of the new faces, in the unit of the positions.
-    pub max_edge: f64,
-    /// Their area, in the square of that unit.
-    pub area: f64,
-    /// New triangles without area.
-    pub degenerate_faces: u32,
-    /// Boundary loops of the result; 0 if no edge has exactly one face.
-    pub loops_left: u32,
-    /// Edges of the result with three or more faces.
-    pub non_manifold_edges: u32,
-    /// Edges of the result whose two faces disagree in orientation.
-    pub orientation_conflicts: u32,
-}
-
-versioned! { gusset_stitch_view: 192, gusset_quality_report: 56 }
-
-impl gusset_quality_report {
-    pub(crate) fn of(q: &Quality) -> Self {
-        gusset_quality_report {
-            struct_size: size_of::<gusset_quality_report>(),
-            min_angle: q.min_angle,
-            max_aspect: q.max_aspect,
-            max_edge: q.max_edge,
-            area: q.area,
-            degenerate_faces: q.degenerate_faces,
-            loops_left: q.loops_left,
-            non_manifold_edges: q.non_manifold_edges,
-            orientation_conflicts: q.orientation_conflicts,
-        }
-    }
-}
+versioned! { gusset_stitch_report: 192 }
 
 /// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
 /// between whole loops, or a strip between the arcs that face each other.
@@ -140,7 +94,7 @@ impl gusset_quality_report {
 /// @param mesh_b NULL if both loops are of mesh_a.
 /// @param loop_b see loop_a.
 /// @param options NULL for the defaults.
-/// @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
 ///     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT,
 ///     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
@@ -162,16 +116,16 @@ impl gusset_quality_report {
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_create(
+pub unsafe extern "C" fn gusset_stitch(
     context: *const gusset_context,
     mesh_a: *const gusset_mesh_view,
     loop_a: *const gusset_indices,
     mesh_b: *const gusset_mesh_view,
     loop_b: *const gusset_indices,
     options: *const gusset_stitch_options,
-    stitch: *mut *mut gusset_stitch,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, stitch, "stitch", |job| {
+    create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
@@ -183,64 +137,42 @@ pub unsafe extern "C" fn gusset_stitch_create(
         let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;
         let inputs = [Some(&a), b.as_ref()];
         done.keep_splits(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
-        Ok(gusset_stitch(done))
+        Ok(gusset_result(Made::Stitch(done)))
     })
 }
 
-/// Destroys a stitch; NULL is allowed.
+/// Lends the strip of a stitch alone: the vertices of the two rims, the new ones, and the faces between them.
 ///
-/// @param[in,out] stitch the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_stitch_destroy(stitch: *mut gusset_stitch) {
-    handle::destroy(stitch);
-}
-
-/// Lends the whole result, valid until the stitch is destroyed.
-///
-/// @param stitch the stitch.
+/// @param result the result of gusset_stitch.
 /// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_stitch.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_get_mesh(
-    stitch: *const gusset_stitch,
+pub unsafe extern "C" fn gusset_result_get_strip_mesh(
+    result: *const gusset_result,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    lend!(stitch, view, |stitch| mesh::lend(&stitch.0.mesh))
+    report!(result, view, "gusset_stitch", Made::Stitch(done) => mesh::lend(&done.strip))
 }
 
-/// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them.
+/// Lends the maps, rims and meridians, for results of gusset_stitch.
 ///
-/// @param stitch the stitch.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
+/// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_get_strip(
-    stitch: *const gusset_stitch,
-    view: *mut gusset_mesh_view,
+pub unsafe extern "C" fn gusset_result_get_stitch(
+    result: *const gusset_result,
+    report: *mut gusset_stitch_report,
 ) -> gusset_status {
-    lend!(stitch, view, |stitch| mesh::lend(&stitch.0.strip))
-}
-
-/// Lends the maps, rims and meridians.
-///
-/// @param stitch the stitch.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_stitch_get_view(
-    stitch: *const gusset_stitch,
-    parts: *mut gusset_stitch_view,
-) -> gusset_status {
-    lend!(stitch, parts, |gusset_stitch(done)| gusset_stitch_view {
-        struct_size: size_of::<gusset_stitch_view>(),
+    report!(result, report, "gusset_stitch", Made::Stitch(done) => gusset_stitch_report {
+        struct_size: size_of::<gusset_stitch_report>(),
         vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
         face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
         rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
@@ -259,20 +191,4 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
         finish: done.finish.number(),
         turned_outwards: gusset_indices::lend(&done.turned_outwards),
     })
-}
-
-/// Measures of the strip and of the result.
-///
-/// @param stitch the stitch.
-/// @param[out] quality receives the measures; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_stitch_get_quality(
-    stitch: *const gusset_stitch,
-    quality: *mut gusset_quality_report,
-) -> gusset_status {
-    lend!(stitch, quality, |stitch| gusset_quality_report::of(&stitch.0.quality))
 }

@@ -3,59 +3,70 @@
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::choice;
 use crate::capi::status::Failure;
+use crate::repair::orient::Outward;
 use crate::stitch::facing::{Arc, Centres, Run};
 use crate::stitch::{
     Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Rows, Search, Start,
 };
 
+/// The rule that chooses meridians.
+pub type gusset_meridians = u32;
 /// The strip of triangles that best continues both surfaces, near the strip of least area: little
 /// turn between neighbours, along the rims above all, and meridians that lie on the surface which
-/// the faces beside the rims suggest. Between lines without faces (gusset_strip_create) the strip
+/// the faces beside the rims suggest. Between lines without faces (gusset_strip) the strip
 /// of least area.
-pub const GUSSET_MERIDIANS_CONTINUATION: u32 = 0;
+pub const GUSSET_MERIDIANS_CONTINUATION: gusset_meridians = 0;
 /// The paper's rule by index, O(N + M): good for evenly spaced rims.
-pub const GUSSET_MERIDIANS_INDEX: u32 = 1;
+pub const GUSSET_MERIDIANS_INDEX: gusset_meridians = 1;
 /// Both rims walked at the same pace, by arc length, O(N + M).
-pub const GUSSET_MERIDIANS_ARC_LENGTH: u32 = 2;
+pub const GUSSET_MERIDIANS_ARC_LENGTH: gusset_meridians = 2;
 /// Always on to the shorter of the two next meridians, O(N + M).
-pub const GUSSET_MERIDIANS_GREEDY: u32 = 3;
+pub const GUSSET_MERIDIANS_GREEDY: gusset_meridians = 3;
 /// The strip of triangles whose meridians have the least total length.
-pub const GUSSET_MERIDIANS_MIN_DIAGONAL: u32 = 4;
+pub const GUSSET_MERIDIANS_MIN_DIAGONAL: gusset_meridians = 4;
 /// The strip of triangles with the least bends: the sum over its edges, rims included, of length
 /// times (1 - cos of the angle between the normals).
-pub const GUSSET_MERIDIANS_SMOOTH: u32 = 5;
+pub const GUSSET_MERIDIANS_SMOOTH: gusset_meridians = 5;
 /// The least sum of the meridians' squared lengths where steps on both rims at once are allowed
 /// (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for strips
 /// with interior rows.
-pub const GUSSET_MERIDIANS_QUAD: u32 = 6;
+pub const GUSSET_MERIDIANS_QUAD: gusset_meridians = 6;
 /// The strip of triangles of least area through the first meridian.
-pub const GUSSET_MERIDIANS_MIN_AREA: u32 = 7;
+pub const GUSSET_MERIDIANS_MIN_AREA: gusset_meridians = 7;
 
+/// The effort of the search for the best strip.
+pub type gusset_search = u32;
 /// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
 /// fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
 /// the best on all rims that were measured.
-pub const GUSSET_SEARCH_AUTO: u32 = 0;
-/// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch_create.
-pub const GUSSET_SEARCH_EXACT: u32 = 1;
+pub const GUSSET_SEARCH_AUTO: gusset_search = 0;
+/// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch.
+pub const GUSSET_SEARCH_EXACT: gusset_search = 1;
 
+/// The first meridian of a closed strip.
+pub type gusset_strip_start = u32;
 /// The first meridian of a closed band joins the closest pair of vertices, or the closest pair
 /// after rim B has been turned along rim A to where it fits best; the better strip of the two is
 /// kept.
-pub const GUSSET_START_AUTO: u32 = 0;
+pub const GUSSET_START_AUTO: gusset_strip_start = 0;
 /// The closest pair.
-pub const GUSSET_START_CLOSEST: u32 = 1;
+pub const GUSSET_START_CLOSEST: gusset_strip_start = 1;
 
-/// gusset_strip_create only: the first points.
-pub const GUSSET_START_GIVEN: u32 = 2;
+/// gusset_strip only: the first points.
+pub const GUSSET_START_GIVEN: gusset_strip_start = 2;
 
+/// The positions of new vertices.
+pub type gusset_fairing = u32;
 /// New vertices stay where they were first put: those of a strip divide their meridians evenly, as
 /// the paper has it, those of a patch lie on the triangles of its first triangulation.
-pub const GUSSET_FAIRING_NONE: u32 = 0;
+pub const GUSSET_FAIRING_NONE: gusset_fairing = 0;
 /// New vertices are moved so that the new surface bends as a thin plate does and meets the old one
 /// smoothly: the sum of the squared Laplacians over them and the rims is least. The rims, and the
 /// ends of an open strip, stay where they are.
-pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
+pub const GUSSET_FAIRING_THIN_PLATE: gusset_fairing = 1;
 
+/// The treatment of faces that intersect each other.
+pub type gusset_intersections = u32;
 /// Faces of the strip that cut others are looked for, and what can be done about them is done:
 /// - a strip of triangles without rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it
 ///   cuts, and of the strips tried the one that cuts least is kept;
@@ -65,60 +76,74 @@ pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 ///   cuts least is kept, or the strip if that cuts less than every blend.
 ///
 /// All other strips stay as they are: rows that are not faired, quads, and other meridians.
-pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
+pub const GUSSET_INTERSECTIONS_AUTO: gusset_intersections = 0;
 /// They are not looked for: rows are faired in full, and the first blend is kept.
-pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
+pub const GUSSET_INTERSECTIONS_IGNORE: gusset_intersections = 1;
 /// They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO,
 /// and no strip goes another way, nor does the strip that a blend follows.
-pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
+pub const GUSSET_INTERSECTIONS_REPORT: gusset_intersections = 2;
 
+/// The treatment of pieces that are oriented against each other.
+pub type gusset_orientation = u32;
 /// A second piece that is oriented against the first is turned over: the component that rim B is
 /// on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
 /// the end. Two loops of one connected piece are taken as they are. Whole rims are compared as
 /// curves, and by where their surfaces lie if both lead off them to the same side, as at the ends
 /// of a U-bend; where nothing is clear, nothing is turned.
-pub const GUSSET_ORIENTATION_FIX: u32 = 0;
+pub const GUSSET_ORIENTATION_FIX: gusset_orientation = 0;
 /// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
-pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
+pub const GUSSET_ORIENTATION_REFUSE: gusset_orientation = 1;
 /// The rims are not compared: the faces are taken to be right as they are.
-pub const GUSSET_ORIENTATION_KEEP: u32 = 2;
+pub const GUSSET_ORIENTATION_KEEP: gusset_orientation = 2;
 
+/// The part of the loops that is joined.
+pub type gusset_stitch_extent = u32;
 /// All of both loops, by a closed band.
-pub const GUSSET_EXTENT_WHOLE_LOOPS: u32 = 0;
+pub const GUSSET_EXTENT_WHOLE_LOOPS: gusset_stitch_extent = 0;
 /// The runs of vertices that face the other loop, as the paper has it:
 /// GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
-pub const GUSSET_EXTENT_OPEN_ARCS: u32 = 1;
+pub const GUSSET_EXTENT_OPEN_ARCS: gusset_stitch_extent = 1;
 /// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of
 /// their centres, or if the planes cannot tell; else open arcs.
-pub const GUSSET_EXTENT_AUTO: u32 = 2;
+pub const GUSSET_EXTENT_AUTO: gusset_stitch_extent = 2;
 /// The arcs given in arc_a and arc_b. Of a loop that is not given, place 0 is where
 /// gusset_boundary_get_loop has it.
-pub const GUSSET_EXTENT_ARCS: u32 = 3;
+pub const GUSSET_EXTENT_ARCS: gusset_stitch_extent = 3;
 
+/// Which of several runs of facing vertices is joined.
+pub type gusset_facing_run = u32;
 /// Of several runs of facing vertices, on each loop the one with the closest pair.
-pub const GUSSET_RUN_CLOSEST: u32 = 0;
+pub const GUSSET_RUN_CLOSEST: gusset_facing_run = 0;
 /// On each loop the one of the most vertices.
-pub const GUSSET_RUN_LONGEST: u32 = 1;
+pub const GUSSET_RUN_LONGEST: gusset_facing_run = 1;
 
+/// The definition of the centre of a loop.
+pub type gusset_centres = u32;
 /// The centre of a loop is the mean of its vertices, as the paper has it.
-pub const GUSSET_CENTRES_VERTICES: u32 = 0;
+pub const GUSSET_CENTRES_VERTICES: gusset_centres = 0;
 /// The mean of its points: vertices that lie close together do not draw it to them.
-pub const GUSSET_CENTRES_LENGTH: u32 = 1;
+pub const GUSSET_CENTRES_LENGTH: gusset_centres = 1;
 
+/// The number of interior rows.
+pub type gusset_strip_rows = u32;
 /// No interior rows: every meridian is one edge.
-pub const GUSSET_ROWS_NONE: u32 = 0;
+pub const GUSSET_ROWS_NONE: gusset_strip_rows = 0;
 /// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
-pub const GUSSET_ROWS_MEAN_EDGE: u32 = 1;
+pub const GUSSET_ROWS_MEAN_EDGE: gusset_strip_rows = 1;
 /// As many as row_count says.
-pub const GUSSET_ROWS_COUNT: u32 = 2;
+pub const GUSSET_ROWS_COUNT: gusset_strip_rows = 2;
 
+/// The faces of strips.
+pub type gusset_strip_cells = u32;
 /// Triangles throughout; quads are split by their shorter diagonals.
-pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
+pub const GUSSET_CELLS_TRIANGLES: gusset_strip_cells = 0;
 /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
-pub const GUSSET_CELLS_QUADS: u32 = 1;
+pub const GUSSET_CELLS_QUADS: gusset_strip_cells = 1;
 
+/// The surface between the rims.
+pub type gusset_strip_finish = u32;
 /// The strip of meridians, with its rows.
-pub const GUSSET_FINISH_STRIP: u32 = 0;
+pub const GUSSET_FINISH_STRIP: gusset_strip_finish = 0;
 /// The best-looking joint: triangles about as fine as those round the rims, graded between them,
 /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
 /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
@@ -129,16 +154,30 @@ pub const GUSSET_FINISH_STRIP: u32 = 0;
 /// the number of new triangles. Where sides as short as those round the rims would take more than
 /// about 50,000 new vertices, or 16 for each of the rims', the sides are up to twice as long; where
 /// that is not enough, the strip stays, and the log says so.
-pub const GUSSET_FINISH_BLEND: u32 = 1;
+pub const GUSSET_FINISH_BLEND: gusset_strip_finish = 1;
 
+/// The source of a tolerance.
+pub type gusset_tolerance_mode = u32;
 /// No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that
 /// face another loop that is at most 2^-16 of the loops' largest coordinate for 32-bit positions,
 /// 2^-45 for 64-bit ones; for vertices that are welded see gusset_weld_options.
-pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
+pub const GUSSET_TOLERANCE_AUTO: gusset_tolerance_mode = 0;
 /// The tolerance is the one given.
-pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
+pub const GUSSET_TOLERANCE_GIVEN: gusset_tolerance_mode = 1;
 /// The tolerance is 0: of vertices that are welded, the positions are equal.
-pub const GUSSET_TOLERANCE_EXACT: u32 = 2;
+pub const GUSSET_TOLERANCE_EXACT: gusset_tolerance_mode = 2;
+
+/// The side that closed components of a result face.
+pub type gusset_outward = u32;
+/// As the operation does by default: gusset_join as GUSSET_OUTWARD_CLOSED, all others as GUSSET_OUTWARD_KEEP.
+pub const GUSSET_OUTWARD_DEFAULT: gusset_outward = 0;
+/// Closed components stay as they are; gusset_orient turns each to the side that most of its faces had.
+pub const GUSSET_OUTWARD_KEEP: gusset_outward = 1;
+/// Closed components face outwards, each by its own volume. A shell within another one encloses its own inside, and
+/// the wall of a cavity is turned over too. A component whose volume is 0 up to rounding is as with
+/// GUSSET_OUTWARD_KEEP. Except in gusset_orient, only components that are closed (every edge has two faces),
+/// consistently oriented and inside out are turned over, each as a whole; all others stay as they are.
+pub const GUSSET_OUTWARD_CLOSED: gusset_outward = 2;
 
 /// How to stitch; all zero is the default.
 #[repr(C)]
@@ -147,9 +186,9 @@ pub struct gusset_stitch_options {
     /// sizeof(gusset_stitch_options), set by the caller.
     pub struct_size: usize,
     /// GUSSET_MERIDIANS_...
-    pub meridians: u32,
+    pub meridians: gusset_meridians,
     /// GUSSET_ORIENTATION_...
-    pub orientation: u32,
+    pub orientation: gusset_orientation,
     /// The first meridian joins the closest pair that is not joined by an edge already; with a
     /// twist, the vertex of rim B so many places later, counted in the direction in which rim A
     /// runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
@@ -157,17 +196,17 @@ pub struct gusset_stitch_options {
     /// there are none to join.
     pub twist: i64,
     /// GUSSET_EXTENT_...
-    pub extent: u32,
+    pub extent: gusset_stitch_extent,
     /// GUSSET_RUN_...
-    pub run: u32,
+    pub run: gusset_facing_run,
     /// GUSSET_ROWS_...
-    pub rows: u32,
+    pub rows: gusset_strip_rows,
     /// Interior rows, read for GUSSET_ROWS_COUNT.
     pub row_count: u32,
     /// GUSSET_CELLS_...
-    pub cells: u32,
+    pub cells: gusset_strip_cells,
     /// GUSSET_TOLERANCE_...
-    pub tolerance_mode: u32,
+    pub tolerance_mode: gusset_tolerance_mode,
     /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the
     /// positions, at least 0; read for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
@@ -178,20 +217,20 @@ pub struct gusset_stitch_options {
     /// The same on loop B.
     pub arc_b: [u32; 2],
     /// GUSSET_SEARCH_...
-    pub search: u32,
+    pub search: gusset_search,
     /// GUSSET_START_...
-    pub start: u32,
+    pub start: gusset_strip_start,
     /// GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is
     /// not.
-    pub fairing: u32,
+    pub fairing: gusset_fairing,
     /// GUSSET_INTERSECTIONS_...
-    pub intersections: u32,
+    pub intersections: gusset_intersections,
     /// GUSSET_CENTRES_...
-    pub centres: u32,
+    pub centres: gusset_centres,
     /// GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
-    pub outward: u32,
+    pub outward: gusset_outward,
     /// GUSSET_FINISH_...: what lies between the rims in the end.
-    pub finish: u32,
+    pub finish: gusset_strip_finish,
     /// 0.
     pub reserved: u32,
 }
@@ -251,8 +290,18 @@ impl gusset_stitch_options {
             fairing: choice(self.fairing)?,
             finish: choice(self.finish)?,
             intersections: choice(self.intersections)?,
-            outward: choice(self.outward)?,
+            outward: outward(self.outward, Outward::Keep)?,
         })
+    }
+}
+
+/// The side that closed components face, `default` if the caller leaves it open.
+pub(crate) fn outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
+    match given {
+        GUSSET_OUTWARD_DEFAULT => Ok(default),
+        GUSSET_OUTWARD_KEEP => Ok(Outward::Keep),
+        GUSSET_OUTWARD_CLOSED => Ok(Outward::Closed),
+        other => Err(Failure::unknown("outward", other.into())),
     }
 }
 

@@ -1,20 +1,17 @@
 //! C interface: strips between two polylines.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lent};
 use crate::capi::mesh::facing::points;
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::stitch_options::{GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, rows};
-use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::stitch_options::{
+    GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, gusset_meridians, gusset_search, gusset_strip_cells,
+    gusset_strip_rows, gusset_strip_start, rows,
+};
 use crate::capi::status::{Failure, gusset_status};
-use crate::stitch::{Ruled, RuledOptions, Start, ruled};
-
-/// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
-pub struct gusset_strip(pub(crate) Ruled);
-
-handle! { gusset_strip }
+use crate::stitch::{RuledOptions, Start, ruled};
 
 /// How a strip is made; all zero is the default.
 #[repr(C)]
@@ -23,28 +20,28 @@ pub struct gusset_strip_options {
     /// sizeof(gusset_strip_options), set by the caller.
     pub struct_size: usize,
     /// GUSSET_MERIDIANS_...
-    pub meridians: u32,
+    pub meridians: gusset_meridians,
     /// GUSSET_SEARCH_...
-    pub search: u32,
+    pub search: gusset_search,
     /// GUSSET_START_..., for closed polylines; open ones begin at their first points.
-    pub start: u32,
+    pub start: gusset_strip_start,
     /// 1: the polylines are closed; 0: they are open.
     pub closed: u32,
     /// GUSSET_ROWS_...; the mean edge is the mean segment of both polylines.
-    pub rows: u32,
+    pub rows: gusset_strip_rows,
     /// Interior rows, read for GUSSET_ROWS_COUNT.
     pub row_count: u32,
     /// GUSSET_CELLS_...
-    pub cells: u32,
+    pub cells: gusset_strip_cells,
     /// 0.
     pub reserved: u32,
 }
 
-/// The parts of a strip. Pointers are valid until it is destroyed.
+/// The parts of a strip. Pointers are valid until the result is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_strip_view {
-    /// sizeof(gusset_strip_view), set by the caller.
+pub struct gusset_strip_report {
+    /// sizeof(gusset_strip_report), set by the caller.
     pub struct_size: usize,
     /// The points of A and of B that the first meridian joins.
     pub start: [u32; 2],
@@ -67,7 +64,7 @@ pub struct gusset_strip_view {
     pub reserved: u32,
 }
 
-versioned! { gusset_strip_options: 40 reserved, gusset_strip_view: 80 }
+versioned! { gusset_strip_options: 40 reserved, gusset_strip_report: 80 }
 
 impl gusset_strip_options {
     fn checked(self) -> Result<(bool, RuledOptions), Failure> {
@@ -84,8 +81,11 @@ impl gusset_strip_options {
     }
 }
 
-/// Makes a strip of faces between two polylines that run side by side, as gusset_stitch_create does
+/// Makes a strip of faces between two polylines that run side by side, as gusset_stitch does
 /// between two rims: the third, intermediate mesh alone.
+///
+/// The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
+/// against polyline A, and along B. Where both sides advance at once triangles split a quad by its shorter diagonal.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
@@ -94,74 +94,48 @@ impl gusset_strip_options {
 /// @param points_b see points_a.
 /// @param count_b see points_a.
 /// @param options NULL for the defaults (open polylines).
-/// @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
 ///     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
-/// @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
+/// @complexity Time and memory of the meridians of gusset_stitch, and linear in the mesh.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
 ///     strips.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_strip_create(
+pub unsafe extern "C" fn gusset_strip(
     context: *const gusset_context,
     points_a: *const f64,
     count_a: usize,
     points_b: *const f64,
     count_b: usize,
     options: *const gusset_strip_options,
-    strip: *mut *mut gusset_strip,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, strip, "strip", |job| {
+    create(context, result, "result", |job| {
         let (closed, options) = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
         let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
-        Ok(gusset_strip(ruled(&a, &b, closed, &options, job)?))
+        Ok(gusset_result(Made::Strip(ruled(&a, &b, closed, &options, job)?)))
     })
 }
 
-/// Destroys a strip; NULL is allowed.
+/// Lends the meridians and the matrix, for results of gusset_strip.
 ///
-/// @param[in,out] strip the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
-    handle::destroy(strip);
-}
-
-/// Lends the mesh, valid until the strip is destroyed: the points of A, 0 to N - 1, those of B, then
-/// the new ones row by row. Faces run A_i+1, A_i, B_j: against polyline A, and along B. Where both
-/// sides advance at once triangles split a quad by its shorter diagonal.
-///
-/// @param strip the strip.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_strip_get_mesh(
-    strip: *const gusset_strip,
-    view: *mut gusset_mesh_view,
+pub unsafe extern "C" fn gusset_result_get_strip(
+    result: *const gusset_result,
+    report: *mut gusset_strip_report,
 ) -> gusset_status {
-    lend!(strip, view, |strip| mesh::lend(&strip.0.mesh))
-}
-
-/// Lends the meridians and the matrix, valid until the strip is destroyed.
-///
-/// @param strip the strip.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_strip_get_view(
-    strip: *const gusset_strip,
-    parts: *mut gusset_strip_view,
-) -> gusset_status {
-    lend!(strip, parts, |gusset_strip(done)| gusset_strip_view {
-        struct_size: size_of::<gusset_strip_view>(),
+    report!(result, report, "gusset_strip", Made::Strip(done) => gusset_strip_report {
+        struct_size: size_of::<gusset_strip_report>(),
         start: done.start,
         meridians: gusset_indices::lend(done.meridians.as_flattened()),
         matrix: gusset_indices::lend(&done.matrix),

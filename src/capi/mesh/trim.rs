@@ -89,7 +89,7 @@ impl gusset_trim_options {
 }
 
 /// Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the
-/// others, which gusset_assembly_create closes; see GUSSET_OVERLAPS_TRIM there for both at once.
+/// others, which gusset_join closes; see GUSSET_OVERLAPS_TRIM there for both at once.
 ///
 /// The pieces are cut along lines on which both are equally good. A vertex is the better the
 /// farther it is from the borders of its piece, in mean edges of it, so that the finer of two

@@ -1,35 +1,36 @@
 //! C interface: welding.
 
 use crate::attributes::KeepSplits;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag};
-use crate::capi::mesh::stitch_options::tolerance;
+use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, tolerance};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
-use crate::repair::weld::{Options, Vertices, Weld, weld};
+use crate::repair::weld::{Options, Vertices, weld};
 
+/// The vertices that are welded.
+pub type gusset_weld_vertices = u32;
 /// The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
-pub const GUSSET_WELD_BOUNDARY: u32 = 0;
+pub const GUSSET_WELD_BOUNDARY: gusset_weld_vertices = 0;
 /// All vertices that faces use are welded, as triangle soups need it.
-pub const GUSSET_WELD_ALL: u32 = 1;
+pub const GUSSET_WELD_ALL: gusset_weld_vertices = 1;
 
+/// Whether corners of one face may become one.
+pub type gusset_collapse = u32;
 /// Corners of one face stay apart.
-pub const GUSSET_COLLAPSE_NEVER: u32 = 0;
+pub const GUSSET_COLLAPSE_NEVER: gusset_collapse = 0;
 /// Corners of one face may become one; a face that keeps fewer than three different vertices is
 /// dropped.
-pub const GUSSET_COLLAPSE_ALLOW: u32 = 1;
+pub const GUSSET_COLLAPSE_ALLOW: gusset_collapse = 1;
 
+/// The treatment of vertices that no face uses.
+pub type gusset_unused = u32;
 /// Vertices that no face uses stay.
-pub const GUSSET_UNUSED_KEEP: u32 = 0;
+pub const GUSSET_UNUSED_KEEP: gusset_unused = 0;
 /// Vertices that no face of the result uses are left out.
-pub const GUSSET_UNUSED_REMOVE: u32 = 1;
-
-/// A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
-pub struct gusset_weld(pub(crate) Weld);
-
-handle! { gusset_weld }
+pub const GUSSET_UNUSED_REMOVE: gusset_unused = 1;
 
 /// How to weld; all zero is the default.
 #[repr(C)]
@@ -38,7 +39,7 @@ pub struct gusset_weld_options {
     /// sizeof(gusset_weld_options), set by the caller.
     pub struct_size: usize,
     /// Which vertices: GUSSET_WELD_...
-    pub vertices: u32,
+    pub vertices: gusset_weld_vertices,
     /// GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
     /// have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48
     /// for 64-bit ones, or twice the last decimal place that positions show, as those from text
@@ -51,21 +52,21 @@ pub struct gusset_weld_options {
     /// no edge collapses. See tolerance of the result's view for what it was.
     /// GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
     /// GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
-    pub tolerance_mode: u32,
+    pub tolerance_mode: gusset_tolerance_mode,
     /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
     /// GUSSET_COLLAPSE_...
-    pub collapse: u32,
+    pub collapse: gusset_collapse,
     /// GUSSET_UNUSED_...
-    pub unused: u32,
+    pub unused: gusset_unused,
 }
 
 /// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid
-/// until the weld is destroyed.
+/// until the result is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_weld_view {
-    /// sizeof(gusset_weld_view), set by the caller.
+pub struct gusset_weld_report {
+    /// sizeof(gusset_weld_report), set by the caller.
     pub struct_size: usize,
     /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
     pub vertex_map: gusset_indices,
@@ -90,7 +91,7 @@ pub struct gusset_weld_view {
     pub tolerance: f64,
 }
 
-versioned! { gusset_weld_options: 32, gusset_weld_view: 96 }
+versioned! { gusset_weld_options: 32, gusset_weld_report: 96 }
 
 c_enum! { vertices: Vertices { GUSSET_WELD_BOUNDARY => Boundary, GUSSET_WELD_ALL => All } }
 
@@ -124,7 +125,7 @@ impl gusset_weld_options {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh the mesh.
 /// @param options NULL for the defaults.
-/// @param[out] weld receives the result, for gusset_weld_destroy; NULL on failure.
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the
 ///     tolerance), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(H log H) for H half-edges, if no vertex has very many and few corners of one face
@@ -132,55 +133,38 @@ impl gusset_weld_options {
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_weld_create(
+pub unsafe extern "C" fn gusset_weld(
     context: *const gusset_context,
     mesh: *const gusset_mesh_view,
     options: *const gusset_weld_options,
-    weld: *mut *mut gusset_weld,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, weld, "weld", |job| {
+    create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.view();
         let mut done = self::weld(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
-        Ok(gusset_weld(done))
+        Ok(gusset_result(Made::Weld(done)))
     })
 }
 
-/// Destroys a weld; NULL is allowed.
+/// Lends the maps, lists and counts, for results of gusset_weld.
 ///
-/// @param[in,out] weld the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
-    handle::destroy(weld);
-}
-
-/// Lends the welded mesh, valid until the weld is destroyed.
-///
-/// @param weld the welded mesh.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_weld_get_mesh(weld: *const gusset_weld, view: *mut gusset_mesh_view) -> gusset_status {
-    lend!(weld, view, |weld| mesh::lend(&weld.0.mesh))
-}
-
-/// Lends the maps, lists and counts.
-///
-/// @param weld the welded mesh.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_weld_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *mut gusset_weld_view) -> gusset_status {
-    lend!(weld, parts, |gusset_weld(done)| gusset_weld_view {
-        struct_size: size_of::<gusset_weld_view>(),
+pub unsafe extern "C" fn gusset_result_get_weld(
+    result: *const gusset_result,
+    report: *mut gusset_weld_report,
+) -> gusset_status {
+    report!(result, report, "gusset_weld", Made::Weld(done) => gusset_weld_report {
+        struct_size: size_of::<gusset_weld_report>(),
         vertex_map: gusset_indices::lend(&done.vertex_map),
         face_map: gusset_indices::lend(&done.face_map),
         left_edges: gusset_indices::lend(&done.left_edges),

@@ -27,7 +27,7 @@ pub const GUSSET_REPLICATE_AT: gusset_replication = 3;
 /// The first and the last one, if they are a point each, in equal shares; if one of them is, that
 /// one; else as UNIFORM.
 pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
-/// None: sizes that differ are refused. For gusset_join_options only.
+/// None: sizes that differ are refused. For gusset_concatenate_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;
 
 /// How a net is reformatted.

@@ -53,8 +53,8 @@ pub struct gusset_bridge_properties {
 /// uniformly, bridges kept.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_join_options {
-    /// sizeof(gusset_join_options), set by the caller.
+pub struct gusset_concatenate_options {
+    /// sizeof(gusset_concatenate_options), set by the caller.
     pub struct_size: usize,
     /// How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
     pub tolerance: f64,
@@ -107,7 +107,7 @@ pub struct gusset_bridge {
     pub reserved: u32,
 }
 
-versioned! { gusset_join_options: 72 reserved, gusset_bridge: 64 }
+versioned! { gusset_concatenate_options: 72 reserved, gusset_bridge: 64 }
 
 impl From<gusset_bridge_properties> for BridgeProperties {
     fn from(given: gusset_bridge_properties) -> Self {
@@ -121,7 +121,7 @@ c_enum! {
     kind: BridgeKind { GUSSET_BRIDGE_RIBBON => Ribbon, GUSSET_BRIDGE_TUBE => Tube, GUSSET_BRIDGE_THREAD => Thread }
 }
 
-impl gusset_join_options {
+impl gusset_concatenate_options {
     pub(crate) fn checked(self) -> Result<JoinOptions, Failure> {
         let refuse = self.equalise == GUSSET_REPLICATE_REFUSE;
         Ok(JoinOptions {
@@ -172,7 +172,7 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     context: *const gusset_context,
     nets: *const *const gusset_net,
     net_count: usize,
-    options: *const gusset_join_options,
+    options: *const gusset_concatenate_options,
     joined: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, joined, "joined", |job| {

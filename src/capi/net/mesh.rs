@@ -1,17 +1,16 @@
 //! C interface: nets to meshes and back, and nets of height fields.
 
-use crate::attributes::Origins;
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lent};
-use crate::capi::mesh::origins::gusset_origins;
+use crate::capi::mesh::result::{Made, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
 use crate::mesh::{NONE, Scalar};
-use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights, net_of_triangles};
+use crate::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_triangles};
 use crate::net::{Coordinates, Net, Planes, Real, Shape};
 use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
@@ -53,11 +52,11 @@ pub struct gusset_net_mesh_options {
     pub max_edge_ratio: f64,
 }
 
-/// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed.
+/// What became what when a net became a mesh. Pointers are valid until the result is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_mesh_view {
-    /// sizeof(gusset_net_mesh_view), set by the caller.
+pub struct gusset_net_mesh_report {
+    /// sizeof(gusset_net_mesh_report), set by the caller.
     pub struct_size: usize,
     /// For each node its vertex, or UINT32_MAX.
     pub vertex_of_node: gusset_indices,
@@ -117,11 +116,6 @@ pub struct gusset_net_grid_view {
     pub face_of_cell: gusset_indices,
 }
 
-/// The mesh of a net. Opaque and immutable; it keeps nothing of the net.
-pub struct gusset_net_mesh(NetMesh);
-
-handle! { gusset_net_mesh }
-
 /// A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_net_grid {
     net: Arc<Net<'static>>,
@@ -133,7 +127,7 @@ handle! { gusset_net_grid }
 
 versioned! {
     gusset_net_mesh_options: 40 reserved,
-    gusset_net_mesh_view: 104,
+    gusset_net_mesh_report: 104,
     gusset_heights: 96,
     gusset_net_grid_view: 40,
 }
@@ -166,7 +160,7 @@ impl gusset_net_mesh_options {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
 /// @param options NULL for the defaults.
-/// @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
 ///     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
 ///     CANCELLED.
@@ -174,84 +168,37 @@ impl gusset_net_mesh_options {
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_mesh_create(
+pub unsafe extern "C" fn gusset_net_to_mesh(
     context: *const gusset_context,
     net: *const gusset_net,
     options: *const gusset_net_mesh_options,
-    mesh: *mut *mut gusset_net_mesh,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, mesh, "mesh", |job| {
+    create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_net_mesh(read(net)?.to_mesh(&options, job)?))
+        Ok(gusset_result(Made::NetMesh(read(net)?.to_mesh(&options, job)?)))
     })
 }
 
-/// The origins of the mesh of a net: its one input is the net.
+/// Lends the maps between the net and its mesh, for results of gusset_net_to_mesh.
 ///
-/// A vertex has the first of its nodes, a corner the node of its own face's cell, which on either side
-/// of a seam is another, so that an image need not run back there, and a face its cell.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
-///     CANCELLED.
-/// @complexity O(corners); 16 bytes for each vertex, corner and face.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_mesh_origins_create(
-    context: *const gusset_context,
-    mesh: *const gusset_net_mesh,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_net_mesh(&handle::get(mesh, "mesh")?.0, job)?))
-    })
-}
-
-/// Destroys the mesh of a net; NULL is allowed.
-///
-/// @param[in,out] mesh the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_net_mesh_destroy(mesh: *mut gusset_net_mesh) {
-    handle::destroy(mesh);
-}
-
-/// Lends the mesh, valid until it is destroyed.
-///
-/// @param mesh the mesh.
-/// @param[out] view its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_mesh_get_mesh(
-    mesh: *const gusset_net_mesh,
-    view: *mut gusset_mesh_view,
+pub unsafe extern "C" fn gusset_result_get_net_mesh(
+    result: *const gusset_result,
+    report: *mut gusset_net_mesh_report,
 ) -> gusset_status {
-    lend!(mesh, view, |mesh| self::mesh::lend(&mesh.0.mesh))
-}
-
-/// Lends what became what.
-///
-/// @param mesh the mesh.
-/// @param[out] maps receives the maps; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_net_mesh_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_mesh_get_view(
-    mesh: *const gusset_net_mesh,
-    maps: *mut gusset_net_mesh_view,
-) -> gusset_status {
-    lend!(mesh, maps, |gusset_net_mesh(made)| {
+    report!(result, report, "gusset_net_to_mesh", Made::NetMesh(made) => {
         let (coordinates, corners) =
             made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
-        gusset_net_mesh_view {
-            struct_size: size_of::<gusset_net_mesh_view>(),
+        gusset_net_mesh_report {
+            struct_size: size_of::<gusset_net_mesh_report>(),
             vertex_of_node: gusset_indices::lend(&made.vertex_of_node),
             node_of_vertex: gusset_indices::lend(&made.node_of_vertex),
             cell_of_face: gusset_indices::lend(&made.cell_of_face),

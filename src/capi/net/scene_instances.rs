@@ -4,7 +4,7 @@ use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::fixed;
 use crate::capi::input::{self, choice, fill};
 use crate::capi::net::arrange::gusset_direction;
-use crate::capi::net::join::gusset_join_options;
+use crate::capi::net::join::gusset_concatenate_options;
 use crate::capi::net::scene::{gusset_scene, gusset_transform, scene};
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::gusset_status;
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
 pub unsafe extern "C" fn gusset_scene_flatten_create(
     context: *const gusset_context,
     scene: *const gusset_scene,
-    options: *const gusset_join_options,
+    options: *const gusset_concatenate_options,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, net, "net", |job| {

@@ -1,25 +1,15 @@
 //! C interface: meshes of sheets.
 
-use crate::attributes::Origins;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::handle::{self, handle};
+use crate::capi::handle;
 use crate::capi::input::{self, flag, lent};
-use crate::capi::mesh::origins::gusset_origins;
-use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::mesh::result::{Made, gusset_result, report};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface_place;
 use crate::capi::surface::sheet::gusset_sheet;
-use crate::surface::{SurfaceMesh, SurfaceMeshOptions};
+use crate::surface::SurfaceMeshOptions;
 use gusset_base::alloc;
-
-/// The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
-pub struct gusset_sheet_mesh {
-    made: SurfaceMesh,
-    places: Vec<gusset_surface_place>,
-}
-
-handle! { gusset_sheet_mesh }
 
 /// How a sheet becomes a mesh. All zeros: quads, one a cell.
 #[repr(C)]
@@ -39,11 +29,11 @@ pub struct gusset_sheet_mesh_options {
     pub reserved: u32,
 }
 
-/// What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
+/// What belongs to the mesh of a sheet. Pointers are valid until the result is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_sheet_mesh_view {
-    /// sizeof(gusset_sheet_mesh_view), set by the caller.
+pub struct gusset_sheet_mesh_report {
+    /// sizeof(gusset_sheet_mesh_report), set by the caller.
     pub struct_size: usize,
     /// The number of vertices.
     pub vertex_count: usize,
@@ -56,7 +46,7 @@ pub struct gusset_sheet_mesh_view {
     pub deviation: f64,
 }
 
-versioned! { gusset_sheet_mesh_options: 32 reserved, gusset_sheet_mesh_view: 40 }
+versioned! { gusset_sheet_mesh_options: 32 reserved, gusset_sheet_mesh_report: 40 }
 
 impl gusset_sheet_mesh_options {
     fn checked(self) -> Result<SurfaceMeshOptions, Failure> {
@@ -77,7 +67,7 @@ impl gusset_sheet_mesh_options {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheet the sheet.
 /// @param options NULL for the defaults.
-/// @param[out] mesh receives the result, for gusset_sheet_mesh_destroy; NULL on failure.
+/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
 ///     UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more),
 ///     OUT_OF_MEMORY, CANCELLED.
@@ -85,88 +75,39 @@ impl gusset_sheet_mesh_options {
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_mesh_create(
+pub unsafe extern "C" fn gusset_sheet_to_mesh(
     context: *const gusset_context,
     sheet: *const gusset_sheet,
     options: *const gusset_sheet_mesh_options,
-    mesh: *mut *mut gusset_sheet_mesh,
+    result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, mesh, "mesh", |job| {
+    create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let made = handle::get(sheet, "sheet")?.0.to_mesh(&options, job)?;
         let places = alloc::collect(made.places.iter().map(|&place| gusset_surface_place::from(place)))?;
-        Ok(gusset_sheet_mesh { made, places })
+        Ok(gusset_result(Made::SheetMesh(made, places)))
     })
 }
 
-/// Destroys the mesh of a sheet; NULL is allowed.
+/// Lends places and normals of the vertices, for results of gusset_sheet_to_mesh.
 ///
-/// @param[in,out] mesh the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_sheet_mesh_destroy(mesh: *mut gusset_sheet_mesh) {
-    handle::destroy(mesh);
-}
-
-/// Lends the mesh, valid until it is destroyed.
-///
-/// @param mesh the mesh.
-/// @param[out] view its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param result the result.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
-    mesh: *const gusset_sheet_mesh,
-    view: *mut gusset_mesh_view,
+pub unsafe extern "C" fn gusset_result_get_sheet_mesh(
+    result: *const gusset_result,
+    report: *mut gusset_sheet_mesh_report,
 ) -> gusset_status {
-    lend!(mesh, view, |mesh| self::mesh::lend(&mesh.made.mesh))
-}
-
-/// Lends places and normals of the vertices.
-///
-/// @param mesh the mesh.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_sheet_mesh_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_mesh_get_view(
-    mesh: *const gusset_sheet_mesh,
-    parts: *mut gusset_sheet_mesh_view,
-) -> gusset_status {
-    lend!(mesh, parts, |mesh| gusset_sheet_mesh_view {
+    report!(result, report, "gusset_sheet_to_mesh", Made::SheetMesh(made, places) => gusset_sheet_mesh_report {
         struct_size: 0,
-        vertex_count: mesh.places.len(),
-        places: lent(&mesh.places),
-        normals: lent(&mesh.made.normals).cast(),
-        deviation: mesh.made.deviation,
-    })
-}
-
-/// The origins of the mesh of a sheet: its one input is the sheet, whose nodes are those between its
-/// cells, (rows + 1) * (columns + 1) of them, row after row.
-///
-/// A vertex and a corner have the nodes of their cell, by its parameters; on a line that closes the
-/// sheet each corner has those of its own face's side, so that an image need not run back there.
-/// Faces have their cells.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
-///     CANCELLED.
-/// @complexity O(corners); 52 bytes for each vertex and corner.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_mesh_origins_create(
-    context: *const gusset_context,
-    mesh: *const gusset_sheet_mesh,
-    origins: *mut *mut gusset_origins,
-) -> gusset_status {
-    create(context, origins, "origins", |job| {
-        Ok(gusset_origins(Origins::of_surface_mesh(&handle::get(mesh, "mesh")?.made, job)?))
+        vertex_count: places.len(),
+        places: lent(places),
+        normals: lent(&made.normals).cast(),
+        deviation: made.deviation,
     })
 }

@@ -1,6 +1,7 @@
 //! Options, results and the report of every join and every loop left.
 
 use super::history::History;
+use crate::repair::orient::Outward;
 use crate::stitch::{self, IndexMap};
 use crate::{fill, repair, trim};
 use gusset_mesh::{Mesh, NONE};
@@ -55,7 +56,7 @@ pub enum Overlaps<'a> {
 }
 
 /// How to assemble.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options<'a> {
     /// What becomes of pieces that overlap.
     pub overlaps: Overlaps<'a>,
@@ -66,9 +67,9 @@ pub struct Options<'a> {
     pub edge_to_edge: bool,
     /// The pieces keep their orientation as it is: nothing is turned, nor in the end.
     pub keep_orientation: bool,
-    /// Closed components of the result that are inside out stay so. Otherwise each is turned over
+    /// The side that closed components of the result face; outwards by default. Each that is inside out is turned over
     /// as a whole in the end, as [`turn_outwards`](repair::orient::turn_outwards()) does.
-    pub keep_inside_out: bool,
+    pub outward: Outward,
     /// Which gaps are closed.
     pub max_gap: MaxGap,
     /// Only whole loops are joined, no parts of them, nor what sewing left of two borders.
@@ -84,6 +85,25 @@ pub struct Options<'a> {
     pub strip: stitch::Options,
     /// How holes that are left are filled; `None`: not at all. Its `outward` is not read.
     pub fill: Option<fill::Options>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Options {
+            overlaps: Overlaps::Keep,
+            weld: None,
+            edge_to_edge: false,
+            keep_orientation: false,
+            outward: Outward::Closed,
+            max_gap: MaxGap::default(),
+            whole_loops_only: false,
+            within_components: false,
+            pairs: &[],
+            excluded: &[],
+            strip: stitch::Options::default(),
+            fill: None,
+        }
+    }
 }
 
 /// What became of two loops, or runs of loops, that face each other.
@@ -194,7 +214,7 @@ pub struct Assembly {
     /// Components that cannot be oriented: a face of each.
     pub one_sided: Vec<u32>,
     /// Closed components of the result that enclose no volume, as a piece does that is given twice:
-    /// a face of each. Empty where orientation is kept, or `keep_inside_out` is set.
+    /// a face of each. Empty where orientation is kept, or `outward` is [`Outward::Keep`].
     pub zero_volume: Vec<u32>,
     /// The pairs that face each other, nearest first, pairs that were given before all others.
     pub joints: Vec<Joint>,

@@ -121,7 +121,7 @@ impl Base {
             cuts = filled.intersections.unwrap_or_default();
             done.history.enter(filled.parents.into_iter().zip(filled.weights))?;
         }
-        if !(options.keep_orientation || options.keep_inside_out) {
+        if options.outward == Outward::Closed && !options.keep_orientation {
             let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;
             done.zero_volume = outwards.zero_volume;
             if !done.zero_volume.is_empty() {

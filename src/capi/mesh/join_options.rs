@@ -1,28 +1,33 @@
-//! How surfaces are assembled.
+//! Options of joining in C.
 
 use crate::assemble::{MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::{self, flag};
 use crate::capi::mesh::fill::gusset_fill_options;
-use crate::capi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
+use crate::capi::mesh::stitch_options::{
+    GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_orientation, gusset_outward, gusset_stitch_options, outward,
+};
 use crate::capi::mesh::trim::gusset_trim_options;
 use crate::capi::mesh::weld::gusset_weld_options;
 use crate::capi::status::Failure;
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
+use crate::repair::orient::Outward;
 use glam::DVec3;
 use gusset_base::alloc;
 
+/// The treatment of coincident borders of pieces.
+pub type gusset_welding = u32;
 /// Coincident borders are sewn, by default up to what rounding can have done; see
-/// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
-pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
-
+/// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew.
+pub const GUSSET_WELDING_SEW: gusset_welding = 0;
 /// Nothing is welded.
-pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
+pub const GUSSET_WELDING_NONE: gusset_welding = 1;
+/// Coincident borders are sewn where they match vertex by vertex; see gusset_weld.
+pub const GUSSET_WELDING_EDGE_TO_EDGE: gusset_welding = 2;
 
-/// Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
-pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
-
+/// The widest gap that is closed.
+pub type gusset_gap = u32;
 /// Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
 /// size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
 /// from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
@@ -34,17 +39,19 @@ pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
 /// may be a hole that the seam crosses.
 /// Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
 /// coarsest wide, or four where a part would be left alone.
-pub const GUSSET_GAP_AUTO: u32 = 0;
+pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
 /// Gaps are closed up to max_gap.
-pub const GUSSET_GAP_GIVEN: u32 = 1;
+pub const GUSSET_GAP_GIVEN: gusset_gap = 1;
 
+/// The treatment of pieces that overlap.
+pub type gusset_overlaps = u32;
 /// Pieces that overlap stay as they are.
-pub const GUSSET_OVERLAPS_KEEP: u32 = 0;
+pub const GUSSET_OVERLAPS_KEEP: gusset_overlaps = 0;
 
 /// Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
 /// are closed as others are. Strips that would cut other faces are left to the holes.
-pub const GUSSET_OVERLAPS_TRIM: u32 = 1;
+pub const GUSSET_OVERLAPS_TRIM: gusset_overlaps = 1;
 
 /// Two loops of the input.
 #[repr(C)]
@@ -60,17 +67,17 @@ pub struct gusset_loop_pair {
 /// How pieces are assembled; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_assembly_options {
-    /// sizeof(gusset_assembly_options), set by the caller.
+pub struct gusset_join_options {
+    /// sizeof(gusset_join_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_ASSEMBLY_WELD, GUSSET_ASSEMBLY_NO_WELD or GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE.
-    pub weld: u32,
+    /// GUSSET_WELDING_...
+    pub weld: gusset_welding,
     /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
     /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
     /// turned, nor in the end.
-    pub orientation: u32,
+    pub orientation: gusset_orientation,
     /// GUSSET_GAP_...
-    pub gap: u32,
+    pub gap: gusset_gap,
     /// 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
     /// 1.
     pub whole_loops_only: u32,
@@ -101,20 +108,16 @@ pub struct gusset_assembly_options {
     /// How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
     /// two must be valid too; intersections REPORT is as IGNORE.
     pub fill_options: *const gusset_fill_options,
-    /// 0: components of the result that are closed (every edge has two faces), consistently
-    /// oriented and inside out are turned over in the end, each as a whole and by its own volume:
-    /// the wall of a cavity within another component is turned too. 1: they stay as they are, which
-    /// is mostly as the first piece has it. All other components stay as they are in both cases. 0
-    /// or 1. Its sense is opposite to that of outward in the options of stitching and filling, so
-    /// that 0 can be the default in each.
-    pub keep_inside_out: u32,
+    /// GUSSET_OUTWARD_...: the side that closed components of the result face; outwards by default. The wall of a
+    /// cavity within another component is turned too. A result that is not turned is mostly as the first piece has it.
+    pub outward: gusset_outward,
     /// GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
-    pub overlaps: u32,
+    pub overlaps: gusset_overlaps,
     /// Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
     pub trim_options: *const gusset_trim_options,
 }
 
-versioned! { gusset_assembly_options: 104 }
+versioned! { gusset_join_options: 104 }
 fixed! { gusset_loop_pair: 16 }
 
 /// The caller's pairs.
@@ -128,7 +131,7 @@ pub(crate) fn pairs(
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
 }
 
-impl gusset_assembly_options {
+impl gusset_join_options {
     pub(crate) fn checked<'a>(
         &self,
         [pairs, excluded]: [&'a [[Selector; 2]]; 2],
@@ -136,10 +139,10 @@ impl gusset_assembly_options {
         viewpoints: &'a [DVec3],
     ) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
-            GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE => {
+            GUSSET_WELDING_SEW | GUSSET_WELDING_EDGE_TO_EDGE => {
                 Some(input::nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
-            GUSSET_ASSEMBLY_NO_WELD => None,
+            GUSSET_WELDING_NONE => None,
             other => return Err(Failure::unknown("weld", other.into())),
         };
         let keep_orientation = match self.orientation {
@@ -161,9 +164,9 @@ impl gusset_assembly_options {
         Ok(Options {
             overlaps,
             weld,
-            edge_to_edge: self.weld == GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE,
+            edge_to_edge: self.weld == GUSSET_WELDING_EDGE_TO_EDGE,
             keep_orientation,
-            keep_inside_out: flag(self.keep_inside_out, "keep_inside_out")?,
+            outward: outward(self.outward, Outward::Closed)?,
             max_gap,
             whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
             within_components: flag(self.within_components, "within_components")?,

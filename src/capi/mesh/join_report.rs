@@ -1,62 +1,62 @@
-//! C interface to the assembly of many pieces.
+//! C interface: the report of joined pieces.
 
-use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason, assemble};
-use crate::attributes::KeepSplits;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason};
 use crate::capi::glue::{c_enum, fixed, versioned};
-use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, lent};
-use crate::capi::mesh::assembly_options::{gusset_assembly_options, pairs};
-use crate::capi::mesh::fill::gusset_hole;
-use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
-use crate::capi::status::gusset_status;
+use crate::capi::input::{Choice, lent};
+use crate::capi::mesh::fill_report::gusset_hole;
+use crate::capi::mesh::gusset_indices;
+use crate::capi::mesh::stitch_options::gusset_strip_finish;
 use crate::error::Error;
 use crate::stitch::IndexMap;
 use gusset_base::alloc;
 
+/// The outcome for two loops that face each other.
+pub type gusset_joint_outcome = u32;
 /// A strip joins them.
-pub const GUSSET_JOINT_JOINED: u32 = 0;
+pub const GUSSET_JOINT_JOINED: gusset_joint_outcome = 0;
 
 /// Left: joining them would make a one-sided surface with what is joined already.
-pub const GUSSET_JOINT_ORIENTATION_CONFLICT: u32 = 1;
+pub const GUSSET_JOINT_ORIENTATION_CONFLICT: gusset_joint_outcome = 1;
 
 /// Left: they pass the same vertex.
-pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
+pub const GUSSET_JOINT_SHARE_VERTEX: gusset_joint_outcome = 2;
 
 /// Left: every strip would repeat an edge that the mesh already has.
-pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
+pub const GUSSET_JOINT_NO_STRIP: gusset_joint_outcome = 3;
 
 /// Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
 /// part of a hole then.
-pub const GUSSET_JOINT_WOULD_CUT: u32 = 4;
+pub const GUSSET_JOINT_WOULD_CUT: gusset_joint_outcome = 4;
 
+/// The reason why a loop has no strip.
+pub type gusset_left_reason = u32;
 /// There is no other loop.
-pub const GUSSET_LEFT_ALONE: u32 = 0;
+pub const GUSSET_LEFT_ALONE: gusset_left_reason = 0;
 
 /// It is open, or the faces along it disagree in orientation or are not manifold there.
-pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
+pub const GUSSET_LEFT_NOT_SIMPLE: gusset_left_reason = 1;
 
 /// It has fewer than three vertices.
-pub const GUSSET_LEFT_TOO_SHORT: u32 = 2;
+pub const GUSSET_LEFT_TOO_SHORT: gusset_left_reason = 2;
 
 /// It faces another loop, but no strip could be made: see the joints.
-pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
+pub const GUSSET_LEFT_NOT_JOINED: gusset_left_reason = 3;
 
 /// The nearest loop is farther away than is allowed; or the loop is what sewing left of two
 /// borders, and its two sides are. See gap and allowed_gap.
-pub const GUSSET_LEFT_TOO_FAR: u32 = 4;
+pub const GUSSET_LEFT_TOO_FAR: gusset_left_reason = 4;
 
 /// All other loops are of its own component, and within_components is not set.
-pub const GUSSET_LEFT_SAME_COMPONENT: u32 = 5;
+pub const GUSSET_LEFT_SAME_COMPONENT: gusset_left_reason = 5;
 
 /// The nearest loop is near enough, but they do not look at each other along enough of both.
-pub const GUSSET_LEFT_LOOKS_AWAY: u32 = 6;
+pub const GUSSET_LEFT_LOOKS_AWAY: gusset_left_reason = 6;
 
 /// The nearest loop is joined with another.
-pub const GUSSET_LEFT_TAKEN: u32 = 7;
+pub const GUSSET_LEFT_TAKEN: gusset_left_reason = 7;
 
 /// It is not to be joined with the nearest loop.
-pub const GUSSET_LEFT_EXCLUDED: u32 = 8;
+pub const GUSSET_LEFT_EXCLUDED: gusset_left_reason = 8;
 
 /// Where a piece went.
 #[repr(C)]
@@ -98,12 +98,12 @@ pub struct gusset_joint {
     /// 1 if they were looked for.
     pub intersections_known: u32,
     /// GUSSET_JOINT_...
-    pub outcome: u32,
+    pub outcome: gusset_joint_outcome,
     /// 1 if both sides are whole loops.
     pub whole: u32,
     /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
     /// the strip.
-    pub finish: u32,
+    pub finish: gusset_strip_finish,
 }
 
 /// A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
@@ -121,7 +121,7 @@ pub struct gusset_left_loop {
     /// How far that loop, or that side, may be to be joined; 0 if there is none.
     pub allowed_gap: f64,
     /// GUSSET_LEFT_...
-    pub reason: u32,
+    pub reason: gusset_left_reason,
     /// 0.
     pub reserved: u32,
 }
@@ -129,8 +129,8 @@ pub struct gusset_left_loop {
 /// The account of an assembly. Pointers are valid until it is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_assembly_view {
-    /// sizeof(gusset_assembly_view), set by the caller.
+pub struct gusset_join_report {
+    /// sizeof(gusset_join_report), set by the caller.
     pub struct_size: usize,
     /// One for each piece.
     pub pieces: *const gusset_piece_map,
@@ -160,7 +160,7 @@ pub struct gusset_assembly_view {
     /// A face of each component that cannot be oriented.
     pub one_sided: gusset_indices,
     /// A face of each closed component of the result that encloses no volume up to rounding, as a
-    /// piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or keep_inside_out.
+    /// piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or GUSSET_OUTWARD_KEEP.
     pub zero_volume: gusset_indices,
     /// Vertices that became one with another.
     pub welded_vertices: u32,
@@ -181,8 +181,8 @@ pub struct gusset_assembly_view {
     pub reserved: u32,
 }
 
-/// An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
-pub struct gusset_assembly {
+/// Joined pieces, and the reports on them.
+pub(crate) struct Join {
     pub(crate) done: Assembly,
     pieces: Vec<gusset_piece_map>,
     joints: Vec<gusset_joint>,
@@ -191,9 +191,7 @@ pub struct gusset_assembly {
     turned: Vec<u32>,
 }
 
-handle! { gusset_assembly }
-
-versioned! { gusset_assembly_view: 168 reserved }
+versioned! { gusset_join_report: 168 reserved }
 
 fixed! { gusset_joint: 104, gusset_left_loop: 40 }
 
@@ -218,8 +216,8 @@ c_enum! {
     }
 }
 
-impl gusset_assembly {
-    fn new(done: Assembly) -> Result<Self, Error> {
+impl Join {
+    pub(crate) fn new(done: Assembly) -> Result<Self, Error> {
         let map = |map: &IndexMap| gusset_piece_map {
             vertices: gusset_indices::lend(&map.vertices),
             faces: gusset_indices::lend(&map.faces),
@@ -246,7 +244,7 @@ impl gusset_assembly {
         };
         let turned = alloc::gather((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f))?;
         // The lists that these point to lie on the heap and stay where they are.
-        Ok(gusset_assembly {
+        Ok(Join {
             pieces: alloc::collect(done.maps.iter().map(map))?,
             joints: alloc::collect(done.joints.iter().map(joint))?,
             left: alloc::collect(done.left.iter().map(left))?,
@@ -255,132 +253,30 @@ impl gusset_assembly {
             done,
         })
     }
-}
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
-/// loops that face each other across a gap stitched, holes filled, and closed components turned
-/// outwards, as the options say.
-///
-/// That two loops cannot be joined is no failure: each joint has its outcome.
-///
-/// Loops of different components face each other as wholes if nearly all vertices of each (9/10)
-/// are nearest to the other loop, and from similar distances (the ninth decile is at most four
-/// times the first, or the spacing of the vertices) or so that the nearest vertices go round the
-/// other loop once; else runs of neighbouring vertices that are nearest to each other face each
-/// other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
-/// not cut unless overlaps says so: where two lie on each other, their borders face each other and
-/// enclose what is between.
-/// Vertices of the result: those of the pieces in order, then those of the strips, then those of
-/// the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
-/// ones keep their bits.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param pieces piece_count mesh views one after another, each as large as the first one's
-///     struct_size says, at least one; each may have several components.
-/// @param piece_count see pieces.
-/// @param options NULL for the defaults.
-/// @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
-///     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
-///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
-///     report's index is its number, its input is 0 or 1 for the first or the second loop, its
-///     value the piece that does not exist, else the vertex, and the message says what is wrong:
-///     there is no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop
-///     that can be joined passes it or several do, it is on the pair's other loop, or its loop is
-///     in a pair before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
-///     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
-///     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
-///     intersections. Extra memory is linear in the pieces and the result.
-/// @source Nesterenko for a single gap; the rest is our own.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_assembly_create(
-    context: *const gusset_context,
-    pieces: *const gusset_mesh_view,
-    piece_count: usize,
-    options: *const gusset_assembly_options,
-    assembly: *mut *mut gusset_assembly,
-) -> gusset_status {
-    create(context, assembly, "assembly", |job| {
-        let options = input::read(options, true, "options")?;
-        let trim = input::nested(options.trim_options, "trim_options", Ok)?;
-        let viewpoints = trim.viewpoints().map_err(|failure| failure.of_field("trim_options"))?;
-        let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
-        let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
-        for selector in given.iter_mut().chain(&mut excluded).flatten() {
-            if let Some(view) = views.get(selector.piece as usize) {
-                selector.vertex = view.faces().merge_of(selector.vertex);
-            }
+    pub(crate) fn report(&self) -> gusset_join_report {
+        gusset_join_report {
+            struct_size: size_of::<gusset_join_report>(),
+            pieces: lent(&self.pieces),
+            piece_count: self.pieces.len(),
+            joints: lent(&self.joints),
+            joint_count: self.joints.len(),
+            left: lent(&self.left),
+            left_count: self.left.len(),
+            holes: lent(&self.holes),
+            hole_count: self.holes.len(),
+            hole_rims: gusset_indices::lend(&self.done.hole_rims),
+            turned: gusset_indices::lend(&self.turned),
+            one_sided: gusset_indices::lend(&self.done.one_sided),
+            zero_volume: gusset_indices::lend(&self.done.zero_volume),
+            welded_vertices: self.done.welded_vertices,
+            sewn_edges: self.done.sewn_edges,
+            loops_left: self.done.loops_left,
+            non_manifold_edges: self.done.non_manifold_edges,
+            splits: self.done.splits,
+            near_loops_left: self.done.near_loops_left,
+            trimmed_faces: self.done.trimmed_faces,
+            reserved: 0,
         }
-        let options = options.checked([&given, &excluded], trim, &viewpoints)?;
-        let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
-        done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
-        Ok(gusset_assembly::new(done)?)
-    })
-}
-
-/// Destroys an assembly; NULL is allowed.
-///
-/// @param[in,out] assembly the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_assembly_destroy(assembly: *mut gusset_assembly) {
-    handle::destroy(assembly);
-}
-
-/// Lends the whole result, valid until the assembly is destroyed.
-///
-/// @param assembly the assembly.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_assembly_get_mesh(
-    assembly: *const gusset_assembly,
-    view: *mut gusset_mesh_view,
-) -> gusset_status {
-    lend!(assembly, view, |assembly| mesh::lend(&assembly.done.mesh))
-}
-
-/// Lends the account.
-///
-/// @param assembly the assembly.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_assembly_get_mesh.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_assembly_get_view(
-    assembly: *const gusset_assembly,
-    parts: *mut gusset_assembly_view,
-) -> gusset_status {
-    lend!(assembly, parts, |all| gusset_assembly_view {
-        struct_size: size_of::<gusset_assembly_view>(),
-        pieces: lent(&all.pieces),
-        piece_count: all.pieces.len(),
-        joints: lent(&all.joints),
-        joint_count: all.joints.len(),
-        left: lent(&all.left),
-        left_count: all.left.len(),
-        holes: lent(&all.holes),
-        hole_count: all.holes.len(),
-        hole_rims: gusset_indices::lend(&all.done.hole_rims),
-        turned: gusset_indices::lend(&all.turned),
-        one_sided: gusset_indices::lend(&all.done.one_sided),
-        zero_volume: gusset_indices::lend(&all.done.zero_volume),
-        welded_vertices: all.done.welded_vertices,
-        sewn_edges: all.done.sewn_edges,
-        loops_left: all.done.loops_left,
-        non_manifold_edges: all.done.non_manifold_edges,
-        splits: all.done.splits,
-        near_loops_left: all.done.near_loops_left,
-        trimmed_faces: all.done.trimmed_faces,
-        reserved: 0,
-    })
+    }
 }

@@ -1,8 +1,7 @@
-// Assembly of many pieces. Include gusset.hpp, not this.
-#ifndef GUSSET_ASSEMBLY_HPP
-#define GUSSET_ASSEMBLY_HPP
+// Joining of many pieces. Include gusset.hpp, not this.
+#ifndef GUSSET_JOIN_HPP
+#define GUSSET_JOIN_HPP
 
-#include <gusset/attributes.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/stitch.hpp>
@@ -10,8 +9,8 @@
 
 namespace gusset {
 
-/// The options of assemblies; see gusset_assembly_options.
-struct AssemblyOptions {
+/// The options of joining; see gusset_join_options.
+struct JoinOptions {
     /// Empty: no welding.
     std::optional<WeldOptions> weld = WeldOptions();
     /// Borders are sewn only where they match vertex by vertex: no edge is split.
@@ -35,11 +34,11 @@ struct AssemblyOptions {
     std::optional<TrimOptions> trim;
 };
 
-/// Many pieces joined to one mesh, and the report on it; see gusset_assembly_create.
-class Assembly {
+/// Many pieces joined to one mesh, and the report on it; see gusset_join.
+class Join : public Result {
 public:
-    explicit Assembly(Span<const MeshView> pieces, const AssemblyOptions &options = {},
-                      const Context &context = Context()) {
+    explicit Join(Span<const MeshView> pieces, const JoinOptions &options = {},
+                  const Context &context = Context()) {
         std::vector<gusset_mesh_view> views;
         for (const MeshView &piece : pieces) {
             views.push_back(piece.get());
@@ -50,12 +49,12 @@ public:
         const TrimOptions untouched;
         // No copy, as it points to the viewpoints.
         const gusset_trim_options trim = detail::as_c(options.trim ? *options.trim : untouched);
-        auto given = detail::sized<gusset_assembly_options>();
-        given.weld = !options.weld          ? GUSSET_ASSEMBLY_NO_WELD
-                     : options.edge_to_edge ? GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE
-                                            : GUSSET_ASSEMBLY_WELD;
+        auto given = detail::sized<gusset_join_options>();
+        given.weld = !options.weld          ? GUSSET_WELDING_NONE
+                     : options.edge_to_edge ? GUSSET_WELDING_EDGE_TO_EDGE
+                                            : GUSSET_WELDING_SEW;
         given.orientation = options.keep_orientation ? GUSSET_ORIENTATION_KEEP : GUSSET_ORIENTATION_FIX;
-        given.keep_inside_out = options.outward == Outward::keep ? 1 : 0;
+        given.outward = static_cast<gusset_outward>(options.outward);
         given.gap = options.max_gap ? GUSSET_GAP_GIVEN : GUSSET_GAP_AUTO;
         given.max_gap = options.max_gap.value_or(0.0);
         given.whole_loops_only = options.whole_loops_only ? 1 : 0;
@@ -70,35 +69,26 @@ public:
         given.fill_options = &fill;
         given.overlaps = options.trim ? GUSSET_OVERLAPS_TRIM : GUSSET_OVERLAPS_KEEP;
         given.trim_options = &trim;
-        assembly_.reset(context.result(gusset_assembly_create, views.data(), views.size(), &given));
+        take(context.result(gusset_join, views.data(), views.size(), &given));
     }
 
-    MeshView mesh() const & { return MeshView(detail::lent(gusset_assembly_get_mesh, assembly_.get())); }
-    MeshView mesh() const && = delete;
     /// The whole report; its lists live as long as this.
-    gusset_assembly_view view() const & { return detail::lent(gusset_assembly_get_view, assembly_.get()); }
-    gusset_assembly_view view() const && = delete;
+    gusset_join_report report() const & { return detail::lent(gusset_result_get_join, get()); }
+    gusset_join_report report() const && = delete;
     /// The vertices and faces of each piece in the result.
-    Span<const gusset_piece_map> pieces() const & { return {view().pieces, view().piece_count}; }
+    Span<const gusset_piece_map> pieces() const & { return {report().pieces, report().piece_count}; }
     Span<const gusset_piece_map> pieces() const && = delete;
     /// The pairs of loops that face each other, with the status of each.
-    Span<const gusset_joint> joints() const & { return {view().joints, view().joint_count}; }
+    Span<const gusset_joint> joints() const & { return {report().joints, report().joint_count}; }
     Span<const gusset_joint> joints() const && = delete;
     /// The loops without a strip.
-    Span<const gusset_left_loop> left() const & { return {view().left, view().left_count}; }
+    Span<const gusset_left_loop> left() const & { return {report().left, report().left_count}; }
     Span<const gusset_left_loop> left() const && = delete;
     /// The holes that were considered after joining.
-    Span<const gusset_hole> holes() const & { return {view().holes, view().hole_count}; }
+    Span<const gusset_hole> holes() const & { return {report().holes, report().hole_count}; }
     Span<const gusset_hole> holes() const && = delete;
-    /// Where the result's vertices, corners and faces come from.
-    Origins origins(const Context &context = Context()) const {
-        return Origins(context.result(gusset_assembly_origins_create, assembly_.get()));
-    }
-
-private:
-    detail::Handle<gusset_assembly, gusset_assembly_destroy> assembly_;
 };
 
 } // namespace gusset
 
-#endif // GUSSET_ASSEMBLY_HPP
+#endif // GUSSET_JOIN_HPP

@@ -1,0 +1,253 @@
+//! C interface: results, the meshes that operations make.
+
+use crate::attributes::Origins;
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::versioned;
+use crate::capi::handle::{self, handle};
+use crate::capi::mesh::develop_report::Development;
+use crate::capi::mesh::fill_report::Fill;
+use crate::capi::mesh::join_report::Join;
+use crate::capi::mesh::origins::gusset_origins;
+use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::status::gusset_status::GUSSET_ERROR_WRONG_HANDLE;
+use crate::capi::status::{Failure, gusset_status};
+use crate::capi::surface::gusset_surface_place;
+use crate::error::Error;
+use crate::job::Job;
+use crate::mesh::Mesh;
+use crate::net::convert::NetMesh;
+use crate::repair::orient::Oriented;
+use crate::repair::sew::Sew;
+use crate::repair::weld::Weld;
+use crate::stitch::{Quality, Ruled, Stitch};
+use crate::surface::SurfaceMesh;
+
+/// A mesh that an operation made, with the report of that operation. Opaque and immutable; it keeps nothing of the
+/// inputs.
+///
+/// gusset_join, gusset_stitch, gusset_strip, gusset_fill, gusset_weld, gusset_sew, gusset_orient, gusset_develop,
+/// gusset_net_to_mesh and gusset_sheet_to_mesh make results. Each operation has a report of its own:
+/// gusset_result_get_join and so on.
+pub struct gusset_result(pub(crate) Made);
+
+handle! { gusset_result }
+
+/// What an operation made.
+#[allow(clippy::large_enum_variant, reason = "each lies in a handle, on the heap")]
+pub(crate) enum Made {
+    Join(Join),
+    Stitch(Stitch),
+    Strip(Ruled),
+    Fill(Fill),
+    Weld(Weld),
+    Sew(Sew),
+    /// With the face and the half-edge of each component that cannot be oriented.
+    Orient(Oriented, [Vec<u32>; 2]),
+    Develop(Development),
+    NetMesh(NetMesh),
+    /// With the place of each vertex.
+    SheetMesh(SurfaceMesh, Vec<gusset_surface_place>),
+}
+
+impl Made {
+    /// The function of C that made it.
+    fn operation(&self) -> &'static str {
+        match self {
+            Made::Join(_) => "gusset_join",
+            Made::Stitch(_) => "gusset_stitch",
+            Made::Strip(_) => "gusset_strip",
+            Made::Fill(_) => "gusset_fill",
+            Made::Weld(_) => "gusset_weld",
+            Made::Sew(_) => "gusset_sew",
+            Made::Orient(..) => "gusset_orient",
+            Made::Develop(_) => "gusset_develop",
+            Made::NetMesh(_) => "gusset_net_to_mesh",
+            Made::SheetMesh(..) => "gusset_sheet_to_mesh",
+        }
+    }
+
+    /// The failure of a report that belongs to another operation.
+    pub(crate) fn is_not(&self, operation: &str) -> Failure {
+        let message = format!("the result was made by {}, not by {operation}", self.operation());
+        Failure::new(GUSSET_ERROR_WRONG_HANDLE, message)
+    }
+
+    fn mesh(&self) -> &Mesh {
+        match self {
+            Made::Join(join) => &join.done.mesh,
+            Made::Stitch(stitch) => &stitch.mesh,
+            Made::Strip(strip) => &strip.mesh,
+            Made::Fill(fill) => &fill.done.mesh,
+            Made::Weld(weld) => &weld.mesh,
+            Made::Sew(sew) => &sew.mesh,
+            Made::Orient(orient, _) => &orient.mesh,
+            Made::Develop(development) => &development.done.mesh,
+            Made::NetMesh(net) => &net.mesh,
+            Made::SheetMesh(sheet, _) => &sheet.mesh,
+        }
+    }
+
+    fn origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
+        match self {
+            Made::Join(join) => Origins::of_assembly(&join.done, job),
+            Made::Stitch(stitch) => Origins::of_stitch(stitch, job),
+            Made::Strip(strip) => Origins::of_ruled(strip, job),
+            Made::Fill(fill) => Origins::of_filled(&fill.done, job),
+            Made::Weld(weld) => Origins::of_weld(weld, job),
+            Made::Sew(sew) => Origins::of_sew(sew, job),
+            Made::Orient(orient, _) => Origins::of_oriented(orient, job),
+            Made::Develop(development) => Origins::of_developed(&development.done, job),
+            Made::NetMesh(net) => Origins::of_net_mesh(net, job),
+            Made::SheetMesh(sheet, _) => Origins::of_surface_mesh(sheet, job),
+        }
+    }
+}
+
+/// `report!(result, report, "gusset_x", Made::X(it) => struct)`: fills the caller's struct `report` from a result of
+/// `gusset_x`, and refuses a result of another operation.
+macro_rules! report {
+    ($result:ident, $report:ident, $operation:literal, $made:pat => $body:expr) => {
+        $crate::capi::context::lend!($result, $report, |result| {
+            let $made = &result.0 else { return Err(result.0.is_not($operation)) };
+            $body
+        })
+    };
+}
+pub(crate) use report;
+
+/// Measures of the new faces of a stitch or of filled holes, and of the connectivity of the whole result.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_quality_report {
+    /// sizeof(gusset_quality_report), set by the caller.
+    pub struct_size: usize,
+    /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
+    pub min_angle: f64,
+    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius),
+    /// 1 for an equilateral triangle, infinite for a degenerate one.
+    pub max_aspect: f64,
+    /// The longest edge of the new faces, in the unit of the positions.
+    pub max_edge: f64,
+    /// Their area, in the square of that unit.
+    pub area: f64,
+    /// New triangles without area.
+    pub degenerate_faces: u32,
+    /// Boundary loops of the result; 0 if no edge has exactly one face.
+    pub loops_left: u32,
+    /// Edges of the result with three or more faces.
+    pub non_manifold_edges: u32,
+    /// Edges of the result whose two faces disagree in orientation.
+    pub orientation_conflicts: u32,
+}
+
+versioned! { gusset_quality_report: 56 }
+
+impl From<&Quality> for gusset_quality_report {
+    fn from(q: &Quality) -> Self {
+        gusset_quality_report {
+            struct_size: size_of::<gusset_quality_report>(),
+            min_angle: q.min_angle,
+            max_aspect: q.max_aspect,
+            max_edge: q.max_edge,
+            area: q.area,
+            degenerate_faces: q.degenerate_faces,
+            loops_left: q.loops_left,
+            non_manifold_edges: q.non_manifold_edges,
+            orientation_conflicts: q.orientation_conflicts,
+        }
+    }
+}
+
+/// Destroys a result; NULL is allowed.
+///
+/// @param[in,out] result the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_result_destroy(result: *mut gusset_result) {
+    handle::destroy(result);
+}
+
+/// Lends the mesh, valid until the result is destroyed.
+///
+/// @param result the result.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_result_get_mesh(
+    result: *const gusset_result,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    lend!(result, view, |result| mesh::lend(result.0.mesh()))
+}
+
+/// Gives measures of the new faces and of the result, for results of gusset_stitch and gusset_fill.
+///
+/// @param result the result.
+/// @param[out] quality receives the measures; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
+///     operation).
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_result_get_quality(
+    result: *const gusset_result,
+    quality: *mut gusset_quality_report,
+) -> gusset_status {
+    lend!(result, quality, |result| match &result.0 {
+        Made::Stitch(stitch) => (&stitch.quality).into(),
+        Made::Fill(fill) => (&fill.done.quality).into(),
+        other => return Err(other.is_not("gusset_stitch or gusset_fill")),
+    })
+}
+
+/// Finds where the vertices, corners and faces of a result come from.
+///
+/// The inputs are the meshes or pieces of the operation in their order, or its one mesh, net or sheet:
+/// - a strip has two polylines, which have neither corners nor faces; nor have its corners and faces any sources;
+/// - a corner that gusset_sew added on an edge has the corners of its face at both ends of that edge;
+/// - each vertex of a development comes from one vertex, and its corners and faces are those of the surface;
+/// - a vertex of the mesh of a net has the first of its nodes, and a face its cell. A corner has the node of the cell
+///   of its own face, which differs on either side of a seam: an image need not run back there;
+/// - the nodes of a sheet are those between its cells, (rows + 1) * (columns + 1) of them, row after row. A vertex and
+///   a corner have the nodes of their cell, by its parameters, and faces have their cells. On a line that closes the
+///   sheet each corner has the nodes on the side of its own face.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param result the result.
+/// @param[out] origins receives the origins, for gusset_origins_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
+///     face (of a sheet 52 for each vertex and corner), and linear in n.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_result_origins_create(
+    context: *const gusset_context,
+    result: *const gusset_result,
+    origins: *mut *mut gusset_origins,
+) -> gusset_status {
+    create(context, origins, "origins", |job| Ok(gusset_origins(handle::get(result, "result")?.0.origins(job)?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Made;
+    use crate::job::Job;
+    use crate::mesh::{Faces, MeshView, Positions};
+    use crate::repair::weld::{Options, weld};
+
+    #[test]
+    fn a_report_of_another_operation_names_both() {
+        let (points, corners) = ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]);
+        let job = Job::default();
+        let mesh = MeshView::new(Positions::from(&points[..]), Faces::triangles(&corners).unwrap(), &job).unwrap();
+        let made = Made::Weld(weld(&mesh, &Options::default(), &job).unwrap());
+        let message = made.is_not("gusset_stitch").message;
+        assert_eq!(message, "the result was made by gusset_weld, not by gusset_stitch");
+    }
+}
