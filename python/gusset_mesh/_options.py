@@ -14,7 +14,7 @@ if sys.version_info >= (3, 12):
 else:
     from typing_extensions import TypedDict, Unpack
 
-__all__ = ["FIELDS", "Unpack", "WeldOptions", "OrientOptions", "BoundaryOptions", "StitchOptions", "FillOptions", "TrimOptions", "AssemblyOptions", "AlignOptions", "OutlineOptions", "OffsetOptions", "NetMeshOptions", "JoinOptions", "SurfaceOptions", "NearestOptions", "ContourOptions", "IntersectionOptions", "SheetMeshOptions", "DevelopmentOptions"]
+__all__ = ["FIELDS", "Unpack", "WeldOptions", "OrientOptions", "BoundaryOptions", "StitchOptions", "FillOptions", "TrimOptions", "JoinOptions", "AlignOptions", "OutlineOptions", "OffsetOptions", "NetMeshOptions", "ConcatenateOptions", "SurfaceOptions", "NearestOptions", "ContourOptions", "IntersectionOptions", "SheetMeshOptions", "DevelopOptions"]
 
 
 class WeldOptions(TypedDict, total=False):
@@ -45,7 +45,7 @@ class OrientOptions(TypedDict, total=False):
     """Fields of ``gusset_orient_options``; what is not given is as by default."""
 
     #: one of the words
-    outward: Literal['keep', 'closed']
+    outward: Literal['default', 'keep', 'closed']
 
 
 class BoundaryOptions(TypedDict, total=False):
@@ -100,7 +100,7 @@ class StitchOptions(TypedDict, total=False):
     #: one of the words
     centres: Literal['vertices', 'length']
     #: one of the words: what becomes of closed components of the result, the strip and all.
-    outward: Literal['keep', 'closed']
+    outward: Literal['default', 'keep', 'closed']
     #: one of the words: what lies between the rims in the end.
     finish: Literal['strip', 'blend']
 
@@ -136,7 +136,7 @@ class FillOptions(TypedDict, total=False):
     #: Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
     max_area: float
     #: one of the words: what becomes of closed components of the result, patches and all.
-    outward: Literal['keep', 'closed']
+    outward: Literal['default', 'keep', 'closed']
     #: one of the words: which loops get one patch; read without groups.
     together: Literal['apart', 'one', 'cheapest']
     #: A number for each of the loops given, loop_count in all: those with the same number get one patch, a surface of
@@ -252,7 +252,7 @@ class NetMeshOptions(TypedDict, total=False):
     max_edge_ratio: float
 
 
-class JoinOptions(TypedDict, total=False):
+class ConcatenateOptions(TypedDict, total=False):
     """Fields of ``gusset_concatenate_options``; what is not given is as by default."""
 
     #: How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
@@ -340,7 +340,7 @@ class SheetMeshOptions(TypedDict, total=False):
     triangles: bool
 
 
-class DevelopmentOptions(TypedDict, total=False):
+class DevelopOptions(TypedDict, total=False):
     """Fields of ``gusset_develop_options``; what is not given is as by default."""
 
     #: Which distortion is least: one of the words
@@ -359,11 +359,11 @@ class DevelopmentOptions(TypedDict, total=False):
     max_iterations: int
 
 
-class AssemblyOptions(TypedDict, total=False):
+class JoinOptions(TypedDict, total=False):
     """Fields of ``gusset_join_options``; what is not given is as by default."""
 
-    #: GUSSET_WELDING_SEW, GUSSET_WELDING_NONE or GUSSET_WELDING_EDGE_TO_EDGE.
-    weld: Literal['weld', 'no_weld', 'weld_edge_to_edge']
+    #: one of the words
+    weld: Literal['sew', 'none', 'edge_to_edge']
     #: GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face
     #: each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned, nor in the end.
     orientation: Literal['fix', 'keep']
@@ -393,12 +393,9 @@ class AssemblyOptions(TypedDict, total=False):
     #: How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last two must be valid
     #: too; intersections REPORT is as IGNORE.
     fill_options: FillOptions
-    #: 0: components of the result that are closed (every edge has two faces), consistently oriented and inside out
-    #: are turned over in the end, each as a whole and by its own volume: the wall of a cavity within another
-    #: component is turned too. 1: they stay as they are, which is mostly as the first piece has it. All other
-    #: components stay as they are in both cases. 0 or 1. Its sense is opposite to that of outward in the options of
-    #: stitching and filling, so that 0 can be the default in each.
-    keep_inside_out: bool
+    #: one of the words: the side that closed components of the result face; outwards by default. The wall of a cavity
+    #: within another component is turned too. A result that is not turned is mostly as the first piece has it.
+    outward: Literal['default', 'keep', 'closed']
     #: GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
     overlaps: Literal['keep', 'trim']
     #: Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
@@ -415,7 +412,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "unused": ('choice', {'keep': 0, 'remove': 1}, None),
     },
     "gusset_orient_options": {
-        "outward": ('choice', {'keep': 0, 'closed': 1}, None),
+        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
     },
     "gusset_boundary_options": {
         "non_manifold": ('choice', {'cut': 0, 'stop': 1}, None),
@@ -439,7 +436,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "fairing": ('choice', {'none': 0, 'thin_plate': 1}, None),
         "intersections": ('choice', {'auto': 0, 'ignore': 1, 'report': 2}, None),
         "centres": ('choice', {'vertices': 0, 'length': 1}, None),
-        "outward": ('choice', {'keep': 0, 'closed': 1}, None),
+        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
         "finish": ('choice', {'strip': 0, 'blend': 1}, None),
     },
     "gusset_fill_options": {
@@ -454,7 +451,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "max_length": ('float', {}, None),
         "max_diameter": ('float', {}, None),
         "max_area": ('float', {}, None),
-        "outward": ('choice', {'keep': 0, 'closed': 1}, None),
+        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
         "together": ('choice', {'apart': 0, 'one': 1, 'cheapest': 2}, None),
         "groups": ('array', {}, None),
         "continuity": ('choice', {'c1': 0, 'c2': 1}, None),
@@ -549,7 +546,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "max_iterations": ('int', {}, None),
     },
     "gusset_join_options": {
-        "weld": ('choice', {'weld': 0, 'no_weld': 1, 'weld_edge_to_edge': 2}, None),
+        "weld": ('choice', {'sew': 0, 'none': 1, 'edge_to_edge': 2}, None),
         "orientation": ('choice', {'fix': 0, 'keep': 2}, None),
         "gap": ('choice', {'auto': 0, 'given': 1}, None),
         "whole_loops_only": ('flag', {}, None),
@@ -561,7 +558,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "weld_options": ('options:WeldOptions', {}, None),
         "strip_options": ('options:StitchOptions', {}, None),
         "fill_options": ('options:FillOptions', {}, None),
-        "keep_inside_out": ('flag', {}, None),
+        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
         "overlaps": ('choice', {'keep': 0, 'trim': 1}, None),
         "trim_options": ('options:TrimOptions', {}, ('overlaps', 'trim')),
     },

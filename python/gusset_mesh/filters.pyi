@@ -64,8 +64,8 @@ def assemble(
     Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] =
     ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] = ..., finish:
     Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] = ...,
-    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., threads: int = ...,
-    progress: Optional[Progress] = ...,
+    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Joins many open pieces to one mesh: overlaps are trimmed on request, coincident borders sewn, orientations made consistent, loops that face each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face none are left as they are."""
 
