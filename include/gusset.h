@@ -899,7 +899,7 @@ typedef struct gusset_net_analysis gusset_net_analysis;
 typedef struct gusset_net_complex gusset_net_complex;
 
 /**
- * A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
+ * The places of a net in the mesh that it was found in. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_net_grid gusset_net_grid;
 
@@ -4831,6 +4831,37 @@ typedef struct gusset_heights {
 } gusset_heights;
 
 /**
+ * The cells of a net that is sought in a mesh.
+ */
+typedef uint32_t gusset_grid_cells;
+
+/**
+ * How a net is found in a mesh; all zero is the default.
+ */
+typedef struct gusset_net_grid_options {
+    /**
+     * sizeof(gusset_net_grid_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_GRID_...
+     */
+    gusset_grid_cells cells;
+    /**
+     * 1: only the component of one face is a grid; 0: the mesh must be one grid. Read for GUSSET_GRID_QUADS.
+     */
+    uint32_t has_face;
+    /**
+     * Read if has_face is 1: a face of the component.
+     */
+    uint32_t face;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_grid_options;
+
+/**
  * Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
  */
 typedef struct gusset_net_grid_view {
@@ -7810,6 +7841,16 @@ typedef uint32_t gusset_cut_kind;
  * Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
  */
 #define GUSSET_NET_TRIANGLES_FIXED 2
+
+/**
+ * Quads, with triangles at poles.
+ */
+#define GUSSET_GRID_QUADS 0
+
+/**
+ * Triangles only, two for each cell.
+ */
+#define GUSSET_GRID_TRIANGLES 1
 
 /**
  * Straight.
@@ -11400,53 +11441,37 @@ gusset_status gusset_net_from_heights_create(const struct gusset_context *contex
                                              struct gusset_net **net);
 
 /**
- * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of
- * triangles round a pole at its first and last row, or either.
+ * Finds rows and columns in a mesh, and makes the net of its vertices.
  *
- * Rows run as the first quad says, and round if only one direction is closed.
+ * Quads form a rectangle, which may be closed round, with fans of triangles round a pole at its first
+ * and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+ *
+ * With GUSSET_GRID_TRIANGLES each quad is cut in two along either diagonal. Vertices and their bits are kept.
+ * For each cell the grid lends the first of its two triangles. Where several pairings of the triangles
+ * make a grid, as if all diagonals run one way, the same mesh always gives the same one. On a torus that
+ * pairing may close with a shift, so that rows and columns differ from those it was made from. Tubes
+ * and tori whose diagonals run without any rule may be refused, and so are fans of fewer than six
+ * triangles at the pole of an open sheet; at least one row of quads is needed.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh see gusset_mesh_view.
- * @param face a face of the component that is meant; UINT32_MAX: the mesh must be one grid.
- * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of the view, NO_GRID with a face that shows it,
+ * @param options NULL for the defaults: quads, and the whole mesh is one grid.
+ * @param[out] grid receives where the net was found, for gusset_net_grid_destroy; NULL on failure. May be
+ *     NULL.
+ * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of the view, UNKNOWN_VALUE, NO_GRID with a face that shows it,
  *     OUT_OF_MEMORY, CANCELLED.
- * @complexity O(H log d) for H half-edges and vertices of degree d.
+ * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles whose
+ *     poles do not show by their degrees some attempts of that.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_grid_create(const struct gusset_context *context,
-                                     const struct gusset_mesh_view *mesh,
-                                     uint32_t face,
-                                     struct gusset_net_grid **grid);
-
-/**
- * Finds rows and columns in a mesh of triangles: a grid of quads, each cut in two along either
- * diagonal, which may be closed round, with fans of triangles round a pole at its first and last
- * row.
- *
- * Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
- * Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
- * taken, always the same for the same mesh; of a torus that may be one that closes with a shift,
- * so that rows and columns are others than it was made from. Tubes and tori whose diagonals run
- * without any rule may be refused, and so are fans of fewer than six triangles at the pole of an
- * open sheet; at least one row of quads is needed.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param mesh triangles; see gusset_mesh_view.
- * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of the view, NO_GRID with a triangle that shows it,
- *     OUT_OF_MEMORY, CANCELLED.
- * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets whose poles do
- *     not show by their degrees some attempts of that.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_triangle_grid_create(const struct gusset_context *context,
-                                              const struct gusset_mesh_view *mesh,
-                                              struct gusset_net_grid **grid);
+gusset_status gusset_net_from_mesh_create(const struct gusset_context *context,
+                                          const struct gusset_mesh_view *mesh,
+                                          const struct gusset_net_grid_options *options,
+                                          struct gusset_net_grid **grid,
+                                          struct gusset_net **net);
 
 /**
  * Destroys a grid; NULL is allowed.
@@ -11455,22 +11480,6 @@ gusset_status gusset_net_triangle_grid_create(const struct gusset_context *conte
  * @since 0.1
  */
 GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
-
-/**
- * The net that was found.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param grid the grid.
- * @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_grid_net_create(const struct gusset_context *context,
-                                         const struct gusset_net_grid *grid,
-                                         struct gusset_net **net);
 
 /**
  * Lends where the net was found.
@@ -13754,16 +13763,16 @@ GUSSET_API uint32_t gusset_abi(void);
 #if !defined(GUSSET_INLINE_H)
 #define GUSSET_INLINE_H
 
-/** A view of all its fields; gusset_triangles_f32 and the functions after it are its cases. @ingroup mesh */
+/** Makes a view of packed arrays; face_offsets is NULL or face_size is 0. The functions below are its cases. @ingroup mesh */
 static inline gusset_mesh_view gusset_mesh_view_of(gusset_scalar scalar, const void *points, size_t point_count,
-                                                   const uint32_t *offsets, const uint32_t *corners, size_t face_count,
+                                                   const uint32_t *face_offsets, const uint32_t *corners, size_t face_count,
                                                    uint32_t face_size) {
     gusset_mesh_view view;
     view.struct_size = sizeof view;
     view.positions = points;
     view.position_stride = 0;
     view.vertex_count = point_count;
-    view.face_offsets = offsets;
+    view.face_offsets = face_offsets;
     view.face_corners = corners;
     view.face_count = face_count;
     view.scalar = scalar;
@@ -13774,38 +13783,38 @@ static inline gusset_mesh_view gusset_mesh_view_of(gusset_scalar scalar, const v
     return view;
 }
 
-/** A view of triangles: point_count packed points x, y, z, and three vertices for each triangle. @ingroup mesh */
+/** Makes a view of triangles: point_count packed points x, y, z, and three vertices for each triangle. @ingroup mesh */
 static inline gusset_mesh_view gusset_triangles_f32(const float *points, size_t point_count, const uint32_t *corners,
                                                     size_t triangle_count) {
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, triangle_count, 3);
 }
 
-/** As gusset_triangles_f32, in double precision. @ingroup mesh */
+/** Makes a view of triangles in double precision; see gusset_triangles_f32. @ingroup mesh */
 static inline gusset_mesh_view gusset_triangles_f64(const double *points, size_t point_count, const uint32_t *corners,
                                                     size_t triangle_count) {
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, triangle_count, 3);
 }
 
-/** A view of quads: point_count packed points x, y, z, and four vertices for each quad. @ingroup mesh */
+/** Makes a view of quads: point_count packed points x, y, z, and four vertices for each quad. @ingroup mesh */
 static inline gusset_mesh_view gusset_quads_f32(const float *points, size_t point_count, const uint32_t *corners,
                                                 size_t quad_count) {
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, quad_count, 4);
 }
 
-/** As gusset_quads_f32, in double precision. @ingroup mesh */
+/** Makes a view of quads in double precision; see gusset_quads_f32. @ingroup mesh */
 static inline gusset_mesh_view gusset_quads_f64(const double *points, size_t point_count, const uint32_t *corners,
                                                 size_t quad_count) {
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, quad_count, 4);
 }
 
-/** A view of polygons: point_count packed points x, y, z; face f has the vertices corners[offsets[f]] to
+/** Makes a view of polygons: point_count packed points x, y, z; face f has the vertices corners[offsets[f]] to
  * corners[offsets[f + 1] - 1], and there are face_count + 1 offsets. @ingroup mesh */
 static inline gusset_mesh_view gusset_polygons_f32(const float *points, size_t point_count, const uint32_t *offsets,
                                                    const uint32_t *corners, size_t face_count) {
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, offsets, corners, face_count, 0);
 }
 
-/** As gusset_polygons_f32, in double precision. @ingroup mesh */
+/** Makes a view of polygons in double precision; see gusset_polygons_f32. @ingroup mesh */
 static inline gusset_mesh_view gusset_polygons_f64(const double *points, size_t point_count, const uint32_t *offsets,
                                                    const uint32_t *corners, size_t face_count) {
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, offsets, corners, face_count, 0);

@@ -39,7 +39,8 @@ static void wrong_operations(void) {
     enum { OPERATIONS = 10 };
     const gusset_mesh_view mesh = pyramid(pyramid_up), pieces[2] = {mesh, pyramid(pyramid_down)};
     const gusset_nodes given = {.struct_size = sizeof given, .nodes = nodes, .rows = 2, .columns = 2, .scalar = GUSSET_F64};
-    const gusset_heights flat = {.struct_size = sizeof flat, .rows = 2, .columns = 2, .values = heights, .spacing = {1, 1}, .scalar = GUSSET_F64};
+    const gusset_heights flat = {
+        .struct_size = sizeof flat, .rows = 2, .columns = 2, .values = heights, .spacing = {1, 1}, .scalar = GUSSET_F64};
     gusset_result *results[OPERATIONS] = {NULL};
     gusset_net *net = NULL;
     gusset_sheet *sheet = NULL;

@@ -90,7 +90,7 @@ std::vector<Row> net_rows() {
         {"net_decode_create", "missing nodes", 4096, 4000000, 1, 1, 0, decoded(missing)},
         {"net_detect_gluing", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, detect)},
         {"net_detect_gluing", "flat", 1024, 4000000, 1, 1, 0, on_net(flat, detect)},
-        {"net_mesh_create", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, mesh)},
+        {"net_to_mesh", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, mesh)},
         {"net_validation_create", "points in one", 1024, 4000000, 1, 1, 0, on_net(one, validate)},
         {"net_validation_create", "rough", 1024, 4000000, 1, 1, 0, on_net(rough, validate)},
         {"net_normals", "rough", 4096, 4000000, 1, 1, 0, on_net(rough, normals)},

@@ -70,11 +70,11 @@ void add_net_rows(std::vector<Row> &rows) {
                             return Net::from_heights(grid->rows, grid->columns, heights->data(), {}, context);
                         });
                     }, true});
-    rows.push_back({"net_grid_create", "quads", 4096, 0, 1, 1, 0, [](std::size_t n) {
+    rows.push_back({"net_from_mesh_create", "quads", 4096, 0, 1, 1, 0, [](std::size_t n) {
                         const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)));
                         return making([=](const Context &context) { return gusset::NetGrid(mesh->mesh(), std::nullopt, context); });
                     }, true});
-    rows.push_back({"net_triangle_grid_create", "triangles", 4096, 0, 1, 1, 0, [](std::size_t n) {
+    rows.push_back({"net_from_mesh_create", "triangles", 4096, 0, 1, 1, 0, [](std::size_t n) {
                         gusset::NetMeshOptions options;
                         options.faces = gusset::NetFaces::triangles_fixed;
                         const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)), options);
@@ -219,7 +219,7 @@ void add_curve_rows(std::vector<Row> &rows) {
         };
     };
     using Points = std::vector<Point3>;
-    rows.push_back({"strip_create", "circles", 1024, 0, 1, 1, 0, two_rims([](const Points &a, const Points &b, const Context &context) {
+    rows.push_back({"strip", "circles", 1024, 0, 1, 1, 0, two_rims([](const Points &a, const Points &b, const Context &context) {
                         return gusset::Strip(a, b, true, {}, context);
                     }), true});
 }

@@ -93,7 +93,7 @@ std::vector<Row> surface_rows() {
         {"surface_intersection_create", "points in one", 4, 256, 2, 2, 0, on_two(one, one, intersect), true},
         {"surface_self_intersection_create", "rough", 4, 256, 2, 2, 0, on_surface(rough, itself), true},
         {"surface_self_intersection_create", "points in one", 4, 256, 2, 2, 0, on_surface(one, itself), true},
-        {"sheet_mesh_create", "rough", 256, 1000000, 1, 1, 0, mesh(rough)},
+        {"sheet_to_mesh", "rough", 256, 1000000, 1, 1, 0, mesh(rough)},
     };
 }
 

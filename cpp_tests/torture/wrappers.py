@@ -157,7 +157,7 @@ def finite(header, kind):
     """The statements that look at the coordinates which a result of that kind lends, two at least of each point."""
     lines = ["    if (torture_told->phase >= TORTURE_ONE_ALLOCATION) hash = torture_hash_net(hash, made);"] if kind == "gusset_net" else []
     for _, name, given, _ in header.functions:
-        if not re.fullmatch(kind + "_get_(mesh|view|strip)", name) or len(given) != 2 or not header.versioned(given[1].type):
+        if not re.fullmatch(kind + "_get_(mesh|view|strip_mesh)", name) or len(given) != 2 or not header.versioned(given[1].type):
             continue
         view, fields = given[1].type, header.structs[given[1].type]
         if view == "gusset_mesh_view":

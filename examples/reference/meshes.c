@@ -72,10 +72,10 @@ static void views_of_arrays(void) {
     const float narrow[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const double wide[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const uint32_t triangles[6] = {0, 1, 2, 0, 2, 3}, quad[4] = {0, 1, 2, 3}, offsets[2] = {0, 4};
-    const gusset_mesh_view views[6] = {gusset_triangles_f32(narrow[0], 4, triangles, 2), gusset_triangles_f64(wide[0], 4, triangles, 2),
-                                       gusset_quads_f32(narrow[0], 4, quad, 1),          gusset_quads_f64(wide[0], 4, quad, 1),
-                                       gusset_polygons_f32(narrow[0], 4, offsets, quad, 1),
-                                       gusset_polygons_f64(wide[0], 4, offsets, quad, 1)};
+    const gusset_mesh_view views[6] = {
+        gusset_triangles_f32(narrow[0], 4, triangles, 2),    gusset_triangles_f64(wide[0], 4, triangles, 2),
+        gusset_quads_f32(narrow[0], 4, quad, 1),             gusset_quads_f64(wide[0], 4, quad, 1),
+        gusset_polygons_f32(narrow[0], 4, offsets, quad, 1), gusset_polygons_f64(wide[0], 4, offsets, quad, 1)};
     size_t k;
 
     for (k = 0; k < 6; ++k) {

@@ -132,6 +132,7 @@ static void at_rest(void) {
 //! [net_mesh]
 static void to_meshes_and_back(void) {
     const gusset_net_mesh_options options = {.struct_size = sizeof options, .texture = 1};
+    const gusset_net_grid_options triangles = {.struct_size = sizeof triangles, .cells = GUSSET_GRID_TRIANGLES};
     const gusset_net_mesh_options in_two = {.struct_size = sizeof in_two, .faces = GUSSET_NET_TRIANGLES_SHORTER};
     const float values[6] = {0, 1, 0, 0, 1, 0};
     const gusset_heights heights = {.struct_size = sizeof heights,
@@ -153,9 +154,8 @@ static void to_meshes_and_back(void) {
     HOLDS(view.vertex_count == 5 * 8 && view.face_count == 4 * 8 && maps.texture_count > 0); /* closed round */
 
     /* Rows and columns found in a mesh of quads. */
-    MUST(gusset_net_grid_create(NULL, &view, UINT32_MAX, &grid));
+    MUST(gusset_net_from_mesh_create(NULL, &view, NULL, &grid, &found));
     MUST(gusset_net_grid_get_view(grid, &parts));
-    MUST(gusset_net_grid_net_create(NULL, grid, &found));
     HOLDS(parts.face_of_cell.count == 32 && size_of(found).rows * size_of(found).columns == 5 * 9);
     gusset_net_destroy(found);
     gusset_net_grid_destroy(grid);
@@ -164,9 +164,10 @@ static void to_meshes_and_back(void) {
     /* And in one of triangles, two for each cell. */
     MUST(gusset_net_to_mesh(NULL, net, &in_two, &mesh));
     MUST(gusset_result_get_mesh(mesh, &view));
-    MUST(gusset_net_triangle_grid_create(NULL, &view, &grid));
+    MUST(gusset_net_from_mesh_create(NULL, &view, &triangles, &grid, &found));
     MUST(gusset_net_grid_get_view(grid, &parts));
     HOLDS(view.face_count == 64 && parts.face_of_cell.count == 32);
+    gusset_net_destroy(found);
     gusset_net_grid_destroy(grid);
     gusset_result_destroy(mesh);
     gusset_net_destroy(net);

@@ -72,24 +72,21 @@ private:
     gusset_net_mesh_report report() const { return detail::lent(gusset_result_get_net_mesh, get()); }
 };
 
-/// A net that was found in a mesh; see gusset_net_grid_create. It keeps nothing of the mesh; spans
+/// A net that was found in a mesh; see gusset_net_from_mesh_create. It keeps nothing of the mesh; spans
 /// live as long as this.
 class NetGrid {
 public:
     /// `face`: one of the wanted component; empty: the mesh must be one grid.
     explicit NetGrid(const MeshView &mesh, std::optional<uint32_t> face = std::nullopt,
-                     const Context &context = Context()) {
-        grid_.reset(context.result(gusset_net_grid_create, &mesh.get(), face.value_or(UINT32_MAX)));
-    }
-    /// Of a mesh of triangles, two for each cell; see gusset_net_triangle_grid_create.
+                     const Context &context = Context())
+        : NetGrid(mesh, {sizeof(gusset_net_grid_options), GUSSET_GRID_QUADS, face ? 1U : 0U, face.value_or(0), 0}, context) {}
+    /// For a mesh of triangles, two for each cell.
     static NetGrid of_triangles(const MeshView &mesh, const Context &context = Context()) {
-        return NetGrid(context.result(gusset_net_triangle_grid_create, &mesh.get()));
+        return NetGrid(mesh, {sizeof(gusset_net_grid_options), GUSSET_GRID_TRIANGLES, 0, 0, 0}, context);
     }
 
-    /// The net itself, which outlives this.
-    Net net(const Context &context = Context()) const {
-        return Net(context.result(gusset_net_grid_net_create, grid_.get()));
-    }
+    /// A copy of the net.
+    Net net() const { return net_; }
     /// Of each node its vertex.
     Indices vertex_of_node() const & { return detail::indices(view().vertex_of_node); }
     Indices vertex_of_node() const && = delete;
@@ -98,9 +95,16 @@ public:
     Indices face_of_cell() const && = delete;
 
 private:
-    explicit NetGrid(gusset_net_grid *owned) : grid_(owned) {}
+    NetGrid(const MeshView &mesh, const gusset_net_grid_options &given, const Context &context)
+        : net_([&] {
+              gusset_net_grid *grid = nullptr;
+              gusset_net *const net = context.result(gusset_net_from_mesh_create, &mesh.get(), &given, &grid);
+              grid_.reset(grid);
+              return net;
+          }()) {}
     gusset_net_grid_view view() const { return detail::lent(gusset_net_grid_get_view, grid_.get()); }
     detail::Handle<gusset_net_grid, gusset_net_grid_destroy> grid_;
+    Net net_;
 };
 
 } // namespace gusset

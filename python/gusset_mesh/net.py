@@ -106,8 +106,10 @@ class Net(Handle):
     @classmethod
     def from_mesh(cls, mesh: MeshLike, face: int = 0) -> Net:
         """The net that the quads of a mesh are, from a face on."""
-        grid = create("net_grid", view_of(as_mesh(mesh)), face)
-        return cls._of(create("net", grid, name="net_grid_net"))
+        given = ffi.new("struct gusset_net_grid_options *")
+        given.struct_size = ffi.sizeof("struct gusset_net_grid_options")
+        given.has_face, given.face = 1, face
+        return cls._of(create("net", view_of(as_mesh(mesh)), given, ffi.NULL, name="net_from_mesh"))
 
     @cached_property
     def account(self) -> Record:

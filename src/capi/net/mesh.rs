@@ -1,6 +1,6 @@
 //! C interface: nets to meshes and back, and nets of height fields.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create, create_and_tell, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lent};
@@ -9,13 +9,13 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
-use crate::mesh::{NONE, Scalar};
+use crate::mesh::Scalar;
 use crate::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_triangles};
 use crate::net::{Coordinates, Net, Planes, Real, Shape};
 use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
-use std::sync::Arc;
+use std::ptr;
 
 /// What the faces of the mesh of a net are.
 pub type gusset_net_faces = u32;
@@ -104,6 +104,29 @@ pub struct gusset_heights {
     pub scalar: u32,
 }
 
+/// The cells of a net that is sought in a mesh.
+pub type gusset_grid_cells = u32;
+/// Quads, with triangles at poles.
+pub const GUSSET_GRID_QUADS: gusset_grid_cells = 0;
+/// Triangles only, two for each cell.
+pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
+
+/// How a net is found in a mesh; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_grid_options {
+    /// sizeof(gusset_net_grid_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_GRID_...
+    pub cells: gusset_grid_cells,
+    /// 1: only the component of one face is a grid; 0: the mesh must be one grid. Read for GUSSET_GRID_QUADS.
+    pub has_face: u32,
+    /// Read if has_face is 1: a face of the component.
+    pub face: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
 /// Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -116,9 +139,8 @@ pub struct gusset_net_grid_view {
     pub face_of_cell: gusset_indices,
 }
 
-/// A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
+/// The places of a net in the mesh that it was found in. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_net_grid {
-    net: Arc<Net<'static>>,
     vertex_of_node: Vec<u32>,
     face_of_cell: Vec<u32>,
 }
@@ -129,6 +151,7 @@ versioned! {
     gusset_net_mesh_options: 40 reserved,
     gusset_net_mesh_report: 104,
     gusset_heights: 96,
+    gusset_net_grid_options: 24 reserved,
     gusset_net_grid_view: 40,
 }
 
@@ -270,68 +293,57 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     })
 }
 
-/// Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of
-/// triangles round a pole at its first and last row, or either.
+/// Finds rows and columns in a mesh, and makes the net of its vertices.
 ///
-/// Rows run as the first quad says, and round if only one direction is closed.
+/// Quads form a rectangle, which may be closed round, with fans of triangles round a pole at its first
+/// and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+///
+/// With GUSSET_GRID_TRIANGLES each quad is cut in two along either diagonal. Vertices and their bits are kept.
+/// For each cell the grid lends the first of its two triangles. Where several pairings of the triangles
+/// make a grid, as if all diagonals run one way, the same mesh always gives the same one. On a torus that
+/// pairing may close with a shift, so that rows and columns differ from those it was made from. Tubes
+/// and tori whose diagonals run without any rule may be refused, and so are fans of fewer than six
+/// triangles at the pole of an open sheet; at least one row of quads is needed.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh see gusset_mesh_view.
-/// @param face a face of the component that is meant; UINT32_MAX: the mesh must be one grid.
-/// @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of the view, NO_GRID with a face that shows it,
+/// @param options NULL for the defaults: quads, and the whole mesh is one grid.
+/// @param[out] grid receives where the net was found, for gusset_net_grid_destroy; NULL on failure. May be
+///     NULL.
+/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of the view, UNKNOWN_VALUE, NO_GRID with a face that shows it,
 ///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(H log d) for H half-edges and vertices of degree d.
+/// @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles whose
+///     poles do not show by their degrees some attempts of that.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_grid_create(
+pub unsafe extern "C" fn gusset_net_from_mesh_create(
     context: *const gusset_context,
     mesh: *const gusset_mesh_view,
-    face: u32,
+    options: *const gusset_net_grid_options,
     grid: *mut *mut gusset_net_grid,
+    net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, grid, "grid", |job| {
+    let slot = input::optional_output(grid, ptr::null_mut(), "grid");
+    let found = |job: &Job<'_>| {
+        let slot = slot?;
+        let options = input::read(options, true, "options")?;
+        let face = flag(options.has_face, "has_face")?.then_some(options.face);
         let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let view = given_mesh.view();
-        let found = net_of_grid(&view, (face != NONE).then_some(face), &job.part(0.1, 1.0))?;
+        let (view, job) = (given_mesh.view(), job.part(0.1, 1.0));
+        let found = match options.cells {
+            GUSSET_GRID_QUADS => net_of_grid(&view, face, &job)?,
+            GUSSET_GRID_TRIANGLES => net_of_triangles(&view, &job)?,
+            other => return Err(Failure::unknown("cells", other.into())),
+        };
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
-        Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })
-    })
-}
-
-/// Finds rows and columns in a mesh of triangles: a grid of quads, each cut in two along either
-/// diagonal, which may be closed round, with fans of triangles round a pole at its first and last
-/// row.
-///
-/// Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
-/// Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
-/// taken, always the same for the same mesh; of a torus that may be one that closes with a shift,
-/// so that rows and columns are others than it was made from. Tubes and tori whose diagonals run
-/// without any rule may be refused, and so are fans of fewer than six triangles at the pole of an
-/// open sheet; at least one row of quads is needed.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh triangles; see gusset_mesh_view.
-/// @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of the view, NO_GRID with a triangle that shows it,
-///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets whose poles do
-///     not show by their degrees some attempts of that.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_triangle_grid_create(
-    context: *const gusset_context,
-    mesh: *const gusset_mesh_view,
-    grid: *mut *mut gusset_net_grid,
-) -> gusset_status {
-    create(context, grid, "grid", |job| {
-        let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let view = given_mesh.view();
-        let found = net_of_triangles(&view, &job.part(0.1, 1.0))?;
-        let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
-        Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })
+        Ok((gusset_net::new(found.net), (slot, handle::boxed(gusset_net_grid { vertex_of_node, face_of_cell }))))
+    };
+    create_and_tell(context, net, "net", found, |(slot, grid)| {
+        if let Some(slot) = slot {
+            *slot = handle::give(grid);
+        }
     })
 }
 
@@ -342,24 +354,6 @@ pub unsafe extern "C" fn gusset_net_triangle_grid_create(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
     handle::destroy(grid);
-}
-
-/// The net that was found.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param grid the grid.
-/// @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_grid_net_create(
-    context: *const gusset_context,
-    grid: *const gusset_net_grid,
-    net: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::of_shared(handle::get(grid, "grid")?.net.clone())))
 }
 
 /// Lends where the net was found.
