@@ -1028,7 +1028,7 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
 
 /**
  * Called with remarks that are no failures, on the thread that made the call; message is valid
- * during the callback only. The same rules as for progress. Stitching, filling and assembling remark
+ * during the callback only. The same rules as for progress. Stitching, filling and joining remark
  * that
  * - the pieces of a stitch, or the components of its two loops, disagree in orientation, and the
  *   second was turned over;
@@ -1036,8 +1036,8 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
  * - fairing was asked for, and no new vertices were;
  * - rows, cells or fairing were asked for with a blend, which does not read them;
  * - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
- * - loops are left although others are near: near_loops_left of an assembly is not 0;
- * - a closed component encloses no volume: zero_volume of an assembly is not empty.
+ * - loops are left although others are near: near_loops_left of gusset_join_report is not 0;
+ * - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
  *
  * Programs read the same from the results; the sentences may change.
  */
@@ -3077,7 +3077,7 @@ typedef struct gusset_trim_options {
 } gusset_trim_options;
 
 /**
- * How pieces are assembled; all zero is the default.
+ * How pieces are joined; all zero is the default.
  */
 typedef struct gusset_join_options {
     /**
@@ -3222,7 +3222,7 @@ typedef struct gusset_joint {
      */
     size_t face_count;
     /**
-     * Pairs of faces that cut each other, as in gusset_stitch_view.
+     * Pairs of faces that cut each other, as in gusset_stitch_report.
      */
     struct gusset_indices intersections;
     /**
@@ -3280,7 +3280,7 @@ typedef struct gusset_left_loop {
 } gusset_left_loop;
 
 /**
- * The account of an assembly. Pointers are valid until it is destroyed.
+ * The report of a join. Pointers are valid until the result is destroyed.
  */
 typedef struct gusset_join_report {
     /**
@@ -9781,7 +9781,7 @@ gusset_status gusset_result_get_fill(const struct gusset_result *result,
                                      struct gusset_fill_report *report);
 
 /**
- * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
+ * Joins open pieces into one mesh: coincident borders are sewn, components oriented alike,
  * loops that face each other across a gap stitched, holes filled, and closed components turned
  * outwards, as the options say.
  *

@@ -113,7 +113,7 @@ def filtered(path):
         text = path.read_text()
         title = text.split(".")[0].lstrip("/* ")
     # What is for compilers.
-    text = re.sub(r"^#define GUSSET_\w*(?:API|MUST_USE)\b.*\n", "", text, flags=re.M)
+    text = re.sub(r"^#define GUSSET_\w*(?:API|MUST_USE|INLINE_H)\b.*\n", "", text, flags=re.M)
     return f"/** @file\n {title}. */\n{text}"
 
 

@@ -112,7 +112,7 @@ std::vector<Row> mesh_rows() {
         return gusset::Trim(pieces, gusset::TrimOptions(), context);
     };
     const auto develop = [](const MeshView &mesh, const Context &context) {
-        gusset::DevelopmentOptions options;
+        gusset::DevelopOptions options;
         options.max_iterations = 2;
         return gusset::Development(mesh, options, context);
     };

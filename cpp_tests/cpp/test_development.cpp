@@ -48,7 +48,7 @@ TEST_CASE("a part of a ball") {
     CHECK(plain.cut_edges().empty());
     CHECK(plain.points().size() == ball.points.size());
     CHECK(plain.stretches().size() == ball.corners.size() / 3);
-    gusset::DevelopmentOptions options;
+    gusset::DevelopOptions options;
     options.max_darts = 2;
     const gusset::Development darts(ball.view(), options);
     CHECK(darts.darts() == 2);

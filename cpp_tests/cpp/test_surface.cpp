@@ -50,6 +50,7 @@ GUSSET_LENDS(PlacesOf, places());
 GUSSET_LENDS(Normals, normals());
 GUSSET_LENDS(Words, words());
 GUSSET_LENDS(View, view());
+GUSSET_LENDS(Report, report());
 GUSSET_LENDS(Intersections, intersections());
 #undef GUSSET_LENDS
 template <template <class, class...> class Lends, class T>
@@ -67,7 +68,7 @@ static_assert(lasting<Mask, gusset::SurfaceRegion> && lasting<First, gusset::Sur
 static_assert(lasting_range<gusset::CellPairs> && lasting<Pairs, gusset::CellPairs>, "pairs");
 static_assert(lasting<Mesh, gusset::SheetMesh> && lasting<PlacesOf, gusset::SheetMesh> && lasting<Normals, gusset::SheetMesh>, "meshes");
 static_assert(lasting<Words, gusset::CellMask>, "masks");
-static_assert(lasting<View, gusset::Join> && lasting<View, gusset::Check> && lasting<View, gusset::Facing>, "reports");
+static_assert(lasting<Report, gusset::Join> && lasting<View, gusset::Check> && lasting<View, gusset::Facing>, "reports");
 static_assert(lasting<View, gusset::NetComplex> && lasting<Intersections, gusset::Stitch>, "cells, and pairs of faces");
 // Elements that are copies may be had of temporaries.
 static_assert(std::is_same_v<decltype(std::declval<gusset::SurfacePoints>()[0]), gusset::NearestPoint>, "a copy");

@@ -150,7 +150,7 @@ std::vector<uint32_t> heel_line(const gusset::SheetMesh &mesh) {
 /// The side laid out flat, without darts and with up to `darts`; the latter is returned.
 gusset::Development lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &claims) {
     const gusset::SheetMesh side(last.sheet); // a quad for each cell is fine enough for a pattern
-    gusset::DevelopmentOptions options;
+    gusset::DevelopOptions options;
     options.cuts.push_back(heel_line(side));
     const gusset::Development plain(side.mesh(), options);
     options.max_darts = darts;

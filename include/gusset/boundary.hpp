@@ -50,6 +50,7 @@ public:
 
     std::size_t size() const noexcept { return view().loop_count; }
     bool empty() const noexcept { return size() == 0; }
+    /// The number of walks that the loops were cut from; see gusset_boundary_view.
     std::size_t walk_count() const noexcept { return view().walk_count; }
 
     /// Loop `i`; throws Error (GUSSET_ERROR_NO_SUCH_ELEMENT) from size() on.
@@ -60,6 +61,7 @@ public:
                 {view.edge_flags, view.half_edges.count}, view.length, view.flags, view.walk};
     }
 
+    /// The defects of the mesh; see gusset_boundary_view.
     Span<const gusset_defect> defects() const & {
         const gusset_boundary_view found = view();
         return {found.defects, found.defect_count};

@@ -16,7 +16,7 @@ enum class Distortion : uint32_t {
 };
 
 /// How a surface is developed; see gusset_develop_options.
-struct DevelopmentOptions {
+struct DevelopOptions {
     Distortion distortion = Distortion::symmetric;
     /// Paths along which the surface is cut, each through vertices of the mesh.
     std::vector<std::vector<uint32_t>> cuts;
@@ -30,7 +30,7 @@ struct DevelopmentOptions {
 /// A surface in the plane; see gusset_develop. Its mesh is flat, with z = 0.
 class Development : public Result {
 public:
-    explicit Development(const MeshView &mesh, const DevelopmentOptions &options = {}, const Context &context = Context()) {
+    explicit Development(const MeshView &mesh, const DevelopOptions &options = {}, const Context &context = Context()) {
         std::vector<uint32_t> vertices, offsets{0};
         for (const auto &path : options.cuts) {
             vertices.insert(vertices.end(), path.begin(), path.end());

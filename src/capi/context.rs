@@ -32,7 +32,7 @@ pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
 /// Called with remarks that are no failures, on the thread that made the call; message is valid
-/// during the callback only. The same rules as for progress. Stitching, filling and assembling remark
+/// during the callback only. The same rules as for progress. Stitching, filling and joining remark
 /// that
 /// - the pieces of a stitch, or the components of its two loops, disagree in orientation, and the
 ///   second was turned over;
@@ -40,8 +40,8 @@ pub type gusset_progress_fn =
 /// - fairing was asked for, and no new vertices were;
 /// - rows, cells or fairing were asked for with a blend, which does not read them;
 /// - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
-/// - loops are left although others are near: near_loops_left of an assembly is not 0;
-/// - a closed component encloses no volume: zero_volume of an assembly is not empty.
+/// - loops are left although others are near: near_loops_left of gusset_join_report is not 0;
+/// - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
 ///
 /// Programs read the same from the results; the sentences may change.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;

@@ -13,7 +13,7 @@
 //!
 //! | folder | what it owns |
 //! |---|---|
-//! | [`mesh`] | the mesh view; boundaries, checks, repairs; stitching, holes, assembly |
+//! | [`mesh`] | the mesh view; boundaries, checks, repairs; stitching, holes, joining |
 //! | [`curve`] | the handle of a curve, places on it; outlines, frames of a body |
 //! | [`net`] | the handle of a net; gluing, motion, measures, scenes, streams |
 //! | [`surface`] | sheets, the handle of a surface, its queries; the paper's search |

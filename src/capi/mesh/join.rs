@@ -11,7 +11,7 @@ use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use gusset_base::alloc;
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
+/// Joins open pieces into one mesh: coincident borders are sewn, components oriented alike,
 /// loops that face each other across a gap stitched, holes filled, and closed components turned
 /// outwards, as the options say.
 ///

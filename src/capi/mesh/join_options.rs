@@ -64,7 +64,7 @@ pub struct gusset_loop_pair {
     pub vertex: [u32; 2],
 }
 
-/// How pieces are assembled; all zero is the default.
+/// How pieces are joined; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_join_options {

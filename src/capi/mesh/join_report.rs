@@ -93,7 +93,7 @@ pub struct gusset_joint {
     pub face_first: usize,
     /// How many faces it has.
     pub face_count: usize,
-    /// Pairs of faces that cut each other, as in gusset_stitch_view.
+    /// Pairs of faces that cut each other, as in gusset_stitch_report.
     pub intersections: gusset_indices,
     /// 1 if they were looked for.
     pub intersections_known: u32,
@@ -126,7 +126,7 @@ pub struct gusset_left_loop {
     pub reserved: u32,
 }
 
-/// The account of an assembly. Pointers are valid until it is destroyed.
+/// The report of a join. Pointers are valid until the result is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_join_report {
