@@ -9,6 +9,7 @@ mod frame_corners;
 mod frame_missing;
 mod intersect;
 mod lines;
+mod measures;
 mod near;
 mod ops;
 mod outline;

@@ -343,6 +343,12 @@ fn curves_that_cross_touch_and_run_together() {
     let tangent = Line::new(DVec3::new(1.0, 0.0, 0.0), DVec3::Y);
     let found = tangent.near_misses(&a.view(), 1e-6, &job).unwrap();
     assert!(!found.places.is_empty() && found.places.iter().all(|place| place.b.t.abs() < 1e-2), "{found:?}");
+    // A straight curve across a line, without a distance.
+    let bar = curve_through(&[-1.0, 0.0, 1.0].map(|x| DVec3::new(x, 0.0, 0.0)), false, Scheme::SixTap, &job).unwrap();
+    let line = Line::new(DVec3::new(0.25, -3.0, 0.0), DVec3::new(0.0, 2.0, 0.0));
+    let found = line.near_misses(&bar.view(), 0.0, &job).unwrap();
+    assert_eq!(found.places.len(), 1, "{found:?}");
+    assert!((found.places[0].b.t - 1.5).abs() < 1e-12 && found.places[0].distance < 1e-12, "{found:?}");
     for within in [f64::NAN, -1.0, f64::INFINITY] {
         assert!(a.view().near_misses(&b.view(), within, &job).is_err());
         assert!(across.near_misses(&a.view(), within, &job).is_err());

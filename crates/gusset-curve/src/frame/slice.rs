@@ -5,7 +5,6 @@ use crate::identify::{Fit, Options, Outlines, Points, fit};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
 /// A section of a frame by a plane.
@@ -67,36 +66,13 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// Measures a curve. The centre is that of 16 points of each segment at equal steps of the
-    /// parameter, weighted by length.
+    /// Measures a curve; see [`CurveView::centre`] for the centre.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn of(curve: CurveView<'_>) -> Result<Self> {
         let job = Job::default();
         let girth = curve.lengths(&job)?.total();
-        let mut weighted = DVec3::ZERO;
-        let mut weight = 0.0;
-        let start = curve.points().first().copied().unwrap_or(DVec3::ZERO);
-        let unit = common_unit(curve.points());
-        for k in 0..curve.len() {
-            let mut before = DVec3::ZERO;
-            for i in 0..=CHORDS_PER_SEGMENT {
-                let p = curve.point(Place { segment: k as u32, t: f64::from(i) / f64::from(CHORDS_PER_SEGMENT) })?
-                    / unit
-                    - start / unit;
-                if i > 0 {
-                    let length = before.distance(p);
-                    weighted += before.midpoint(p) * length;
-                    weight += length;
-                }
-                before = p;
-            }
-        }
-        let centre = if weight > 0.0 { start + weighted / weight * unit } else { start };
-        Ok(Measure { girth, area: curve.area_vector(&job)?.length(), centre })
+        Ok(Measure { girth, area: curve.area_vector(&job)?.length(), centre: curve.centre(&job)? })
     }
 }
-
-/// The chords of a segment by which its centre is measured.
-const CHORDS_PER_SEGMENT: u32 = 16;

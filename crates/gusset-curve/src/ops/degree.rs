@@ -15,15 +15,15 @@ use gusset_base::job::Job;
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
-/// A curve of lower degree.
+/// A curve with other degrees.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reduced {
     /// The curve. Its segments are those of the original, in order.
     pub curve: Curve,
     /// Of each segment: how far its points are from those of the original at the same parameter, at
     /// most. It is a bound, the largest distance of the control points of both at the same degree.
-    /// For a segment that was kept, what the reduced one would have had; 0 for a segment whose
-    /// degree was low enough.
+    /// For a segment that was kept, what the reduced one would have had; 0 for a segment that was
+    /// not to be lowered.
     pub deviations: Vec<f64>,
     /// The segments that were kept as they are, because the deviation would have been above the
     /// tolerance.
@@ -60,35 +60,48 @@ impl CurveView<'_> {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "raising degrees")?;
             let to = degree(controls.len() - 1);
             check_degree(to)?;
-            let mut elevated = SegmentBuffer::new(controls);
-            elevated.elevate(to);
-            curve.push(&elevated[1..])?;
+            curve.push_elevated(controls, to)?;
         }
         Ok(curve)
     }
 
-    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one
-    /// with the same ends whose mean square distance at equal parameters is least. Segments that
-    /// would deviate by more than `tolerance` (at least 0, in the unit of the points; infinity is
-    /// allowed) are kept. Joints may become corners by as much as the deviation lets them.
+    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]; see
+    /// [`with_degrees`](Self::with_degrees).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`]. O(degree^3) for each segment.
+    /// As for [`with_degrees`](Self::with_degrees).
     pub fn reduced(&self, degree: usize, tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
-        check_degree(degree)?;
+        self.with_degrees([1, degree], tolerance, job)
+    }
+
+    /// The curve with segments of degrees from `lowest` to `highest`, 1 to [`MAX_DEGREE`]. A segment of a
+    /// lower degree is raised to `lowest`, and stays the same curve.
+    ///
+    /// A segment of a higher degree is lowered to `highest`: it becomes the one with the same ends whose mean
+    /// square distance at equal parameters is least. A segment that would deviate by more than `tolerance`
+    /// (at least 0, in the unit of the points; infinity is allowed) is kept. Joints may become corners by as
+    /// much as the deviation lets them.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (a degree, or `tolerance`), [`Error::TooLarge`], [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`]. O(degree) for each new control point of a raised segment, O(degree^3) for each
+    /// lowered segment.
+    pub fn with_degrees(&self, [lowest, highest]: [usize; 2], tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
+        check_degree(lowest)?;
+        check_degree(highest)?;
+        Error::require(lowest <= highest, "lowest", lowest as f64)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
         for (k, controls) in self.segments().enumerate() {
-            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "lowering degrees")?;
-            if controls.len() - 1 <= degree {
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "changing degrees")?;
+            if controls.len() - 1 <= highest {
                 reduced.deviations.push(0.0);
-                reduced.curve.push(&controls[1..])?;
+                reduced.curve.push_elevated(controls, lowest)?;
                 continue;
             }
             let frame = UnitFrame::of(controls);
             let local = frame.segment(controls);
-            let fitted = least_squares(&local, degree);
+            let fitted = least_squares(&local, highest);
             let deviation = frame.length_back(deviation(&local, fitted));
             reduced.deviations.push(deviation);
             if deviation > tolerance || deviation == f64::INFINITY {
@@ -97,7 +110,7 @@ impl CurveView<'_> {
                 continue;
             }
             let mut back = SegmentBuffer::mapped(&fitted, |p| frame.point_back(p));
-            back[degree] = controls[controls.len() - 1];
+            back[highest] = controls[controls.len() - 1];
             reduced.curve.push(&back[1..])?;
         }
         Ok(reduced)
@@ -109,6 +122,18 @@ impl CurveView<'_> {
             return self.to_owned();
         };
         Ok(Curve { closed: self.is_closed(), ..Curve::from_point(start)? })
+    }
+}
+
+impl Curve {
+    /// Appends a segment, raised to `degree` if its degree is lower.
+    fn push_elevated(&mut self, controls: &[DVec3], degree: usize) -> Result<()> {
+        if controls.len() > degree {
+            return self.push(&controls[1..]);
+        }
+        let mut elevated = SegmentBuffer::new(controls);
+        elevated.elevate(degree);
+        self.push(&elevated[1..])
     }
 }
 

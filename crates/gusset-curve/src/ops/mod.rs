@@ -7,11 +7,11 @@
 //! * nearest: the point nearest to a given one.
 //! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over the region
 //!   that a curve encloses.
-//! * bounds: the exact bounding box.
+//! * bounds: the exact bounding box. measures, [`Measures`]: several measures in one call.
 //! * intersect_line: intersections with lines and planes.
 //! * tangent_angle: the points whose tangents make an angle with a direction.
 //! * intersect, segment_intersection: common points of two plane curves, and of one with itself.
-//! * near_misses: where two curves in space come near to each other.
+//! * near_misses: where two curves in space come near to each other. meetings: either of the two.
 //! * curve_offset: the curve at a distance.
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
@@ -33,6 +33,8 @@ mod export;
 mod intersect;
 mod intersect_line;
 mod length;
+mod measures;
+mod meetings;
 mod near_miss_bounds;
 mod near_misses;
 mod nearest;
@@ -50,6 +52,7 @@ pub use export::{Contour, Spline};
 pub use intersect::{Intersection, Intersections, Overlap};
 pub use intersect_line::PlaneIntersections;
 pub use length::Lengths;
+pub use measures::{MeasureSelection, Measures};
 pub use near_misses::{NearMiss, NearMisses};
 pub use nearest::Nearest;
 pub use nearest::{CurveSearch, nearest_of_any};

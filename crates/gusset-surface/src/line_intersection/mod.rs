@@ -28,6 +28,7 @@ pub use line::{Hit, HitSelection, Line};
 pub use line_batch::Lines;
 
 use super::{Sheet, Surface};
+use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
 use gusset_curve::ops::NearMisses;
 use gusset_curve::{CurveView, Place as CurvePlace};
@@ -93,7 +94,9 @@ impl Line {
         let (along, length) = self.along();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
         let [low, high] = range(parameters);
-        let slack = within + 1e-6 * (high - low);
+        // A curve across the line has no extent along it.
+        let size = Aabb::of(curve.points()).size().max_element();
+        let slack = within + 1e-6 * size;
         let from = ((low - slack) / length).max(self.from);
         let to = ((high + slack) / length).min(self.to);
         if curve.is_empty() {
