@@ -146,9 +146,8 @@ class OutlineOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("curve", c_uint32), ("method", c_uint32), ("lock", c_uint32), ("joint", c_uint32),
         ("solver", c_uint32), ("ends", c_uint32), ("alpha", c_double), ("parameter_limit", c_double),
-        ("repeat_tolerance", c_double), ("corner_angle", c_double), ("tolerance", c_double), ("first_step", c_double),
-        ("step_divisor", c_double), ("max_sweeps", c_uint32), ("max_steps", c_uint32), ("repeats", c_uint32),
-        ("reserved", c_uint32)]
+        ("repeat_tolerance", c_double), ("corner_angle", c_double), ("tolerance", c_double), ("max_sweeps", c_uint32),
+        ("max_steps", c_uint32)]
 
 
 class OutlineParts(Structure):

@@ -40,356 +40,229 @@
 
 
 /**
- * The points of the sections by their places: all sections have equally many.
+ * Coordinates are 32-bit floats.
  */
-#define GUSSET_CORRESPONDENCE_GIVEN 0
+#define GUSSET_F32 1
 
 /**
- * Equal parts of the arc length of each section, or of the lengths between corners that all sections
- * have. Closed sections start where they are turned least against each other, wherever their first
- * points are; one that runs the other way round than the first one is taken backwards. Open sections
- * go from their first points to their last.
+ * Coordinates are 64-bit floats.
  */
-#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
+#define GUSSET_F64 2
 
 /**
- * Where half-planes at equal angles round the axis, straight or bent, meet each section; the
- * farthest place where there are several.
+ * Indices and face offsets are 32-bit unsigned integers.
  */
-#define GUSSET_CORRESPONDENCE_ANGLE 2
+#define GUSSET_U32 0
 
 /**
- * Landmarks of each section, and equal parts of the arc length between them.
+ * Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
  */
-#define GUSSET_CORRESPONDENCE_LANDMARKS 3
+#define GUSSET_U64 1
 
 /**
- * Nodes move along the normals of the body.
+ * The pieces begin where their positions say, or where poses move them if these are given.
  */
-#define GUSSET_OFFSET_NORMAL 0
+#define GUSSET_ALIGN_AS_GIVEN 0
 
 /**
- * Nodes move within the planes of their sections.
+ * Each piece begins with its principal axes on those of the first one, in the one of the four ways
+ * to do so after which most of it lies on the first. For pieces that show the same object whole.
  */
-#define GUSSET_OFFSET_IN_SECTION 1
+#define GUSSET_ALIGN_PRINCIPAL_AXES 1
 
 /**
- * gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
+ * The pieces are put together by rims that run alike, and it is their rims that hold them then:
+ * for pieces of one surface that was cut or broken and do not overlap.
  */
-#define GUSSET_SAMPLE_COUNT 0
+#define GUSSET_ALIGN_RIMS 2
 
 /**
- * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always
- * the last.
+ * It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What
+ * fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
+ * scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
+ * more.
+ * Pieces that hold each other fast, but could slide together along the rest, pass, too.
  */
-#define GUSSET_SAMPLE_STEP 1
+#define GUSSET_ALIGNED_TRUSTED 0
 
 /**
- * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between
- * the points; each segment is halved at most 20 times, which leaves 1e-12 of its size.
+ * It has no faces with an area, or too little of it lies on other pieces.
  */
-#define GUSSET_SAMPLE_CHORD 2
+#define GUSSET_ALIGNED_NO_OVERLAP 1
 
 /**
- * The curve passes the point in the direction of the tangent, of any length but 0.
+ * Where it is near others, too much of it lies off them.
  */
-#define GUSSET_CONSTRAINT_TANGENT 0
+#define GUSSET_ALIGNED_POOR_FIT 2
 
 /**
- * The curve may turn sharply at the point.
+ * The overlaps leave it free to slide or to turn, as planes, spheres or cylinders do.
  */
-#define GUSSET_CONSTRAINT_CORNER 1
+#define GUSSET_ALIGNED_UNDETERMINED 3
 
 /**
- * The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
- * x-axis, in the plane of x and y.
+ * Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
  */
-#define GUSSET_CONSTRAINT_TANGENT_ANGLE 2
+#define GUSSET_ALIGNED_FACES_OTHER_WAY 4
 
 /**
- * Quadratic segments, one control point for each point; smooth (G1) everywhere.
+ * It lies on no other piece, and is more than fifty times as large or small as the first one: its
+ * unit of length is another, most likely.
  */
-#define GUSSET_CURVE_COMPOSITE 0
+#define GUSSET_ALIGNED_OTHER_SIZE 5
 
 /**
- * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end
- * tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64 a
- * composite curve takes its place. Good for up to some 20 points.
+ * It fits pieces that cannot be trusted only.
  */
-#define GUSSET_CURVE_SINGLE 1
+#define GUSSET_ALIGNED_TRUSTED_BY_NONE 6
 
 /**
- * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of
- * the method's exponent (G1 with the normal). With the bisector the centripetal Catmull-Rom
- * spline.
+ * A strip joins them.
  */
-#define GUSSET_CURVE_BLEND_C1 2
+#define GUSSET_JOINT_JOINED 0
 
 /**
- * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
- * normal), but at inner points whose tangent is given: C1 (G1) there.
+ * Left: joining them would make a one-sided surface with what is joined already.
  */
-#define GUSSET_CURVE_BLEND_C2 3
+#define GUSSET_JOINT_ORIENTATION_CONFLICT 1
 
 /**
- * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent,
- * but at inner points whose tangent is given: C1 there.
+ * Left: they pass the same vertex.
  */
-#define GUSSET_CURVE_CUBIC_C2 4
+#define GUSSET_JOINT_SHARE_VERTEX 2
 
 /**
- * The paper's chain: GUSSET_CURVE_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
- * control point lies on the guide of its point, the bisector, median or normal that the method
- * names.
+ * Left: every strip would repeat an edge that the mesh already has.
  */
-#define GUSSET_CURVE_CHAIN 5
+#define GUSSET_JOINT_NO_STRIP 3
 
 /**
- * The bisector of the angle at the point. For all points. Sections by themselves and
- * GUSSET_LOCK_DATA_GUIDE have their control points on the line that the method names; the other
- * locks take from it the parameter of the point, and control points are near the line.
+ * Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
+ * part of a hole then.
  */
-#define GUSSET_METHOD_BISECTOR 0
+#define GUSSET_JOINT_WOULD_CUT 4
 
 /**
- * The median. For all points.
+ * There is no other loop.
  */
-#define GUSSET_METHOD_MEDIAN 1
+#define GUSSET_LEFT_ALONE 0
 
 /**
- * The normal of the chord; where its foot is outside the chord the bisector takes its place, but
- * for GUSSET_LOCK_SELF_CONSISTENT, where the foot counts as the nearer end of the chord.
+ * It is open, or the faces along it disagree in orientation or are not manifold there.
  */
-#define GUSSET_METHOD_NORMAL 2
+#define GUSSET_LEFT_NOT_SIMPLE 1
 
 /**
- * The symmedian. For all points.
+ * It has fewer than three vertices.
  */
-#define GUSSET_METHOD_SYMMEDIAN 3
+#define GUSSET_LEFT_TOO_SHORT 2
 
 /**
- * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
- * its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
+ * It faces another loop, but no strip could be made: see the joints.
  */
-#define GUSSET_METHOD_ALPHA 4
+#define GUSSET_LEFT_NOT_JOINED 3
 
 /**
- * The parameter of a point is that of the method on the triangle of the data. Always solvable. The
- * control point is near the guide of that triangle but not on it.
+ * The nearest loop is farther away than is allowed; or the loop is what sewing left of two
+ * borders, and its two sides are. See gap and allowed_gap.
  */
-#define GUSSET_LOCK_PARAMETER 0
+#define GUSSET_LEFT_TOO_FAR 4
 
 /**
- * The parameter is that of the method on the section's own triangle. With the normal there may be
- * several solutions; which one is found depends on the solver.
+ * All other loops are of its own component, and within_components is not set.
  */
-#define GUSSET_LOCK_SELF_CONSISTENT 1
+#define GUSSET_LEFT_SAME_COMPONENT 5
 
 /**
- * The control point lies on the guide of the data's triangle, as the paper draws it, where that is
- * possible. Outlines must lie in a plane, any plane; points of others get
- * GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
+ * The nearest loop is near enough, but they do not look at each other along enough of both.
  */
-#define GUSSET_LOCK_DATA_GUIDE 2
+#define GUSSET_LEFT_LOOKS_AWAY 6
 
 /**
- * Sections join in the middle between their control points.
+ * The nearest loop is joined with another.
  */
-#define GUSSET_JOINT_PARAMETER_HALF 0
+#define GUSSET_LEFT_TAKEN 7
 
 /**
- * By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
+ * It is not to be joined with the nearest loop.
  */
-#define GUSSET_JOINT_PARAMETER_KNOT 1
+#define GUSSET_LEFT_EXCLUDED 8
 
 /**
- * So that the curvature is continuous (G2): cubic segments in the triangles of the quadratics. 0
- * where the control polygon turns the other way. Outlines in a plane; in space curvatures agree in
- * magnitude, and points get GUSSET_POINT_OUT_OF_PLANE.
+ * Coincident borders are sewn, by default up to what rounding can have done; see
+ * gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
  */
-#define GUSSET_JOINT_PARAMETER_G2 2
+#define GUSSET_ASSEMBLY_WELD 0
 
 /**
- * Closed forms and Newton's method.
+ * Nothing is welded.
  */
-#define GUSSET_SOLVER_FAST 0
+#define GUSSET_ASSEMBLY_NO_WELD 1
 
 /**
- * The paper's: steps along the guide, refined where the deviation changes its sign.
+ * Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
  */
-#define GUSSET_SOLVER_STEP 1
+#define GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE 2
 
 /**
- * Open outlines begin and end as their first and last sections have it.
+ * Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
+ * size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
+ * from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
+ * is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
+ * the loop with the longer ones. The width is the mean distance from each loop to the nearest
+ * points of the other, the larger of the two. Loops must look at each other, or lie round each
+ * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
+ * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
+ * may be a hole that the seam crosses.
+ * Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
+ * coarsest wide, or four where a part would be left alone.
  */
-#define GUSSET_ENDS_FREE 0
+#define GUSSET_GAP_AUTO 0
 
 /**
- * Perpendicular to the first chord, from the first point to the third, and to the last one.
+ * Gaps are closed up to max_gap.
  */
-#define GUSSET_ENDS_PERPENDICULAR 1
+#define GUSSET_GAP_GIVEN 1
 
 /**
- * Along the x-axis, in the sense of the first and the last leg.
+ * Pieces that overlap stay as they are.
  */
-#define GUSSET_ENDS_LEVEL 2
+#define GUSSET_OVERLAPS_KEEP 0
 
 /**
- * Along the y-axis, in the sense of the first and the last leg.
+ * Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
+ * are closed as others are. Strips that would cut other faces are left to the holes.
  */
-#define GUSSET_ENDS_UPRIGHT 3
+#define GUSSET_OVERLAPS_TRIM 1
 
 /**
- * Level or upright, whichever is nearer the perpendicular of the first or the last chord.
+ * At an edge with three or more faces each face has a border of its own; loops run along it and
+ * are always closed.
  */
-#define GUSSET_ENDS_LEVEL_OR_UPRIGHT 4
+#define GUSSET_NON_MANIFOLD_CUT 0
 
 /**
- * Repeats are neighbours nearer than 1e-12 times the size of the outline.
+ * Only edges with exactly one face belong to loops; one that meets an edge with more ends there,
+ * as an open chain.
  */
-#define GUSSET_REPEATS_AUTO 0
+#define GUSSET_NON_MANIFOLD_STOP 1
 
 /**
- * repeat_tolerance is read.
+ * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on
+ * the loops.
  */
-#define GUSSET_REPEATS_GIVEN 1
+#define GUSSET_SURVEY_WHOLE_MESH 0
 
 /**
- * As asked.
+ * As little is looked at as will give the loops, which is many times faster. Where the boundary
+ * itself is odd (open, touching itself, badly oriented, with three faces on an edge) the whole
+ * mesh is looked at after all. But what is away from the boundary is not reported, nor an edge
+ * with as many faces one way as the other, two or more each; loops are not cut there. The answer
+ * rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that
+ * was made to deceive may hide a boundary. For meshes from hostile hands take
+ * GUSSET_SURVEY_WHOLE_MESH.
  */
-#define GUSSET_POINT_OK 0
-
-/**
- * Its parameter was brought within the limits.
- */
-#define GUSSET_POINT_CLAMPED_PARAMETER 1
-
-/**
- * It repeats a point before it (or the first one, at the end of a closed outline), and was left
- * out: the curve passes that one, which is within the tolerance for repeats.
- */
-#define GUSSET_POINT_MERGED 2
-
-/**
- * It is so near the first or last point of its section that this has no control point by the
- * method; the median took its place.
- */
-#define GUSSET_POINT_REPEATED 3
-
-/**
- * Its triangle is flat: it has no guide, or no perpendicular.
- */
-#define GUSSET_POINT_COLLINEAR 4
-
-/**
- * The foot of the normal is outside the chord; the bisector took its place.
- */
-#define GUSSET_POINT_NORMAL_OUTSIDE 5
-
-/**
- * The foot of the normal is an end of the chord; the bisector took its place.
- */
-#define GUSSET_POINT_RIGHT_ANGLE 6
-
-/**
- * The curve does not cross the guide.
- */
-#define GUSSET_POINT_NO_CROSSING 7
-
-/**
- * The tangent runs between points that should be on one side of it.
- */
-#define GUSSET_POINT_TANGENT_SEPARATES 8
-
-/**
- * The curve would have to run backwards along the tangent.
- */
-#define GUSSET_POINT_TANGENT_BACKWARD 9
-
-/**
- * The tangent cannot be reached by a quadratic: the point is farther from it than the section's
- * end.
- */
-#define GUSSET_POINT_TANGENT_BEYOND 10
-
-/**
- * The tangent is not in the plane of the section; or GUSSET_LOCK_DATA_GUIDE or
- * GUSSET_JOINT_PARAMETER_G2 is asked of an outline that is not plane.
- */
-#define GUSSET_POINT_OUT_OF_PLANE 11
-
-/**
- * The tangent has no direction, and was left out.
- */
-#define GUSSET_POINT_NO_TANGENT 12
-
-/**
- * The lock could not be kept: its parameter is that of GUSSET_LOCK_PARAMETER.
- */
-#define GUSSET_POINT_FELL_BACK 13
-
-/**
- * The iteration ended before it was still.
- */
-#define GUSSET_POINT_NOT_CONVERGED 14
-
-/**
- * The curve misses it: the outline has too few different points, or its equations have no
- * solution.
- */
-#define GUSSET_POINT_MISSED 15
-
-/**
- * A joint beside it could not be where the option asks for it: it is in the middle between its
- * control points, or, for GUSSET_JOINT_PARAMETER_G2, the curvature there is 0.
- */
-#define GUSSET_POINT_JOINT_FELL_BACK 16
-
-/**
- * It is on a composite curve, as the single one failed.
- */
-#define GUSSET_POINT_COMPOSITE_INSTEAD 17
-
-/**
- * A blended curve turns back at it: it stands still there, or leaves the way it came.
- */
-#define GUSSET_POINT_CUSP 18
-
-/**
- * As asked.
- */
-#define GUSSET_FIT_OK 0
-
-/**
- * Some points are not as asked, in other ways than merged or clamped: see their status.
- */
-#define GUSSET_FIT_PARTIAL 1
-
-/**
- * The iteration ended before it was still.
- */
-#define GUSSET_FIT_NOT_CONVERGED 2
-
-/**
- * The iteration ran away, or control points are beyond the largest number.
- */
-#define GUSSET_FIT_DIVERGED 3
-
-/**
- * The equations are so nearly singular that control points lie far outside the outline.
- */
-#define GUSSET_FIT_ILL_CONDITIONED 4
-
-/**
- * Fewer than two different points, or three of a closed outline: there is no curve, or what two
- * points give.
- */
-#define GUSSET_FIT_TOO_FEW_POINTS 5
-
-/**
- * A single curve would have a degree above 64; a composite one took its place.
- */
-#define GUSSET_FIT_DEGREE_TOO_HIGH 6
+#define GUSSET_SURVEY_BOUNDARY_ONLY 1
 
 /**
  * The chain does not close: it has one vertex more than it has edges.
@@ -437,6 +310,28 @@
 #define GUSSET_EDGE_ZERO_LENGTH 4
 
 /**
+ * A face (index) that repeats a vertex (other).
+ */
+#define GUSSET_DEFECT_DEGENERATE_FACE 1
+
+/**
+ * An edge whose two faces run it in the same direction: half-edges index and other.
+ */
+#define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
+
+/**
+ * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
+ * half-edge is index.
+ */
+#define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
+
+/**
+ * A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at
+ * edges with three or more faces, whose own ends are therefore listed too where a loop passes them.
+ */
+#define GUSSET_DEFECT_BOW_TIE 4
+
+/**
  * There are edges, and every one has exactly two faces; degenerate faces have none.
  */
 #define GUSSET_MESH_CLOSED 1
@@ -455,6 +350,499 @@
  * Faces can be turned over so that it becomes oriented.
  */
 #define GUSSET_MESH_ORIENTABLE 8
+
+/**
+ * Lengths and areas: stretch and compression count alike, by the symmetric Dirichlet energy.
+ */
+#define GUSSET_DISTORTION_SYMMETRIC 0
+
+/**
+ * Lengths: as rigid as possible.
+ */
+#define GUSSET_DISTORTION_RIGID 1
+
+/**
+ * Angles: a least squares conformal map, which may stretch areas.
+ */
+#define GUSSET_DISTORTION_CONFORMAL 2
+
+/**
+ * By unfolding about edges: every edge has its length.
+ */
+#define GUSSET_CHART_EXACT 0
+
+/**
+ * By descent until nothing was gained.
+ */
+#define GUSSET_CHART_CONVERGED 1
+
+/**
+ * By descent, ended by the number of steps.
+ */
+#define GUSSET_CHART_ITERATION_LIMIT 2
+
+/**
+ * The conformal map that was asked for.
+ */
+#define GUSSET_CHART_CONFORMAL 3
+
+/**
+ * The conformal map folds or overlaps: the chart has the least symmetric distortion instead.
+ */
+#define GUSSET_CHART_NOT_CONFORMAL 4
+
+/**
+ * No map without folds was found: some triangles are turned over.
+ */
+#define GUSSET_CHART_FOLDED 5
+
+/**
+ * By descent until no step was possible that gains: the border would meet itself, or rounding hides
+ * it. Cuts or darts may help.
+ */
+#define GUSSET_CHART_STALLED 6
+
+/**
+ * On a path that was given.
+ */
+#define GUSSET_CUT_GIVEN 0
+
+/**
+ * To make a disc of a chart.
+ */
+#define GUSSET_CUT_OPENING 1
+
+/**
+ * For a dart.
+ */
+#define GUSSET_CUT_DART 2
+
+/**
+ * The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
+ * the rim's included, t being the angle between the normals on both sides, and over the triangles of
+ * the mean square of how far the surface that was there is likely to have been from them, as its
+ * tangent planes at the rim say, in units of 1 / 140 of its length. By area alone if it is planar.
+ */
+#define GUSSET_WEIGHT_CONTINUATION 0
+
+/**
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
+ * of the angle between its faces.
+ */
+#define GUSSET_WEIGHT_AREA_AND_BEND 1
+
+/**
+ * The least largest angle between neighbouring faces, those beyond the rim included, and then the
+ * least area, as Liepa has it.
+ */
+#define GUSSET_WEIGHT_BEND_THEN_AREA 2
+
+/**
+ * The least area, exactly.
+ */
+#define GUSSET_WEIGHT_AREA 3
+
+/**
+ * All loops are holes.
+ */
+#define GUSSET_KEEP_NONE 0
+
+/**
+ * The longest loop is none: the outline of an open sheet.
+ */
+#define GUSSET_KEEP_LONGEST 1
+
+/**
+ * Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the
+ * sheet: whose area vector points as that of their component, and is at least half as long as its
+ * area.
+ */
+#define GUSSET_KEEP_BORDERS 2
+
+/**
+ * Each loop gets a patch of its own.
+ */
+#define GUSSET_TOGETHER_APART 0
+
+/**
+ * All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one
+ * plane, up to some 160 loops.
+ */
+#define GUSSET_TOGETHER_ONE 1
+
+/**
+ * Loops get one patch where that costs less, by the weight asked for, than patches of their own.
+ * Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
+ * gains most first: about 8 pairs for each loop and 256 in all, as the log says, and at most 16
+ * loops for a patch. By area alone the ends of a short tube cost less together, along the tube
+ * itself.
+ */
+#define GUSSET_TOGETHER_CHEAPEST 2
+
+/**
+ * Triangles between the vertices of the rims.
+ */
+#define GUSSET_PATCH_PLAIN 0
+
+/**
+ * With new vertices, where the plain triangles are, but for those beside creases that go on.
+ */
+#define GUSSET_PATCH_REFINED 1
+
+/**
+ * With new vertices, faired.
+ */
+#define GUSSET_PATCH_FAIRED 2
+
+/**
+ * No new vertices.
+ */
+#define GUSSET_REFINE_NONE 0
+
+/**
+ * New vertices as dense as those round the hole.
+ */
+#define GUSSET_REFINE_RIM_DENSITY 1
+
+/**
+ * Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is
+ * least.
+ */
+#define GUSSET_CONTINUITY_C1 0
+
+/**
+ * They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old
+ * faces round each rim have a say, and with them their noise.
+ */
+#define GUSSET_CONTINUITY_C2 1
+
+/**
+ * Filled; with plan_only, to be filled.
+ */
+#define GUSSET_HOLE_FILLED 0
+
+/**
+ * Left: it is no hole, as keep has it.
+ */
+#define GUSSET_HOLE_KEPT 1
+
+/**
+ * Left: it exceeds max_edges, max_length, max_diameter or max_area.
+ */
+#define GUSSET_HOLE_TOO_LARGE 2
+
+/**
+ * Left: an open chain.
+ */
+#define GUSSET_HOLE_OPEN 3
+
+/**
+ * Left: it runs along an edge with three or more faces.
+ */
+#define GUSSET_HOLE_NON_MANIFOLD 4
+
+/**
+ * Left: the faces along it disagree in orientation.
+ */
+#define GUSSET_HOLE_NOT_ORIENTED 5
+
+/**
+ * Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+ */
+#define GUSSET_HOLE_NOT_SIMPLE 6
+
+/**
+ * Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+ */
+#define GUSSET_HOLE_NOT_FREE 7
+
+/**
+ * Left: every triangulation would have an edge between two vertices of one old face, which is an
+ * edge of the mesh or becomes one once its polygons are cut into triangles; or none was found that
+ * closes all loops together which are to get one patch, as where two of them share a vertex.
+ */
+#define GUSSET_HOLE_NO_TRIANGULATION 8
+
+/**
+ * Closed components face as most of their faces did; those of a stitch or of a filled mesh stay as
+ * they are.
+ */
+#define GUSSET_OUTWARD_KEEP 0
+
+/**
+ * Closed components face outwards, each by its own volume: of shells inside one another each one
+ * encloses what is within it, and the wall of a cavity is turned over too. One whose volume is 0 up
+ * to rounding is as with GUSSET_OUTWARD_KEEP. Of a stitch or of a filled mesh, components that are
+ * closed (every edge has two faces), consistently oriented and inside out are turned over, each as
+ * a whole; all others stay as they are.
+ */
+#define GUSSET_OUTWARD_CLOSED 1
+
+/**
+ * The strip of triangles that best continues both surfaces, near the strip of least area: little
+ * turn between neighbours, along the rims above all, and meridians that lie on the surface which
+ * the faces beside the rims suggest. Between lines without faces (gusset_strip_create) the strip
+ * of least area.
+ */
+#define GUSSET_MERIDIANS_CONTINUATION 0
+
+/**
+ * The paper's rule by index, O(N + M): good for evenly spaced rims.
+ */
+#define GUSSET_MERIDIANS_INDEX 1
+
+/**
+ * Both rims walked at the same pace, by arc length, O(N + M).
+ */
+#define GUSSET_MERIDIANS_ARC_LENGTH 2
+
+/**
+ * Always on to the shorter of the two next meridians, O(N + M).
+ */
+#define GUSSET_MERIDIANS_GREEDY 3
+
+/**
+ * The strip of triangles whose meridians have the least total length.
+ */
+#define GUSSET_MERIDIANS_MIN_DIAGONAL 4
+
+/**
+ * The strip of triangles with the least bends: the sum over its edges, rims included, of length
+ * times (1 - cos of the angle between the normals).
+ */
+#define GUSSET_MERIDIANS_SMOOTH 5
+
+/**
+ * The least sum of the meridians' squared lengths where steps on both rims at once are allowed
+ * (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for strips
+ * with interior rows.
+ */
+#define GUSSET_MERIDIANS_QUAD 6
+
+/**
+ * The strip of triangles of least area through the first meridian.
+ */
+#define GUSSET_MERIDIANS_MIN_AREA 7
+
+/**
+ * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
+ * fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
+ * the best on all rims that were measured.
+ */
+#define GUSSET_SEARCH_AUTO 0
+
+/**
+ * Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch_create.
+ */
+#define GUSSET_SEARCH_EXACT 1
+
+/**
+ * The first meridian of a closed band joins the closest pair of vertices, or the closest pair
+ * after rim B has been turned along rim A to where it fits best; the better strip of the two is
+ * kept.
+ */
+#define GUSSET_START_AUTO 0
+
+/**
+ * The closest pair.
+ */
+#define GUSSET_START_CLOSEST 1
+
+/**
+ * gusset_strip_create only: the first points.
+ */
+#define GUSSET_START_GIVEN 2
+
+/**
+ * New vertices stay where they were first put: those of a strip divide their meridians evenly, as
+ * the paper has it, those of a patch lie on the triangles of its first triangulation.
+ */
+#define GUSSET_FAIRING_NONE 0
+
+/**
+ * New vertices are moved so that the new surface bends as a thin plate does and meets the old one
+ * smoothly: the sum of the squared Laplacians over them and the rims is least. The rims, and the
+ * ends of an open strip, stay where they are.
+ */
+#define GUSSET_FAIRING_THIN_PLATE 1
+
+/**
+ * Faces of the strip that cut others are looked for, and what can be done about them is done:
+ * - a strip of triangles without rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it
+ *   cuts, and of the strips tried the one that cuts least is kept;
+ * - faired rows are taken back in places, up to 12 times, until nothing cuts or nothing is left to
+ *   take back; if the straight rows cut less in the end, they are kept;
+ * - blends are taken back likewise, and made with less fairing where they still cut; the one that
+ *   cuts least is kept, or the strip if that cuts less than every blend.
+ *
+ * All other strips stay as they are: rows that are not faired, quads, and other meridians.
+ */
+#define GUSSET_INTERSECTIONS_AUTO 0
+
+/**
+ * They are not looked for: rows are faired in full, and the first blend is kept.
+ */
+#define GUSSET_INTERSECTIONS_IGNORE 1
+
+/**
+ * They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO,
+ * and no strip goes another way, nor does the strip that a blend follows.
+ */
+#define GUSSET_INTERSECTIONS_REPORT 2
+
+/**
+ * A second piece that is oriented against the first is turned over: the component that rim B is
+ * on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
+ * the end. Two loops of one connected piece are taken as they are. Whole rims are compared as
+ * curves, and by where their surfaces lie if both lead off them to the same side, as at the ends
+ * of a U-bend; where nothing is clear, nothing is turned.
+ */
+#define GUSSET_ORIENTATION_FIX 0
+
+/**
+ * Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
+ */
+#define GUSSET_ORIENTATION_REFUSE 1
+
+/**
+ * The rims are not compared: the faces are taken to be right as they are.
+ */
+#define GUSSET_ORIENTATION_KEEP 2
+
+/**
+ * All of both loops, by a closed band.
+ */
+#define GUSSET_EXTENT_WHOLE_LOOPS 0
+
+/**
+ * The runs of vertices that face the other loop, as the paper has it:
+ * GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
+ */
+#define GUSSET_EXTENT_OPEN_ARCS 1
+
+/**
+ * Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of
+ * their centres, or if the planes cannot tell; else open arcs.
+ */
+#define GUSSET_EXTENT_AUTO 2
+
+/**
+ * The arcs given in arc_a and arc_b. Of a loop that is not given, place 0 is where
+ * gusset_boundary_get_loop has it.
+ */
+#define GUSSET_EXTENT_ARCS 3
+
+/**
+ * Of several runs of facing vertices, on each loop the one with the closest pair.
+ */
+#define GUSSET_RUN_CLOSEST 0
+
+/**
+ * On each loop the one of the most vertices.
+ */
+#define GUSSET_RUN_LONGEST 1
+
+/**
+ * The centre of a loop is the mean of its vertices, as the paper has it.
+ */
+#define GUSSET_CENTRES_VERTICES 0
+
+/**
+ * The mean of its points: vertices that lie close together do not draw it to them.
+ */
+#define GUSSET_CENTRES_LENGTH 1
+
+/**
+ * No interior rows: every meridian is one edge.
+ */
+#define GUSSET_ROWS_NONE 0
+
+/**
+ * max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
+ */
+#define GUSSET_ROWS_MEAN_EDGE 1
+
+/**
+ * As many as row_count says.
+ */
+#define GUSSET_ROWS_COUNT 2
+
+/**
+ * Triangles throughout; quads are split by their shorter diagonals.
+ */
+#define GUSSET_CELLS_TRIANGLES 0
+
+/**
+ * Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+ */
+#define GUSSET_CELLS_QUADS 1
+
+/**
+ * The strip of meridians, with its rows.
+ */
+#define GUSSET_FINISH_STRIP 0
+
+/**
+ * The best-looking joint: triangles about as fine as those round the rims, graded between them,
+ * without sharp angles where the rims allow it, on a surface that leaves both pieces along their
+ * tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
+ * no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
+ * Where every blend would cut more faces than the strip does, the strip stays; the log says so.
+ * The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged
+ * by a tube, to within some per cent of its radius across a few radii. Time and memory grow with
+ * the number of new triangles. Where sides as short as those round the rims would take more than
+ * about 50,000 new vertices, or 16 for each of the rims', the sides are up to twice as long; where
+ * that is not enough, the strip stays, and the log says so.
+ */
+#define GUSSET_FINISH_BLEND 1
+
+/**
+ * No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that
+ * face another loop that is at most 2^-16 of the loops' largest coordinate for 32-bit positions,
+ * 2^-45 for 64-bit ones; for vertices that are welded see gusset_weld_options.
+ */
+#define GUSSET_TOLERANCE_AUTO 0
+
+/**
+ * The tolerance is the one given.
+ */
+#define GUSSET_TOLERANCE_GIVEN 1
+
+/**
+ * The tolerance is 0: of vertices that are welded, the positions are equal.
+ */
+#define GUSSET_TOLERANCE_EXACT 2
+
+/**
+ * The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
+ */
+#define GUSSET_WELD_BOUNDARY 0
+
+/**
+ * All vertices that faces use are welded, as triangle soups need it.
+ */
+#define GUSSET_WELD_ALL 1
+
+/**
+ * Corners of one face stay apart.
+ */
+#define GUSSET_COLLAPSE_NEVER 0
+
+/**
+ * Corners of one face may become one; a face that keeps fewer than three different vertices is
+ * dropped.
+ */
+#define GUSSET_COLLAPSE_ALLOW 1
+
+/**
+ * Vertices that no face uses stay.
+ */
+#define GUSSET_UNUSED_KEEP 0
+
+/**
+ * Vertices that no face of the result uses are left out.
+ */
+#define GUSSET_UNUSED_REMOVE 1
 
 /**
  * Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables
@@ -837,6 +1225,11 @@ typedef int32_t gusset_status;
 typedef struct gusset_alignment gusset_alignment;
 
 /**
+ * An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
+ */
+typedef struct gusset_assembly gusset_assembly;
+
+/**
  * The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_boundary gusset_boundary;
@@ -869,10 +1262,20 @@ typedef struct gusset_curve gusset_curve;
 typedef struct gusset_curve_form gusset_curve_form;
 
 /**
+ * A surface in the plane. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_development gusset_development;
+
+/**
  * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
  * points.
  */
 typedef struct gusset_facing gusset_facing;
+
+/**
+ * A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_fill gusset_fill;
 
 /**
  * Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing
@@ -899,7 +1302,7 @@ typedef struct gusset_net_analysis gusset_net_analysis;
 typedef struct gusset_net_complex gusset_net_complex;
 
 /**
- * The places of a net in the mesh that it was found in. Opaque and immutable; it keeps nothing of the mesh.
+ * A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_net_grid gusset_net_grid;
 
@@ -909,9 +1312,19 @@ typedef struct gusset_net_grid gusset_net_grid;
 typedef struct gusset_net_groups gusset_net_groups;
 
 /**
+ * The mesh of a net. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_mesh gusset_net_mesh;
+
+/**
  * What a validation found. Opaque and immutable; it keeps nothing of the net.
  */
 typedef struct gusset_net_validation gusset_net_validation;
+
+/**
+ * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_orient gusset_orient;
 
 /**
  * For each vertex, corner and face of a result, the elements of the inputs that it has its values
@@ -937,16 +1350,6 @@ typedef struct gusset_outline gusset_outline;
 typedef struct gusset_places gusset_places;
 
 /**
- * A mesh that an operation made, with the report of that operation. Opaque and immutable; it keeps nothing of the
- * inputs.
- *
- * gusset_join, gusset_stitch, gusset_strip, gusset_fill, gusset_weld, gusset_sew, gusset_orient, gusset_develop,
- * gusset_net_to_mesh and gusset_sheet_to_mesh make results. Each operation has a report of its own:
- * gusset_result_get_join and so on.
- */
-typedef struct gusset_result gusset_result;
-
-/**
  * Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
  * indices, which are never given twice. Functions that take it as const may run at the same time
  * in many threads; those that change it need it for themselves.
@@ -954,9 +1357,9 @@ typedef struct gusset_result gusset_result;
 typedef struct gusset_scene gusset_scene;
 
 /**
- * The sections of outlines. Opaque and immutable.
+ * A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
-typedef struct gusset_sections gusset_sections;
+typedef struct gusset_sew gusset_sew;
 
 /**
  * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
@@ -964,6 +1367,16 @@ typedef struct gusset_sections gusset_sections;
  * it is destroyed when none uses it any more.
  */
 typedef struct gusset_sheet gusset_sheet;
+
+/**
+ * The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
+ */
+typedef struct gusset_sheet_mesh gusset_sheet_mesh;
+
+/**
+ * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
+ */
+typedef struct gusset_stitch gusset_stitch;
 
 /**
  * The bytes of a stream. Opaque and immutable; may be used from many threads.
@@ -974,6 +1387,11 @@ typedef struct gusset_stream gusset_stream;
  * A stream that is decoded while it arrives. Opaque; used by one thread at a time.
  */
 typedef struct gusset_stream_decoder gusset_stream_decoder;
+
+/**
+ * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
+ */
+typedef struct gusset_strip gusset_strip;
 
 /**
  * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
@@ -1009,6 +1427,11 @@ typedef struct gusset_surface_region gusset_surface_region;
 typedef struct gusset_trim gusset_trim;
 
 /**
+ * A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_weld gusset_weld;
+
+/**
  * The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_winged gusset_winged;
@@ -1028,7 +1451,7 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
 
 /**
  * Called with remarks that are no failures, on the thread that made the call; message is valid
- * during the callback only. The same rules as for progress. Stitching, filling and joining remark
+ * during the callback only. The same rules as for progress. Stitching, filling and assembling remark
  * that
  * - the pieces of a stitch, or the components of its two loops, disagree in orientation, and the
  *   second was turned over;
@@ -1036,8 +1459,8 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
  * - fairing was asked for, and no new vertices were;
  * - rows, cells or fairing were asked for with a blend, which does not read them;
  * - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
- * - loops are left although others are near: near_loops_left of gusset_join_report is not 0;
- * - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
+ * - loops are left although others are near: near_loops_left of an assembly is not 0;
+ * - a closed component encloses no volume: zero_volume of an assembly is not empty.
  *
  * Programs read the same from the results; the sentences may change.
  */
@@ -1097,7 +1520,7 @@ typedef struct gusset_indices {
 } gusset_indices;
 
 /**
- * The parts of a curve. Pointers are valid until it is destroyed.
+ * The arrays of a curve. Pointers are valid until it is destroyed.
  */
 typedef struct gusset_curve_view {
     /**
@@ -1107,14 +1530,14 @@ typedef struct gusset_curve_view {
     /**
      * The control points: x, y, z of each; z is 0 for a plane curve.
      */
-    const double *points;
+    const double *controls;
     /**
      * How many.
      */
-    size_t point_count;
+    size_t control_count;
     /**
-     * 0, then the place of the last control point of each segment among the points: segment k has
-     * the points ends[k] to ends[k + 1].
+     * 0, then the index of the last control point of each segment: segment k has the control points
+     * ends[k] to ends[k + 1].
      */
     struct gusset_indices ends;
     /**
@@ -1199,6 +1622,11 @@ typedef struct gusset_offset_report {
 } gusset_offset_report;
 
 /**
+ * A format that curves are exported to.
+ */
+typedef uint32_t gusset_curve_format;
+
+/**
  * The parts of a form; those that it does not have are empty. Pointers are valid until it is
  * destroyed.
  */
@@ -1242,6 +1670,11 @@ typedef struct gusset_curve_form_view {
 } gusset_curve_form_view;
 
 /**
+ * The demand of a constraint.
+ */
+typedef uint32_t gusset_constraint_kind;
+
+/**
  * What is demanded of a curve at a point.
  */
 typedef struct gusset_constraint {
@@ -1252,7 +1685,7 @@ typedef struct gusset_constraint {
     /**
      * GUSSET_CONSTRAINT_...
      */
-    uint32_t demand;
+    gusset_constraint_kind kind;
     /**
      * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
      * GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
@@ -1312,6 +1745,41 @@ typedef struct gusset_outlines {
 } gusset_outlines;
 
 /**
+ * Which points of a section belong to which of the next.
+ */
+typedef uint32_t gusset_correspondence;
+
+/**
+ * The kind of the curve of an outline.
+ */
+typedef uint32_t gusset_curve_kind;
+
+/**
+ * The guide of the control point of a section.
+ */
+typedef uint32_t gusset_section_method;
+
+/**
+ * The rule that fixes the parameters of points.
+ */
+typedef uint32_t gusset_parameter_lock;
+
+/**
+ * The parameters of the joints of composite curves.
+ */
+typedef uint32_t gusset_joint_parameter;
+
+/**
+ * The method that solves for a curve.
+ */
+typedef uint32_t gusset_outline_solver;
+
+/**
+ * The ends of open outlines.
+ */
+typedef uint32_t gusset_outline_ends;
+
+/**
  * How outlines are identified; all zero is the default. Lengths are relative to the size of the
  * outline, the longest side of its box.
  */
@@ -1321,30 +1789,30 @@ typedef struct gusset_outline_options {
      */
     size_t struct_size;
     /**
-     * GUSSET_CURVE_...
+     * GUSSET_CURVE_KIND_...
      */
-    uint32_t curve;
+    gusset_curve_kind curve;
     /**
      * GUSSET_METHOD_...
      */
-    uint32_t method;
+    gusset_section_method method;
     /**
      * GUSSET_LOCK_..., for composite and single curves; a chain has its own.
      */
-    uint32_t lock;
+    gusset_parameter_lock lock;
     /**
      * GUSSET_JOINT_PARAMETER_..., for composite curves and chains.
      */
-    uint32_t joint;
+    gusset_joint_parameter joint;
     /**
      * GUSSET_SOLVER_...
      */
-    uint32_t solver;
+    gusset_outline_solver solver;
     /**
      * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent
      * demanded there comes first.
      */
-    uint32_t ends;
+    gusset_outline_ends ends;
     /**
      * Read for GUSSET_METHOD_ALPHA; 0 to 1.
      */
@@ -1355,8 +1823,8 @@ typedef struct gusset_outline_options {
      */
     double parameter_limit;
     /**
-     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0,
-     * below 1.
+     * Neighbours at most so far apart are one point; below 1. 0 for 1e-12. 1e-300 merges equal points
+     * only.
      */
     double repeat_tolerance;
     /**
@@ -1369,14 +1837,6 @@ typedef struct gusset_outline_options {
      */
     double tolerance;
     /**
-     * The first step of GUSSET_SOLVER_STEP, at most 1; 0 for 0.1.
-     */
-    double first_step;
-    /**
-     * What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
-     */
-    double step_divisor;
-    /**
      * The most sweeps or iterations between two corners; 0 for 200.
      */
     uint32_t max_sweeps;
@@ -1384,14 +1844,6 @@ typedef struct gusset_outline_options {
      * The most steps at a point in a sweep; 0 for 20,000.
      */
     uint32_t max_steps;
-    /**
-     * GUSSET_REPEATS_...
-     */
-    uint32_t repeats;
-    /**
-     * 1: the moves of each cycle are kept, for gusset_outline_get_history. 0: they are not.
-     */
-    uint32_t history;
 } gusset_outline_options;
 
 /**
@@ -1405,7 +1857,7 @@ typedef struct gusset_frame_options {
     /**
      * GUSSET_CORRESPONDENCE_...
      */
-    uint32_t correspondence;
+    gusset_correspondence correspondence;
     /**
      * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
      * parts from each landmark to the next.
@@ -1476,7 +1928,12 @@ typedef struct gusset_frame_options {
 } gusset_frame_options;
 
 /**
- * The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
+ * Where the nodes of a frame move.
+ */
+typedef uint32_t gusset_offset_direction;
+
+/**
+ * The nodes of a frame, row by row, and its curves. Pointers are valid until the frame is destroyed.
  */
 typedef struct gusset_frame_view {
     /**
@@ -1504,6 +1961,16 @@ typedef struct gusset_frame_view {
      * The direction of the curve along.
      */
     const double *along;
+    /**
+     * The curves across, one for each section: node i of row k is its point k columns + i. The frame
+     * owns them.
+     */
+    const struct gusset_outline *curves_across;
+    /**
+     * The curves along, one for each column: node i of row k is its point i rows + k. The frame owns
+     * them.
+     */
+    const struct gusset_outline *curves_along;
     /**
      * For each section 1 if it was taken backwards.
      */
@@ -1537,22 +2004,9 @@ typedef struct gusset_frame_view {
 } gusset_frame_view;
 
 /**
- * What a section measures.
+ * The rule by which samples are spread along a curve.
  */
-typedef struct gusset_section_report {
-    /**
-     * Its length: of a closed section all round.
-     */
-    double girth;
-    /**
-     * The area within, never negative; that of an open section is closed by its chord.
-     */
-    double area;
-    /**
-     * The mean of its points by arc length.
-     */
-    double centre[3];
-} gusset_section_report;
+typedef uint32_t gusset_sample_rule;
 
 /**
  * What was found. Pointers are valid until the handle is destroyed.
@@ -1621,27 +2075,60 @@ typedef struct gusset_curve_nearest_point {
 } gusset_curve_nearest_point;
 
 /**
- * The moments of the region that a plane curve encloses; an open curve is closed by its chord.
- * Regions that it runs round clockwise count negative.
+ * The measures of a curve, as flags.
  */
-typedef struct gusset_curve_moment_report {
+typedef uint32_t gusset_curve_measure_flags;
+
+/**
+ * The measures of a curve. A chord from its end to its start closes an open curve.
+ */
+typedef struct gusset_curve_measures {
     /**
-     * sizeof(gusset_curve_moment_report), set by the caller.
+     * sizeof(gusset_curve_measures), set by the caller.
      */
     size_t struct_size;
     /**
-     * The signed area.
+     * GUSSET_CURVE_MEASURE_... of the measures that this struct has; the fields of all others are 0.
+     */
+    gusset_curve_measure_flags defined;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The arc length, without the chord.
+     */
+    double length;
+    /**
+     * The least x, y and z.
+     */
+    double low[3];
+    /**
+     * The greatest x, y and z.
+     */
+    double high[3];
+    /**
+     * The mean of the points by arc length.
+     */
+    double centre[3];
+    /**
+     * Half the integral of r x dr. A curve in the plane z = 0 has (0, 0, signed area): regions that it
+     * runs round clockwise count negative.
+     */
+    double area_vector[3];
+    /**
+     * The length of `area_vector`: the area of the largest shadow, never negative.
      */
     double area;
     /**
-     * The centre of gravity; the curve's start if the area is 0.
+     * The centre of gravity of the enclosed region; the curve's start if its area is 0.
      */
     double centroid[2];
     /**
      * The integrals of x x, x y and y y about the centroid, with the sign of the area.
      */
     double second[3];
-} gusset_curve_moment_report;
+} gusset_curve_measures;
 
 /**
  * All curves in one. Pointers are valid until the outline is destroyed.
@@ -1695,7 +2182,12 @@ typedef struct gusset_outline_view {
 } gusset_outline_view;
 
 /**
- * What became of an outline. Lengths but size are relative to size.
+ * The outcome of an outline.
+ */
+typedef uint32_t gusset_fit_status;
+
+/**
+ * The outcome of an outline. All lengths except `size` are relative to `size`.
  */
 typedef struct gusset_outline_report {
     /**
@@ -1705,10 +2197,10 @@ typedef struct gusset_outline_report {
     /**
      * GUSSET_FIT_...
      */
-    uint32_t fit;
+    gusset_fit_status fit;
     /**
      * Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
-     * max_sweeps of the options.
+     * max_sweeps of the options: runs with 1, 2, 3, ... of them show how an iteration goes.
      */
     uint32_t iterations;
     /**
@@ -1747,81 +2239,6 @@ typedef struct gusset_outline_report {
      */
     uint32_t reserved;
 } gusset_outline_report;
-
-/**
- * One cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
- */
-typedef struct gusset_cycle {
-    /**
-     * The farthest move of a control point, relative to the size of the outline.
-     */
-    double moved;
-    /**
-     * The steps of GUSSET_SOLVER_STEP up to its end, of all cycles of the outline so far.
-     */
-    uint64_t steps;
-} gusset_cycle;
-
-/**
- * The cycles of an outline. Pointers are valid until the outline is destroyed.
- */
-typedef struct gusset_outline_history_view {
-    /**
-     * sizeof(gusset_outline_history_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The cycles in their order, those of one part between corners after those of another; NULL
-     * for none.
-     */
-    const struct gusset_cycle *cycles;
-    /**
-     * How many.
-     */
-    size_t cycle_count;
-} gusset_outline_history_view;
-
-/**
- * One section for each point: the quadratic from the point before over the control point to the
- * point after. Pointers are valid until the sections are destroyed.
- */
-typedef struct gusset_sections_view {
-    /**
-     * sizeof(gusset_sections_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The number of points.
-     */
-    size_t count;
-    /**
-     * x, y, z of the control points; the ends of open outlines, which have no section, have
-     * themselves.
-     */
-    const double *controls;
-    /**
-     * The parameter of each point on its section; 0 and 1 at the ends of open outlines.
-     */
-    const double *parameters;
-    /**
-     * GUSSET_POINT_...
-     */
-    const uint8_t *statuses;
-    /**
-     * The steps of GUSSET_SOLVER_STEP, of all sections.
-     */
-    uint64_t steps;
-} gusset_sections_view;
-
-/**
- * The type of coordinates.
- */
-typedef uint32_t gusset_scalar;
-
-/**
- * The type of indices.
- */
-typedef uint32_t gusset_index;
 
 /**
  * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing
@@ -1871,11 +2288,11 @@ typedef struct gusset_mesh_view {
     /**
      * GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
      */
-    gusset_scalar scalar;
+    uint32_t scalar;
     /**
      * GUSSET_U32.
      */
-    gusset_index index;
+    uint32_t index;
     /**
      * The number of corners of every face, or 0 if face_offsets is given.
      */
@@ -1893,11 +2310,6 @@ typedef struct gusset_mesh_view {
      */
     const void *merge;
 } gusset_mesh_view;
-
-/**
- * The poses in which pieces begin.
- */
-typedef uint32_t gusset_alignment_start;
 
 /**
  * An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
@@ -1920,7 +2332,7 @@ typedef struct gusset_alignment_options {
     /**
      * Where the pieces begin: GUSSET_ALIGN_...
      */
-    gusset_alignment_start start;
+    uint32_t start;
     /**
      * So many points of each piece are looked for on the others; 0: 2,000.
      */
@@ -1950,11 +2362,6 @@ typedef struct gusset_alignment_options {
 } gusset_alignment_options;
 
 /**
- * Whether the pose of a piece can be trusted, and if not why.
- */
-typedef uint32_t gusset_aligned_reason;
-
-/**
  * One piece, aligned.
  */
 typedef struct gusset_aligned_piece {
@@ -1971,7 +2378,7 @@ typedef struct gusset_aligned_piece {
     /**
      * GUSSET_ALIGNED_...
      */
-    gusset_aligned_reason reason;
+    uint32_t reason;
     /**
      * 0.
      */
@@ -2047,6 +2454,639 @@ typedef struct gusset_alignment_view {
 } gusset_alignment_view;
 
 /**
+ * Two loops of the input.
+ */
+typedef struct gusset_loop_pair {
+    /**
+     * The piece of each.
+     */
+    uint32_t piece[2];
+    /**
+     * A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in
+     * exclusions only.
+     */
+    uint32_t vertex[2];
+} gusset_loop_pair;
+
+/**
+ * How to weld; all zero is the default.
+ */
+typedef struct gusset_weld_options {
+    /**
+     * sizeof(gusset_weld_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Which vertices: GUSSET_WELD_...
+     */
+    uint32_t vertices;
+    /**
+     * GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
+     * have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48
+     * for 64-bit ones, or twice the last decimal place that positions show, as those from text
+     * files do, if that is more. Let D be the largest power of ten that does not exceed the
+     * longest side of the box round the vertices in question. The last place is the largest of
+     * 1e-5 D, 1e-6 D, ... of which at least a third of the coordinates (those of the largest order
+     * of magnitude), or of their differences from one vertex to the next, are multiples. Multiples
+     * of 1e-4 D do not count, as a coarse grid is no sign of rounding; of the rest there must be
+     * eight. At each vertex it is at most a quarter of the shortest edge that ends there, so that
+     * no edge collapses. See tolerance of the result's view for what it was.
+     * GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+     * GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
+     */
+    uint32_t tolerance_mode;
+    /**
+     * In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+    /**
+     * GUSSET_COLLAPSE_...
+     */
+    uint32_t collapse;
+    /**
+     * GUSSET_UNUSED_...
+     */
+    uint32_t unused;
+} gusset_weld_options;
+
+/**
+ * How to stitch; all zero is the default.
+ */
+typedef struct gusset_stitch_options {
+    /**
+     * sizeof(gusset_stitch_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MERIDIANS_...
+     */
+    uint32_t meridians;
+    /**
+     * GUSSET_ORIENTATION_...
+     */
+    uint32_t orientation;
+    /**
+     * The first meridian joins the closest pair that is not joined by an edge already; with a
+     * twist, the vertex of rim B so many places later, counted in the direction in which rim A
+     * runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
+     * rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and with GUSSET_EXTENT_OPEN_ARCS also if
+     * there are none to join.
+     */
+    int64_t twist;
+    /**
+     * GUSSET_EXTENT_...
+     */
+    uint32_t extent;
+    /**
+     * GUSSET_RUN_...
+     */
+    uint32_t run;
+    /**
+     * GUSSET_ROWS_...
+     */
+    uint32_t rows;
+    /**
+     * Interior rows, read for GUSSET_ROWS_COUNT.
+     */
+    uint32_t row_count;
+    /**
+     * GUSSET_CELLS_...
+     */
+    uint32_t cells;
+    /**
+     * GUSSET_TOLERANCE_...
+     */
+    uint32_t tolerance_mode;
+    /**
+     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the
+     * positions, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+    /**
+     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of
+     * vertices, 1 to its length. The arc runs along the loop as it was given, and may pass its
+     * end.
+     */
+    uint32_t arc_a[2];
+    /**
+     * The same on loop B.
+     */
+    uint32_t arc_b[2];
+    /**
+     * GUSSET_SEARCH_...
+     */
+    uint32_t search;
+    /**
+     * GUSSET_START_...
+     */
+    uint32_t start;
+    /**
+     * GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is
+     * not.
+     */
+    uint32_t fairing;
+    /**
+     * GUSSET_INTERSECTIONS_...
+     */
+    uint32_t intersections;
+    /**
+     * GUSSET_CENTRES_...
+     */
+    uint32_t centres;
+    /**
+     * GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
+     */
+    uint32_t outward;
+    /**
+     * GUSSET_FINISH_...: what lies between the rims in the end.
+     */
+    uint32_t finish;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stitch_options;
+
+/**
+ * How holes are filled; all zero is the default: triangles without new vertices, in every hole.
+ */
+typedef struct gusset_fill_options {
+    /**
+     * sizeof(gusset_fill_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_WEIGHT_...
+     */
+    uint32_t weight;
+    /**
+     * GUSSET_REFINE_...
+     */
+    uint32_t refine;
+    /**
+     * GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
+     */
+    uint32_t fairing;
+    /**
+     * GUSSET_KEEP_...: which loops are no holes; read if all loops are asked for.
+     */
+    uint32_t keep;
+    /**
+     * GUSSET_INTERSECTIONS_...: whether faces of patches that cut each other or old faces are looked
+     * for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
+     * (REPORT), or neither (IGNORE).
+     */
+    uint32_t intersections;
+    /**
+     * 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
+     * which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
+     * which of them together says get one patch. 0 or 1.
+     */
+    uint32_t plan_only;
+    /**
+     * About how many new vertices a patch gets, at most about twice as many; where more would be
+     * needed the triangles are larger. 0: 50,000, or four for each vertex of its rims if that is
+     * more, and as many again for sharp angles there.
+     */
+    uint32_t max_new_vertices;
+    /**
+     * Loops of more edges are left alone. 0 is no limit.
+     */
+    uint32_t max_edges;
+    /**
+     * Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+     */
+    double max_length;
+    /**
+     * Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+     */
+    double max_diameter;
+    /**
+     * Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
+     */
+    double max_area;
+    /**
+     * GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
+     */
+    uint32_t outward;
+    /**
+     * GUSSET_TOGETHER_...: which loops get one patch; read without groups.
+     */
+    uint32_t together;
+    /**
+     * A number for each of the loops given, loop_count in all: those with the same number get one
+     * patch, a surface of genus 0 between them, but for loops that are left for reasons of their
+     * own. NULL: as together says. Needs loops.
+     */
+    const uint32_t *groups;
+    /**
+     * GUSSET_CONTINUITY_...: how smoothly faired vertices go on the surface round the hole.
+     */
+    uint32_t continuity;
+    /**
+     * 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
+     * 1.
+     */
+    uint32_t ignore_creases;
+} gusset_fill_options;
+
+/**
+ * How pieces that overlap are trimmed; all zero is the default.
+ */
+typedef struct gusset_trim_options {
+    /**
+     * sizeof(gusset_trim_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Surfaces that are no farther apart than this are one, in the unit of the positions, finite
+     * and at least 0; 0: four mean edges of the coarser of two pieces.
+     */
+    double max_distance;
+    /**
+     * Surfaces whose normals differ by more are two, in radians, from 0 and below pi / 2; 0: 60
+     * degrees.
+     */
+    double max_angle;
+    /**
+     * x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL:
+     * what was seen under a flat angle counts for less.
+     */
+    const double *viewpoints;
+    /**
+     * Their number: that of the pieces, or 0.
+     */
+    size_t viewpoint_count;
+    /**
+     * What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others
+     * show the same, and as small holes do not come about.
+     */
+    uint32_t min_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_trim_options;
+
+/**
+ * How pieces are assembled; all zero is the default.
+ */
+typedef struct gusset_assembly_options {
+    /**
+     * sizeof(gusset_assembly_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_ASSEMBLY_WELD, GUSSET_ASSEMBLY_NO_WELD or GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE.
+     */
+    uint32_t weld;
+    /**
+     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
+     * components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
+     * turned, nor in the end.
+     */
+    uint32_t orientation;
+    /**
+     * GUSSET_GAP_...
+     */
+    uint32_t gap;
+    /**
+     * 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
+     * 1.
+     */
+    uint32_t whole_loops_only;
+    /**
+     * 1: loops of one component may be joined without being asked for. 0 or 1.
+     */
+    uint32_t within_components;
+    /**
+     * 1: holes that are left in the end are filled. 0 or 1.
+     */
+    uint32_t fill;
+    /**
+     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
+     * finite and at least 0; 0 leaves all open.
+     */
+    double max_gap;
+    /**
+     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
+     * different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
+     * and none is named in two pairs. Errors name a pair by its number from 0, and say what is
+     * wrong with it.
+     */
+    const struct gusset_loop_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t pair_count;
+    /**
+     * Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same,
+     * and a vertex that no loop passes, as it was welded, excludes nothing.
+     */
+    const struct gusset_loop_pair *excluded;
+    /**
+     * How many.
+     */
+    size_t excluded_count;
+    /**
+     * How to weld; NULL for the defaults.
+     */
+    const struct gusset_weld_options *weld_options;
+    /**
+     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
+     * fairing, intersections and finish are read; the other fields must be valid too.
+     */
+    const struct gusset_stitch_options *strip_options;
+    /**
+     * How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
+     * two must be valid too; intersections REPORT is as IGNORE.
+     */
+    const struct gusset_fill_options *fill_options;
+    /**
+     * 0: components of the result that are closed (every edge has two faces), consistently
+     * oriented and inside out are turned over in the end, each as a whole and by its own volume:
+     * the wall of a cavity within another component is turned too. 1: they stay as they are, which
+     * is mostly as the first piece has it. All other components stay as they are in both cases. 0
+     * or 1. Its sense is opposite to that of outward in the options of stitching and filling, so
+     * that 0 can be the default in each.
+     */
+    uint32_t keep_inside_out;
+    /**
+     * GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
+     */
+    uint32_t overlaps;
+    /**
+     * Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+     */
+    const struct gusset_trim_options *trim_options;
+} gusset_assembly_options;
+
+/**
+ * Where a piece went.
+ */
+typedef struct gusset_piece_map {
+    /**
+     * Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if
+     * it was left out.
+     */
+    struct gusset_indices vertices;
+    /**
+     * Per face, its index in the result, or UINT32_MAX; of a triangle that was cut, that of the
+     * first part, which the others follow.
+     */
+    struct gusset_indices faces;
+} gusset_piece_map;
+
+/**
+ * Two loops, or runs of loops, that face each other across a gap.
+ *
+ * Of two borders that coincide along a part only, sewing leaves loops that run along the rest of
+ * one and back along the other; they turn at two vertices that sewing made of several. Such a loop
+ * may be joined with itself: both sides are on it, one of them with both ends, whole is 0, and the
+ * strip has no interior rows whatever the options say.
+ */
+typedef struct gusset_joint {
+    /**
+     * The vertices of each side in the result, in order; if joined, side by side from the first
+     * meridian on. The order is that of before closed components were turned outwards.
+     */
+    struct gusset_indices side[2];
+    /**
+     * The mean width of the gap; of a loop that is joined with itself the mean distance of its
+     * sides.
+     */
+    double gap;
+    /**
+     * The strip's first new vertex in the result.
+     */
+    size_t vertex_first;
+    /**
+     * How many new vertices it has.
+     */
+    size_t vertex_count;
+    /**
+     * The strip's first face in the result.
+     */
+    size_t face_first;
+    /**
+     * How many faces it has.
+     */
+    size_t face_count;
+    /**
+     * Pairs of faces that cut each other, as in gusset_stitch_view.
+     */
+    struct gusset_indices intersections;
+    /**
+     * 1 if they were looked for.
+     */
+    uint32_t intersections_known;
+    /**
+     * GUSSET_JOINT_...
+     */
+    uint32_t outcome;
+    /**
+     * 1 if both sides are whole loops.
+     */
+    uint32_t whole;
+    /**
+     * GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
+     * the strip.
+     */
+    uint32_t finish;
+} gusset_joint;
+
+/**
+ * A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
+ * afterwards: holes says what became of it then.
+ */
+typedef struct gusset_left_loop {
+    /**
+     * Its vertices in the result, in order.
+     */
+    struct gusset_indices vertices;
+    /**
+     * The mean distance from its vertices to the nearest of the loop that is nearest to most of
+     * them, of another component where there is one; infinite if there is none, or if this loop
+     * cannot carry a strip. Of what sewing left of two borders, whose sides are too far from each
+     * other, the mean distance of these.
+     */
+    double gap;
+    /**
+     * How far that loop, or that side, may be to be joined; 0 if there is none.
+     */
+    double allowed_gap;
+    /**
+     * GUSSET_LEFT_...
+     */
+    uint32_t reason;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_left_loop;
+
+/**
+ * The account of one loop.
+ */
+typedef struct gusset_hole {
+    /**
+     * Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before
+     * closed components were turned outwards, or, of a given loop that is not simple, free or
+     * oriented, as given.
+     */
+    size_t rim_first;
+    /**
+     * How many they are.
+     */
+    size_t rim_count;
+    /**
+     * Its patch's first face in the result: the faces and the new vertices of a patch of several
+     * loops are in the accounts of all of them.
+     */
+    size_t face_first;
+    /**
+     * How many faces the patch has.
+     */
+    size_t face_count;
+    /**
+     * The patch's first new vertex in the result.
+     */
+    size_t vertex_first;
+    /**
+     * How many new vertices the patch has.
+     */
+    size_t vertex_count;
+    /**
+     * The sum of its edges' lengths, in the unit of the positions.
+     */
+    double length;
+    /**
+     * The diagonal of the box round it, along the axes.
+     */
+    double diameter;
+    /**
+     * The area of the cone of triangles from its edges to their common centre: that of the hole if
+     * it is planar and convex, more otherwise.
+     */
+    double area;
+    /**
+     * GUSSET_HOLE_...
+     */
+    uint32_t status;
+    /**
+     * GUSSET_WEIGHT_...: the weight that the patch's triangulation is best by: the one asked for, or
+     * one that cuts less.
+     */
+    uint32_t weight;
+    /**
+     * GUSSET_PATCH_...: what the patch is made of: what was asked for, or less, which cuts less.
+     */
+    uint32_t finish;
+    /**
+     * The number of the patch, from 0 on in the order of the faces; loops with the same number have
+     * one patch. UINT32_MAX if it has none, as all have in a plan.
+     */
+    uint32_t patch;
+} gusset_hole;
+
+/**
+ * The account of an assembly. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_assembly_view {
+    /**
+     * sizeof(gusset_assembly_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One for each piece.
+     */
+    const struct gusset_piece_map *pieces;
+    /**
+     * How many.
+     */
+    size_t piece_count;
+    /**
+     * The pairs that face each other: those that were given, in their order, then the others,
+     * nearest first.
+     */
+    const struct gusset_joint *joints;
+    /**
+     * How many.
+     */
+    size_t joint_count;
+    /**
+     * The loops that no strip hangs on, by their smallest vertices; those that were filled in the
+     * end are among them. loops_left counts what is open now.
+     */
+    const struct gusset_left_loop *left;
+    /**
+     * How many.
+     */
+    size_t left_count;
+    /**
+     * The holes that were looked at in the end.
+     */
+    const struct gusset_hole *holes;
+    /**
+     * How many.
+     */
+    size_t hole_count;
+    /**
+     * The vertices of their rims, in the order of before closed components were turned outwards.
+     */
+    struct gusset_indices hole_rims;
+    /**
+     * Faces of the pieces that run the other way than they did in their pieces, by their indices
+     * in the result: turned to agree with others, or with their component to face outwards, but
+     * not both. Faces of strips and patches were nothing before, and are not listed: they run as
+     * the faces of pieces beside them do.
+     */
+    struct gusset_indices turned;
+    /**
+     * A face of each component that cannot be oriented.
+     */
+    struct gusset_indices one_sided;
+    /**
+     * A face of each closed component of the result that encloses no volume up to rounding, as a
+     * piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or keep_inside_out.
+     */
+    struct gusset_indices zero_volume;
+    /**
+     * Vertices that became one with another.
+     */
+    uint32_t welded_vertices;
+    /**
+     * Edges that were two free edges.
+     */
+    uint32_t sewn_edges;
+    /**
+     * Boundary loops of the result.
+     */
+    uint32_t loops_left;
+    /**
+     * Edges of the result with three or more faces.
+     */
+    uint32_t non_manifold_edges;
+    /**
+     * Points at which free edges were split for borders to match.
+     */
+    uint32_t splits;
+    /**
+     * Entries of left that have another loop within the gap that is allowed: those that look away,
+     * whose partner is taken, or that no strip could join.
+     */
+    uint32_t near_loops_left;
+    /**
+     * Faces that were trimmed from overlaps.
+     */
+    uint32_t trimmed_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_assembly_view;
+
+/**
  * Elements of meshes, and of what meshes are made from.
  */
 typedef uint32_t gusset_domain;
@@ -2117,16 +3157,6 @@ typedef struct gusset_channel_values {
 } gusset_channel_values;
 
 /**
- * The treatment of edges with three or more faces.
- */
-typedef uint32_t gusset_non_manifold;
-
-/**
- * The part of the mesh that is checked.
- */
-typedef uint32_t gusset_survey;
-
-/**
  * How loops are found; all zero is the default.
  */
 typedef struct gusset_boundary_options {
@@ -2137,67 +3167,12 @@ typedef struct gusset_boundary_options {
     /**
      * GUSSET_NON_MANIFOLD_...
      */
-    gusset_non_manifold non_manifold;
+    uint32_t non_manifold;
     /**
      * GUSSET_SURVEY_...
      */
-    gusset_survey survey;
+    uint32_t survey;
 } gusset_boundary_options;
-
-/**
- * The kind of a defect.
- */
-typedef uint32_t gusset_defect_kind;
-
-/**
- * Something wrong or unusual in a mesh.
- */
-typedef struct gusset_defect {
-    /**
-     * GUSSET_DEFECT_...
-     */
-    gusset_defect_kind kind;
-    /**
-     * The face, half-edge or vertex.
-     */
-    uint32_t index;
-    /**
-     * The second element of the kinds that have one, else UINT32_MAX.
-     */
-    uint32_t other;
-    /**
-     * How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
-     */
-    uint32_t count;
-} gusset_defect;
-
-/**
- * The loops of a boundary as a whole. Pointers are valid until the boundary is destroyed.
- */
-typedef struct gusset_boundary_view {
-    /**
-     * sizeof(gusset_boundary_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The number of loops and open chains; 0 if the mesh is closed. gusset_boundary_get_loop lends each.
-     */
-    size_t loop_count;
-    /**
-     * The number of walks that the loops were cut from. Loops that touch at vertices count as one walk where the walk
-     * round the boundary passes from one loop to the next.
-     */
-    size_t walk_count;
-    /**
-     * Degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and the bow-tie vertices on its
-     * boundary. NULL if there are none.
-     */
-    const struct gusset_defect *defects;
-    /**
-     * The number of defects.
-     */
-    size_t defect_count;
-} gusset_boundary_view;
 
 /**
  * One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a
@@ -2237,6 +3212,28 @@ typedef struct gusset_loop_view {
      */
     uint32_t walk;
 } gusset_loop_view;
+
+/**
+ * Something wrong or unusual in a mesh.
+ */
+typedef struct gusset_defect {
+    /**
+     * GUSSET_DEFECT_...
+     */
+    uint32_t kind;
+    /**
+     * The face, half-edge or vertex.
+     */
+    uint32_t index;
+    /**
+     * The second element of the kinds that have one, else UINT32_MAX.
+     */
+    uint32_t other;
+    /**
+     * How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+     */
+    uint32_t count;
+} gusset_defect;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are
@@ -2322,22 +3319,17 @@ typedef struct gusset_check_view {
 } gusset_check_view;
 
 /**
- * The distortion that a development minimises.
- */
-typedef uint32_t gusset_distortion;
-
-/**
  * How a surface is developed; all zero is the default.
  */
-typedef struct gusset_develop_options {
+typedef struct gusset_development_options {
     /**
-     * sizeof(gusset_develop_options), set by the caller.
+     * sizeof(gusset_development_options), set by the caller.
      */
     size_t struct_size;
     /**
      * Which distortion is least: GUSSET_DISTORTION_...
      */
-    gusset_distortion distortion;
+    uint32_t distortion;
     /**
      * Darts at the most: cuts from the border of a chart to where its curvature is.
      */
@@ -2365,12 +3357,7 @@ typedef struct gusset_develop_options {
      * 0.
      */
     uint32_t reserved;
-} gusset_develop_options;
-
-/**
- * How a chart was laid out.
- */
-typedef uint32_t gusset_chart_finish;
+} gusset_development_options;
 
 /**
  * A chart: a connected component of the development.
@@ -2391,7 +3378,7 @@ typedef struct gusset_chart {
     /**
      * How it came about: GUSSET_CHART_...
      */
-    gusset_chart_finish finish;
+    uint32_t finish;
     /**
      * Steps of all its descents.
      */
@@ -2434,11 +3421,11 @@ typedef struct gusset_chart {
 } gusset_chart;
 
 /**
- * Where a surface lies in the plane. Pointers are valid until the result is destroyed.
+ * A development. Pointers are valid until it is destroyed.
  */
-typedef struct gusset_develop_report {
+typedef struct gusset_development_view {
     /**
-     * sizeof(gusset_develop_report), set by the caller.
+     * sizeof(gusset_development_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -2483,22 +3470,7 @@ typedef struct gusset_develop_report {
      * 0.
      */
     uint32_t reserved;
-} gusset_develop_report;
-
-/**
- * Which of several runs of facing vertices is joined.
- */
-typedef uint32_t gusset_facing_run;
-
-/**
- * The source of a tolerance.
- */
-typedef uint32_t gusset_tolerance_mode;
-
-/**
- * The definition of the centre of a loop.
- */
-typedef uint32_t gusset_centres;
+} gusset_development_view;
 
 /**
  * How facing vertices are found; all zero is the default.
@@ -2511,11 +3483,11 @@ typedef struct gusset_facing_options {
     /**
      * GUSSET_RUN_...
      */
-    gusset_facing_run run;
+    uint32_t run;
     /**
      * GUSSET_TOLERANCE_...
      */
-    gusset_tolerance_mode tolerance_mode;
+    uint32_t tolerance_mode;
     /**
      * How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read
      * for GUSSET_TOLERANCE_GIVEN.
@@ -2524,7 +3496,7 @@ typedef struct gusset_facing_options {
     /**
      * GUSSET_CENTRES_...
      */
-    gusset_centres centres;
+    uint32_t centres;
     /**
      * 0.
      */
@@ -2566,208 +3538,11 @@ typedef struct gusset_facing_view {
 } gusset_facing_view;
 
 /**
- * The weight that the triangulation of a rim minimises.
+ * The accounts of all loops. Pointers are valid until the fill is destroyed.
  */
-typedef uint32_t gusset_fill_weight;
-
-/**
- * The new vertices of patches.
- */
-typedef uint32_t gusset_refinement;
-
-/**
- * The positions of new vertices.
- */
-typedef uint32_t gusset_fairing;
-
-/**
- * The loops that are not holes.
- */
-typedef uint32_t gusset_fill_keep;
-
-/**
- * The treatment of faces that intersect each other.
- */
-typedef uint32_t gusset_intersections;
-
-/**
- * The side that closed components of a result face.
- */
-typedef uint32_t gusset_outward;
-
-/**
- * The loops that get one patch.
- */
-typedef uint32_t gusset_fill_together;
-
-/**
- * How smoothly faired patches continue the old surface.
- */
-typedef uint32_t gusset_fill_continuity;
-
-/**
- * How holes are filled; all zero is the default: triangles without new vertices, in every hole.
- */
-typedef struct gusset_fill_options {
+typedef struct gusset_fill_view {
     /**
-     * sizeof(gusset_fill_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_WEIGHT_...
-     */
-    gusset_fill_weight weight;
-    /**
-     * GUSSET_REFINE_...
-     */
-    gusset_refinement refine;
-    /**
-     * GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
-     */
-    gusset_fairing fairing;
-    /**
-     * GUSSET_KEEP_...: which loops are no holes; read if all loops are asked for.
-     */
-    gusset_fill_keep keep;
-    /**
-     * GUSSET_INTERSECTIONS_...: whether faces of patches that cut each other or old faces are looked
-     * for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
-     * (REPORT), or neither (IGNORE).
-     */
-    gusset_intersections intersections;
-    /**
-     * 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
-     * which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
-     * which of them together says get one patch. 0 or 1.
-     */
-    uint32_t plan_only;
-    /**
-     * About how many new vertices a patch gets, at most about twice as many; where more would be
-     * needed the triangles are larger. 0: 50,000, or four for each vertex of its rims if that is
-     * more, and as many again for sharp angles there.
-     */
-    uint32_t max_new_vertices;
-    /**
-     * Loops of more edges are left alone. 0 is no limit.
-     */
-    uint32_t max_edges;
-    /**
-     * Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
-     */
-    double max_length;
-    /**
-     * Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
-     */
-    double max_diameter;
-    /**
-     * Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
-     */
-    double max_area;
-    /**
-     * GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
-     */
-    gusset_outward outward;
-    /**
-     * GUSSET_TOGETHER_...: which loops get one patch; read without groups.
-     */
-    gusset_fill_together together;
-    /**
-     * A number for each of the loops given, loop_count in all: those with the same number get one
-     * patch, a surface of genus 0 between them, but for loops that are left for reasons of their
-     * own. NULL: as together says. Needs loops.
-     */
-    const uint32_t *groups;
-    /**
-     * GUSSET_CONTINUITY_...: how smoothly faired vertices go on the surface round the hole.
-     */
-    gusset_fill_continuity continuity;
-    /**
-     * 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
-     * 1.
-     */
-    uint32_t ignore_creases;
-} gusset_fill_options;
-
-/**
- * The outcome for one loop.
- */
-typedef uint32_t gusset_hole_status;
-
-/**
- * The vertices of a patch.
- */
-typedef uint32_t gusset_patch_finish;
-
-/**
- * The account of one loop.
- */
-typedef struct gusset_hole {
-    /**
-     * Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before
-     * closed components were turned outwards, or, of a given loop that is not simple, free or
-     * oriented, as given.
-     */
-    size_t rim_first;
-    /**
-     * How many they are.
-     */
-    size_t rim_count;
-    /**
-     * Its patch's first face in the result: the faces and the new vertices of a patch of several
-     * loops are in the accounts of all of them.
-     */
-    size_t face_first;
-    /**
-     * How many faces the patch has.
-     */
-    size_t face_count;
-    /**
-     * The patch's first new vertex in the result.
-     */
-    size_t vertex_first;
-    /**
-     * How many new vertices the patch has.
-     */
-    size_t vertex_count;
-    /**
-     * The sum of its edges' lengths, in the unit of the positions.
-     */
-    double length;
-    /**
-     * The diagonal of the box round it, along the axes.
-     */
-    double diameter;
-    /**
-     * The area of the cone of triangles from its edges to their common centre: that of the hole if
-     * it is planar and convex, more otherwise.
-     */
-    double area;
-    /**
-     * GUSSET_HOLE_...
-     */
-    gusset_hole_status status;
-    /**
-     * GUSSET_WEIGHT_...: the weight that the patch's triangulation is best by: the one asked for, or
-     * one that cuts less.
-     */
-    gusset_fill_weight weight;
-    /**
-     * GUSSET_PATCH_...: what the patch is made of: what was asked for, or less, which cuts less.
-     */
-    gusset_patch_finish finish;
-    /**
-     * The number of the patch, from 0 on in the order of the faces; loops with the same number have
-     * one patch. UINT32_MAX if it has none, as all have in a plan.
-     */
-    uint32_t patch;
-} gusset_hole;
-
-/**
- * The accounts of all loops. Pointers are valid until the result is destroyed.
- */
-typedef struct gusset_fill_report {
-    /**
-     * sizeof(gusset_fill_report), set by the caller.
+     * sizeof(gusset_fill_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -2812,665 +3587,10 @@ typedef struct gusset_fill_report {
      * 0.
      */
     uint32_t reserved;
-} gusset_fill_report;
+} gusset_fill_view;
 
 /**
- * The treatment of coincident borders of pieces.
- */
-typedef uint32_t gusset_welding;
-
-/**
- * The treatment of pieces that are oriented against each other.
- */
-typedef uint32_t gusset_orientation;
-
-/**
- * The widest gap that is closed.
- */
-typedef uint32_t gusset_gap;
-
-/**
- * Two loops of the input.
- */
-typedef struct gusset_loop_pair {
-    /**
-     * The piece of each.
-     */
-    uint32_t piece[2];
-    /**
-     * A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in
-     * exclusions only.
-     */
-    uint32_t vertex[2];
-} gusset_loop_pair;
-
-/**
- * The vertices that are welded.
- */
-typedef uint32_t gusset_weld_vertices;
-
-/**
- * Whether corners of one face may become one.
- */
-typedef uint32_t gusset_collapse;
-
-/**
- * The treatment of vertices that no face uses.
- */
-typedef uint32_t gusset_unused;
-
-/**
- * How to weld; all zero is the default.
- */
-typedef struct gusset_weld_options {
-    /**
-     * sizeof(gusset_weld_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Which vertices: GUSSET_WELD_...
-     */
-    gusset_weld_vertices vertices;
-    /**
-     * GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
-     * have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48
-     * for 64-bit ones, or twice the last decimal place that positions show, as those from text
-     * files do, if that is more. Let D be the largest power of ten that does not exceed the
-     * longest side of the box round the vertices in question. The last place is the largest of
-     * 1e-5 D, 1e-6 D, ... of which at least a third of the coordinates (those of the largest order
-     * of magnitude), or of their differences from one vertex to the next, are multiples. Multiples
-     * of 1e-4 D do not count, as a coarse grid is no sign of rounding; of the rest there must be
-     * eight. At each vertex it is at most a quarter of the shortest edge that ends there, so that
-     * no edge collapses. See tolerance of the result's view for what it was.
-     * GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
-     * GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
-     */
-    gusset_tolerance_mode tolerance_mode;
-    /**
-     * In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
-     */
-    double tolerance;
-    /**
-     * GUSSET_COLLAPSE_...
-     */
-    gusset_collapse collapse;
-    /**
-     * GUSSET_UNUSED_...
-     */
-    gusset_unused unused;
-} gusset_weld_options;
-
-/**
- * The rule that chooses meridians.
- */
-typedef uint32_t gusset_meridians;
-
-/**
- * The part of the loops that is joined.
- */
-typedef uint32_t gusset_stitch_extent;
-
-/**
- * The number of interior rows.
- */
-typedef uint32_t gusset_strip_rows;
-
-/**
- * The faces of strips.
- */
-typedef uint32_t gusset_strip_cells;
-
-/**
- * The effort of the search for the best strip.
- */
-typedef uint32_t gusset_search;
-
-/**
- * The first meridian of a closed strip.
- */
-typedef uint32_t gusset_strip_start;
-
-/**
- * The surface between the rims.
- */
-typedef uint32_t gusset_strip_finish;
-
-/**
- * How to stitch; all zero is the default.
- */
-typedef struct gusset_stitch_options {
-    /**
-     * sizeof(gusset_stitch_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MERIDIANS_...
-     */
-    gusset_meridians meridians;
-    /**
-     * GUSSET_ORIENTATION_...
-     */
-    gusset_orientation orientation;
-    /**
-     * The first meridian joins the closest pair that is not joined by an edge already; with a
-     * twist, the vertex of rim B so many places later, counted in the direction in which rim A
-     * runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
-     * rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and with GUSSET_EXTENT_OPEN_ARCS also if
-     * there are none to join.
-     */
-    int64_t twist;
-    /**
-     * GUSSET_EXTENT_...
-     */
-    gusset_stitch_extent extent;
-    /**
-     * GUSSET_RUN_...
-     */
-    gusset_facing_run run;
-    /**
-     * GUSSET_ROWS_...
-     */
-    gusset_strip_rows rows;
-    /**
-     * Interior rows, read for GUSSET_ROWS_COUNT.
-     */
-    uint32_t row_count;
-    /**
-     * GUSSET_CELLS_...
-     */
-    gusset_strip_cells cells;
-    /**
-     * GUSSET_TOLERANCE_...
-     */
-    gusset_tolerance_mode tolerance_mode;
-    /**
-     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the
-     * positions, at least 0; read for GUSSET_TOLERANCE_GIVEN.
-     */
-    double tolerance;
-    /**
-     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of
-     * vertices, 1 to its length. The arc runs along the loop as it was given, and may pass its
-     * end.
-     */
-    uint32_t arc_a[2];
-    /**
-     * The same on loop B.
-     */
-    uint32_t arc_b[2];
-    /**
-     * GUSSET_SEARCH_...
-     */
-    gusset_search search;
-    /**
-     * GUSSET_START_...
-     */
-    gusset_strip_start start;
-    /**
-     * GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is
-     * not.
-     */
-    gusset_fairing fairing;
-    /**
-     * GUSSET_INTERSECTIONS_...
-     */
-    gusset_intersections intersections;
-    /**
-     * GUSSET_CENTRES_...
-     */
-    gusset_centres centres;
-    /**
-     * GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
-     */
-    gusset_outward outward;
-    /**
-     * GUSSET_FINISH_...: what lies between the rims in the end.
-     */
-    gusset_strip_finish finish;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_stitch_options;
-
-/**
- * The treatment of pieces that overlap.
- */
-typedef uint32_t gusset_overlaps;
-
-/**
- * How pieces that overlap are trimmed; all zero is the default.
- */
-typedef struct gusset_trim_options {
-    /**
-     * sizeof(gusset_trim_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Surfaces that are no farther apart than this are one, in the unit of the positions, finite
-     * and at least 0; 0: four mean edges of the coarser of two pieces.
-     */
-    double max_distance;
-    /**
-     * Surfaces whose normals differ by more are two, in radians, from 0 and below pi / 2; 0: 60
-     * degrees.
-     */
-    double max_angle;
-    /**
-     * x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL:
-     * what was seen under a flat angle counts for less.
-     */
-    const double *viewpoints;
-    /**
-     * Their number: that of the pieces, or 0.
-     */
-    size_t viewpoint_count;
-    /**
-     * What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others
-     * show the same, and as small holes do not come about.
-     */
-    uint32_t min_faces;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_trim_options;
-
-/**
- * How pieces are joined; all zero is the default.
- */
-typedef struct gusset_join_options {
-    /**
-     * sizeof(gusset_join_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_WELDING_...
-     */
-    gusset_welding weld;
-    /**
-     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
-     * components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
-     * turned, nor in the end.
-     */
-    gusset_orientation orientation;
-    /**
-     * GUSSET_GAP_...
-     */
-    gusset_gap gap;
-    /**
-     * 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
-     * 1.
-     */
-    uint32_t whole_loops_only;
-    /**
-     * 1: loops of one component may be joined without being asked for. 0 or 1.
-     */
-    uint32_t within_components;
-    /**
-     * 1: holes that are left in the end are filled. 0 or 1.
-     */
-    uint32_t fill;
-    /**
-     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
-     * finite and at least 0; 0 leaves all open.
-     */
-    double max_gap;
-    /**
-     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-     * different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
-     * and none is named in two pairs. Errors name a pair by its number from 0, and say what is
-     * wrong with it.
-     */
-    const struct gusset_loop_pair *pairs;
-    /**
-     * How many.
-     */
-    size_t pair_count;
-    /**
-     * Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same,
-     * and a vertex that no loop passes, as it was welded, excludes nothing.
-     */
-    const struct gusset_loop_pair *excluded;
-    /**
-     * How many.
-     */
-    size_t excluded_count;
-    /**
-     * How to weld; NULL for the defaults.
-     */
-    const struct gusset_weld_options *weld_options;
-    /**
-     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
-     * fairing, intersections and finish are read; the other fields must be valid too.
-     */
-    const struct gusset_stitch_options *strip_options;
-    /**
-     * How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
-     * two must be valid too; intersections REPORT is as IGNORE.
-     */
-    const struct gusset_fill_options *fill_options;
-    /**
-     * GUSSET_OUTWARD_...: the side that closed components of the result face; outwards by default. The wall of a
-     * cavity within another component is turned too. A result that is not turned is mostly as the first piece has it.
-     */
-    gusset_outward outward;
-    /**
-     * GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
-     */
-    gusset_overlaps overlaps;
-    /**
-     * Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
-     */
-    const struct gusset_trim_options *trim_options;
-} gusset_join_options;
-
-/**
- * Where a piece went.
- */
-typedef struct gusset_piece_map {
-    /**
-     * Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if
-     * it was left out.
-     */
-    struct gusset_indices vertices;
-    /**
-     * Per face, its index in the result, or UINT32_MAX; of a triangle that was cut, that of the
-     * first part, which the others follow.
-     */
-    struct gusset_indices faces;
-} gusset_piece_map;
-
-/**
- * The outcome for two loops that face each other.
- */
-typedef uint32_t gusset_joint_outcome;
-
-/**
- * Two loops, or runs of loops, that face each other across a gap.
- *
- * Of two borders that coincide along a part only, sewing leaves loops that run along the rest of
- * one and back along the other; they turn at two vertices that sewing made of several. Such a loop
- * may be joined with itself: both sides are on it, one of them with both ends, whole is 0, and the
- * strip has no interior rows whatever the options say.
- */
-typedef struct gusset_joint {
-    /**
-     * The vertices of each side in the result, in order; if joined, side by side from the first
-     * meridian on. The order is that of before closed components were turned outwards.
-     */
-    struct gusset_indices side[2];
-    /**
-     * The mean width of the gap; of a loop that is joined with itself the mean distance of its
-     * sides.
-     */
-    double gap;
-    /**
-     * The strip's first new vertex in the result.
-     */
-    size_t vertex_first;
-    /**
-     * How many new vertices it has.
-     */
-    size_t vertex_count;
-    /**
-     * The strip's first face in the result.
-     */
-    size_t face_first;
-    /**
-     * How many faces it has.
-     */
-    size_t face_count;
-    /**
-     * Pairs of faces that cut each other, as in gusset_stitch_report.
-     */
-    struct gusset_indices intersections;
-    /**
-     * 1 if they were looked for.
-     */
-    uint32_t intersections_known;
-    /**
-     * GUSSET_JOINT_...
-     */
-    gusset_joint_outcome outcome;
-    /**
-     * 1 if both sides are whole loops.
-     */
-    uint32_t whole;
-    /**
-     * GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
-     * the strip.
-     */
-    gusset_strip_finish finish;
-} gusset_joint;
-
-/**
- * The reason why a loop has no strip.
- */
-typedef uint32_t gusset_left_reason;
-
-/**
- * A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
- * afterwards: holes says what became of it then.
- */
-typedef struct gusset_left_loop {
-    /**
-     * Its vertices in the result, in order.
-     */
-    struct gusset_indices vertices;
-    /**
-     * The mean distance from its vertices to the nearest of the loop that is nearest to most of
-     * them, of another component where there is one; infinite if there is none, or if this loop
-     * cannot carry a strip. Of what sewing left of two borders, whose sides are too far from each
-     * other, the mean distance of these.
-     */
-    double gap;
-    /**
-     * How far that loop, or that side, may be to be joined; 0 if there is none.
-     */
-    double allowed_gap;
-    /**
-     * GUSSET_LEFT_...
-     */
-    gusset_left_reason reason;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_left_loop;
-
-/**
- * The report of a join. Pointers are valid until the result is destroyed.
- */
-typedef struct gusset_join_report {
-    /**
-     * sizeof(gusset_join_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * One for each piece.
-     */
-    const struct gusset_piece_map *pieces;
-    /**
-     * How many.
-     */
-    size_t piece_count;
-    /**
-     * The pairs that face each other: those that were given, in their order, then the others,
-     * nearest first.
-     */
-    const struct gusset_joint *joints;
-    /**
-     * How many.
-     */
-    size_t joint_count;
-    /**
-     * The loops that no strip hangs on, by their smallest vertices; those that were filled in the
-     * end are among them. loops_left counts what is open now.
-     */
-    const struct gusset_left_loop *left;
-    /**
-     * How many.
-     */
-    size_t left_count;
-    /**
-     * The holes that were looked at in the end.
-     */
-    const struct gusset_hole *holes;
-    /**
-     * How many.
-     */
-    size_t hole_count;
-    /**
-     * The vertices of their rims, in the order of before closed components were turned outwards.
-     */
-    struct gusset_indices hole_rims;
-    /**
-     * Faces of the pieces that run the other way than they did in their pieces, by their indices
-     * in the result: turned to agree with others, or with their component to face outwards, but
-     * not both. Faces of strips and patches were nothing before, and are not listed: they run as
-     * the faces of pieces beside them do.
-     */
-    struct gusset_indices turned;
-    /**
-     * A face of each component that cannot be oriented.
-     */
-    struct gusset_indices one_sided;
-    /**
-     * A face of each closed component of the result that encloses no volume up to rounding, as a
-     * piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or GUSSET_OUTWARD_KEEP.
-     */
-    struct gusset_indices zero_volume;
-    /**
-     * Vertices that became one with another.
-     */
-    uint32_t welded_vertices;
-    /**
-     * Edges that were two free edges.
-     */
-    uint32_t sewn_edges;
-    /**
-     * Boundary loops of the result.
-     */
-    uint32_t loops_left;
-    /**
-     * Edges of the result with three or more faces.
-     */
-    uint32_t non_manifold_edges;
-    /**
-     * Points at which free edges were split for borders to match.
-     */
-    uint32_t splits;
-    /**
-     * Entries of left that have another loop within the gap that is allowed: those that look away,
-     * whose partner is taken, or that no strip could join.
-     */
-    uint32_t near_loops_left;
-    /**
-     * Faces that were trimmed from overlaps.
-     */
-    uint32_t trimmed_faces;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_join_report;
-
-/**
- * How to orient; all zero is the default.
- */
-typedef struct gusset_orient_options {
-    /**
-     * sizeof(gusset_orient_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_OUTWARD_...
-     */
-    gusset_outward outward;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_orient_options;
-
-/**
- * What was turned, and what could not be oriented. Pointers are valid until the result is
- * destroyed.
- */
-typedef struct gusset_orient_report {
-    /**
-     * sizeof(gusset_orient_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Per face, 1 if it was turned over, else 0.
-     */
-    const uint8_t *turned;
-    /**
-     * The number of faces.
-     */
-    size_t face_count;
-    /**
-     * The smallest face of each component that cannot be oriented, ascending. Such components stay
-     * as they are.
-     */
-    struct gusset_indices one_sided_faces;
-    /**
-     * For each of them, a half-edge of it at which two faces disagree when others agree.
-     */
-    struct gusset_indices one_sided_half_edges;
-    /**
-     * The number of faces turned over.
-     */
-    uint32_t turned_faces;
-    /**
-     * Components: faces that hang together across edges of two faces. A degenerate face is one of
-     * its own.
-     */
-    uint32_t component_count;
-    /**
-     * Closed components that face outwards now and, without GUSSET_OUTWARD_CLOSED, would not.
-     */
-    uint32_t inverted_components;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_orient_report;
-
-/**
- * The origins of the elements of one kind. Pointers are valid until the origins are destroyed.
- */
-typedef struct gusset_origins_view {
-    /**
-     * sizeof(gusset_origins_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * One more than there are elements: element k has the entries offsets[k] to
-     * offsets[k + 1] - 1 of sources and weights; none if it comes from nothing.
-     */
-    struct gusset_indices offsets;
-    /**
-     * The sources, numbered through all inputs.
-     */
-    struct gusset_indices sources;
-    /**
-     * How much each source counts: more than 0, with the sum 1 for each element; as many as sources;
-     * NULL without any.
-     */
-    const double *weights;
-    /**
-     * One more than there are inputs: the elements of input i are the sources starts[i] to
-     * starts[i + 1] - 1. The inputs are the meshes, pieces or polylines in their order, the one mesh,
-     * net or sheet.
-     */
-    struct gusset_indices starts;
-} gusset_origins_view;
-
-/**
- * Measures of the new faces of a stitch or of filled holes, and of the connectivity of the whole result.
+ * Measures of a strip, or of filled holes, and of the whole result's connectivity.
  */
 typedef struct gusset_quality_report {
     /**
@@ -3513,12 +3633,105 @@ typedef struct gusset_quality_report {
 } gusset_quality_report;
 
 /**
- * What became of the old mesh. Lists are ascending; pointers are valid until the result is
+ * How to orient; all zero is the default.
+ */
+typedef struct gusset_orient_options {
+    /**
+     * sizeof(gusset_orient_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_OUTWARD_...
+     */
+    uint32_t outward;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_options;
+
+/**
+ * What was turned, and what could not be oriented. Pointers are valid until the handle is
  * destroyed.
  */
-typedef struct gusset_sew_report {
+typedef struct gusset_orient_view {
     /**
-     * sizeof(gusset_sew_report), set by the caller.
+     * sizeof(gusset_orient_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per face, 1 if it was turned over, else 0.
+     */
+    const uint8_t *turned;
+    /**
+     * The number of faces.
+     */
+    size_t face_count;
+    /**
+     * The smallest face of each component that cannot be oriented, ascending. Such components stay
+     * as they are.
+     */
+    struct gusset_indices one_sided_faces;
+    /**
+     * For each of them, a half-edge of it at which two faces disagree when others agree.
+     */
+    struct gusset_indices one_sided_half_edges;
+    /**
+     * The number of faces turned over.
+     */
+    uint32_t turned_faces;
+    /**
+     * Components: faces that hang together across edges of two faces. A degenerate face is one of
+     * its own.
+     */
+    uint32_t component_count;
+    /**
+     * Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
+     */
+    uint32_t inverted_components;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_view;
+
+/**
+ * The origins of the elements of one kind. Pointers are valid until the origins are destroyed.
+ */
+typedef struct gusset_origins_view {
+    /**
+     * sizeof(gusset_origins_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One more than there are elements: element k has the entries offsets[k] to
+     * offsets[k + 1] - 1 of sources and weights; none if it comes from nothing.
+     */
+    struct gusset_indices offsets;
+    /**
+     * The sources, numbered through all inputs.
+     */
+    struct gusset_indices sources;
+    /**
+     * How much each source counts: more than 0, with the sum 1 for each element; as many as sources;
+     * NULL without any.
+     */
+    const double *weights;
+    /**
+     * One more than there are inputs: the elements of input i are the sources starts[i] to
+     * starts[i + 1] - 1. The inputs are the meshes, pieces or polylines in their order, the one mesh,
+     * net or sheet.
+     */
+    struct gusset_indices starts;
+} gusset_origins_view;
+
+/**
+ * What became of the old mesh. Lists are ascending; pointers are valid until the sewn mesh is
+ * destroyed.
+ */
+typedef struct gusset_sew_view {
+    /**
+     * sizeof(gusset_sew_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3567,15 +3780,15 @@ typedef struct gusset_sew_report {
      * positions.
      */
     double tolerance;
-} gusset_sew_report;
+} gusset_sew_view;
 
 /**
- * The parts of a stitch. Pointers are valid until the result is destroyed. Index 0 is the first mesh, 1
+ * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1
  * the second.
  */
-typedef struct gusset_stitch_report {
+typedef struct gusset_stitch_view {
     /**
-     * sizeof(gusset_stitch_report), set by the caller.
+     * sizeof(gusset_stitch_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3660,13 +3873,13 @@ typedef struct gusset_stitch_report {
      * GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
      * the strip.
      */
-    gusset_strip_finish finish;
+    uint32_t finish;
     /**
      * Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
      * end, ascending. Each keeps its first corner and has the others in reverse order.
      */
     struct gusset_indices turned_outwards;
-} gusset_stitch_report;
+} gusset_stitch_view;
 
 /**
  * How a strip is made; all zero is the default.
@@ -3679,15 +3892,15 @@ typedef struct gusset_strip_options {
     /**
      * GUSSET_MERIDIANS_...
      */
-    gusset_meridians meridians;
+    uint32_t meridians;
     /**
      * GUSSET_SEARCH_...
      */
-    gusset_search search;
+    uint32_t search;
     /**
      * GUSSET_START_..., for closed polylines; open ones begin at their first points.
      */
-    gusset_strip_start start;
+    uint32_t start;
     /**
      * 1: the polylines are closed; 0: they are open.
      */
@@ -3695,7 +3908,7 @@ typedef struct gusset_strip_options {
     /**
      * GUSSET_ROWS_...; the mean edge is the mean segment of both polylines.
      */
-    gusset_strip_rows rows;
+    uint32_t rows;
     /**
      * Interior rows, read for GUSSET_ROWS_COUNT.
      */
@@ -3703,7 +3916,7 @@ typedef struct gusset_strip_options {
     /**
      * GUSSET_CELLS_...
      */
-    gusset_strip_cells cells;
+    uint32_t cells;
     /**
      * 0.
      */
@@ -3711,11 +3924,11 @@ typedef struct gusset_strip_options {
 } gusset_strip_options;
 
 /**
- * The parts of a strip. Pointers are valid until the result is destroyed.
+ * The parts of a strip. Pointers are valid until it is destroyed.
  */
-typedef struct gusset_strip_report {
+typedef struct gusset_strip_view {
     /**
-     * sizeof(gusset_strip_report), set by the caller.
+     * sizeof(gusset_strip_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3751,7 +3964,7 @@ typedef struct gusset_strip_report {
      * 0.
      */
     uint32_t reserved;
-} gusset_strip_report;
+} gusset_strip_view;
 
 /**
  * The faces of a piece that are kept.
@@ -3795,11 +4008,11 @@ typedef struct gusset_trim_view {
 
 /**
  * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid
- * until the result is destroyed.
+ * until the weld is destroyed.
  */
-typedef struct gusset_weld_report {
+typedef struct gusset_weld_view {
     /**
-     * sizeof(gusset_weld_report), set by the caller.
+     * sizeof(gusset_weld_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3841,7 +4054,7 @@ typedef struct gusset_weld_report {
      * positions.
      */
     double tolerance;
-} gusset_weld_report;
+} gusset_weld_view;
 
 /**
  * How tables are made, and read; all zero is the default.
@@ -4513,9 +4726,9 @@ typedef uint32_t gusset_bridge_mode;
  * How nets are joined. All zeros: each right of the one before, the smaller ones enlarged
  * uniformly, bridges kept.
  */
-typedef struct gusset_concatenate_options {
+typedef struct gusset_join_options {
     /**
-     * sizeof(gusset_concatenate_options), set by the caller.
+     * sizeof(gusset_join_options), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4560,7 +4773,7 @@ typedef struct gusset_concatenate_options {
      * 0.
      */
     uint32_t reserved;
-} gusset_concatenate_options;
+} gusset_join_options;
 
 /**
  * What a bridge looks like.
@@ -4743,11 +4956,11 @@ typedef struct gusset_net_mesh_options {
 } gusset_net_mesh_options;
 
 /**
- * What became what when a net became a mesh. Pointers are valid until the result is destroyed.
+ * What became what when a net became a mesh. Pointers are valid until the mesh is destroyed.
  */
-typedef struct gusset_net_mesh_report {
+typedef struct gusset_net_mesh_view {
     /**
-     * sizeof(gusset_net_mesh_report), set by the caller.
+     * sizeof(gusset_net_mesh_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4780,7 +4993,7 @@ typedef struct gusset_net_mesh_report {
      * The number of pairs.
      */
     size_t texture_count;
-} gusset_net_mesh_report;
+} gusset_net_mesh_view;
 
 /**
  * Heights over a grid, at any alignment.
@@ -4829,37 +5042,6 @@ typedef struct gusset_heights {
      */
     uint32_t scalar;
 } gusset_heights;
-
-/**
- * The cells of a net that is sought in a mesh.
- */
-typedef uint32_t gusset_grid_cells;
-
-/**
- * How a net is found in a mesh; all zero is the default.
- */
-typedef struct gusset_net_grid_options {
-    /**
-     * sizeof(gusset_net_grid_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_GRID_...
-     */
-    gusset_grid_cells cells;
-    /**
-     * 1: only the component of one face is a grid; 0: the mesh must be one grid. Read for GUSSET_GRID_QUADS.
-     */
-    uint32_t has_face;
-    /**
-     * Read if has_face is 1: a face of the component.
-     */
-    uint32_t face;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_net_grid_options;
 
 /**
  * Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
@@ -6454,11 +6636,11 @@ typedef struct gusset_sheet_mesh_options {
 } gusset_sheet_mesh_options;
 
 /**
- * What belongs to the mesh of a sheet. Pointers are valid until the result is destroyed.
+ * What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
  */
-typedef struct gusset_sheet_mesh_report {
+typedef struct gusset_sheet_mesh_view {
     /**
-     * sizeof(gusset_sheet_mesh_report), set by the caller.
+     * sizeof(gusset_sheet_mesh_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -6478,7 +6660,7 @@ typedef struct gusset_sheet_mesh_report {
      * of quads.
      */
     double deviation;
-} gusset_sheet_mesh_report;
+} gusset_sheet_mesh_view;
 
 /**
  * What a sheet is.
@@ -6619,86 +6801,394 @@ typedef struct gusset_cell_pairs_view {
 } gusset_cell_pairs_view;
 
 /**
- * The reason for a cut.
+ * The outcome at a point of an outline.
  */
-typedef uint32_t gusset_cut_kind;
+typedef uint32_t gusset_point_status;
 
 /**
- * Coordinates are 32-bit floats.
+ * The data of an SVG path, of M, L, Q, C and Z, for plane curves of degrees up to 3. Numbers read back
+ * as the same bits, and y is not turned over.
  */
-#define GUSSET_F32 1
+#define GUSSET_CURVE_FORMAT_SVG 0
 
 /**
- * Coordinates are 64-bit floats.
+ * The contour of a TrueType font, for closed plane curves of degrees up to 2: control points, and those
+ * joints that are not in the middle between two of them.
  */
-#define GUSSET_F64 2
+#define GUSSET_CURVE_FORMAT_CONTOUR 1
 
 /**
- * Indices and face offsets are 32-bit unsigned integers.
+ * A clamped B-spline, for curves whose segments have one degree n. A joint with one tangent becomes a
+ * knot of multiplicity n - 1, and is not a control point.
  */
-#define GUSSET_U32 0
+#define GUSSET_CURVE_FORMAT_SPLINE 2
 
 /**
- * Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+ * The points of the sections by their places: all sections have equally many.
  */
-#define GUSSET_U64 1
+#define GUSSET_CORRESPONDENCE_GIVEN 0
 
 /**
- * The pieces begin where their positions say, or where poses move them if these are given.
+ * Equal parts of the arc length of each section, or of the lengths between corners that all sections
+ * have. Closed sections start where they are turned least against each other, wherever their first
+ * points are; one that runs the other way round than the first one is taken backwards. Open sections
+ * go from their first points to their last.
  */
-#define GUSSET_ALIGN_AS_GIVEN 0
+#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
 
 /**
- * Each piece begins with its principal axes on those of the first one, in the one of the four ways
- * to do so after which most of it lies on the first. For pieces that show the same object whole.
+ * Where half-planes at equal angles round the axis, straight or bent, meet each section; the
+ * farthest place where there are several.
  */
-#define GUSSET_ALIGN_PRINCIPAL_AXES 1
+#define GUSSET_CORRESPONDENCE_ANGLE 2
 
 /**
- * The pieces are put together by rims that run alike, and it is their rims that hold them then:
- * for pieces of one surface that was cut or broken and do not overlap.
+ * Landmarks of each section, and equal parts of the arc length between them.
  */
-#define GUSSET_ALIGN_RIMS 2
+#define GUSSET_CORRESPONDENCE_LANDMARKS 3
 
 /**
- * It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What
- * fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
- * scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
- * more.
- * Pieces that hold each other fast, but could slide together along the rest, pass, too.
+ * Nodes move along the normals of the body.
  */
-#define GUSSET_ALIGNED_TRUSTED 0
+#define GUSSET_OFFSET_NORMAL 0
 
 /**
- * It has no faces with an area, or too little of it lies on other pieces.
+ * Nodes move within the planes of their sections.
  */
-#define GUSSET_ALIGNED_NO_OVERLAP 1
+#define GUSSET_OFFSET_IN_SECTION 1
 
 /**
- * Where it is near others, too much of it lies off them.
+ * As many points as `amount` says, at equal arc lengths.
  */
-#define GUSSET_ALIGNED_POOR_FIT 2
+#define GUSSET_SAMPLE_COUNT 0
 
 /**
- * The overlaps leave it free to slide or to turn, as planes, spheres or cylinders do.
+ * A point every `amount` of arc length; an open curve's end is always the last.
  */
-#define GUSSET_ALIGNED_UNDETERMINED 3
+#define GUSSET_SAMPLE_STEP 1
 
 /**
- * Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
+ * The curve is nowhere farther than `amount` from the chords between the points. Each segment is halved
+ * at most 20 times, which leaves 1e-12 of its size.
  */
-#define GUSSET_ALIGNED_FACES_OTHER_WAY 4
+#define GUSSET_SAMPLE_CHORD 2
 
 /**
- * It lies on no other piece, and is more than fifty times as large or small as the first one: its
- * unit of length is another, most likely.
+ * The arc length: `length`.
  */
-#define GUSSET_ALIGNED_OTHER_SIZE 5
+#define GUSSET_CURVE_MEASURE_LENGTH 1
 
 /**
- * It fits pieces that cannot be trusted only.
+ * The smallest box with sides along the axes: `low` and `high`. A curve without points lacks it.
  */
-#define GUSSET_ALIGNED_TRUSTED_BY_NONE 6
+#define GUSSET_CURVE_MEASURE_BOUNDS 2
+
+/**
+ * The mean of the points by arc length: `centre`. A curve without points lacks it.
+ */
+#define GUSSET_CURVE_MEASURE_CENTRE 4
+
+/**
+ * The area that the curve encloses: `area_vector` and `area`.
+ */
+#define GUSSET_CURVE_MEASURE_AREA 8
+
+/**
+ * The moments of the enclosed region: `centroid` and `second`. Only a curve in the plane z = 0 with
+ * points has them.
+ */
+#define GUSSET_CURVE_MEASURE_MOMENTS 16
+
+/**
+ * The curve passes the point in the direction of the tangent, of any length but 0.
+ */
+#define GUSSET_CONSTRAINT_TANGENT 0
+
+/**
+ * The curve may turn sharply at the point.
+ */
+#define GUSSET_CONSTRAINT_CORNER 1
+
+/**
+ * The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
+ * x-axis, in the plane of x and y.
+ */
+#define GUSSET_CONSTRAINT_TANGENT_ANGLE 2
+
+/**
+ * Quadratic segments, one control point for each point; smooth (G1) everywhere.
+ */
+#define GUSSET_CURVE_KIND_COMPOSITE 0
+
+/**
+ * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end
+ * tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64 a
+ * composite curve takes its place. Good for up to some 20 points.
+ */
+#define GUSSET_CURVE_KIND_SINGLE 1
+
+/**
+ * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of
+ * the method's exponent (G1 with the normal). With the bisector the centripetal Catmull-Rom
+ * spline.
+ */
+#define GUSSET_CURVE_KIND_BLEND_C1 2
+
+/**
+ * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
+ * normal), but at inner points whose tangent is given: C1 (G1) there.
+ */
+#define GUSSET_CURVE_KIND_BLEND_C2 3
+
+/**
+ * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent,
+ * but at inner points whose tangent is given: C1 there.
+ */
+#define GUSSET_CURVE_KIND_CUBIC_C2 4
+
+/**
+ * The paper's chain: GUSSET_CURVE_KIND_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
+ * control point lies on the guide of its point, the bisector, median or normal that the method
+ * names.
+ */
+#define GUSSET_CURVE_KIND_CHAIN 5
+
+/**
+ * The bisector of the angle at the point. For all points. Sections by themselves and
+ * GUSSET_LOCK_DATA_GUIDE have their control points on the line that the method names; the other
+ * locks take from it the parameter of the point, and control points are near the line.
+ */
+#define GUSSET_METHOD_BISECTOR 0
+
+/**
+ * The median. For all points.
+ */
+#define GUSSET_METHOD_MEDIAN 1
+
+/**
+ * The normal of the chord; where its foot is outside the chord the bisector takes its place, but
+ * for GUSSET_LOCK_SELF_CONSISTENT, where the foot counts as the nearer end of the chord.
+ */
+#define GUSSET_METHOD_NORMAL 2
+
+/**
+ * The symmedian. For all points.
+ */
+#define GUSSET_METHOD_SYMMEDIAN 3
+
+/**
+ * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
+ * its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
+ */
+#define GUSSET_METHOD_ALPHA 4
+
+/**
+ * The parameter of a point is that of the method on the triangle of the data. Always solvable. The
+ * control point is near the guide of that triangle but not on it.
+ */
+#define GUSSET_LOCK_PARAMETER 0
+
+/**
+ * The parameter is that of the method on the section's own triangle. With the normal there may be
+ * several solutions; which one is found depends on the solver.
+ */
+#define GUSSET_LOCK_SELF_CONSISTENT 1
+
+/**
+ * The control point lies on the guide of the data's triangle, as the paper draws it, where that is
+ * possible. Outlines must lie in a plane, any plane; points of others get
+ * GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
+ */
+#define GUSSET_LOCK_DATA_GUIDE 2
+
+/**
+ * Sections join in the middle between their control points.
+ */
+#define GUSSET_JOINT_PARAMETER_HALF 0
+
+/**
+ * By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
+ */
+#define GUSSET_JOINT_PARAMETER_KNOT 1
+
+/**
+ * So that the curvature is continuous (G2): cubic segments in the triangles of the quadratics. 0
+ * where the control polygon turns the other way. Outlines in a plane; in space curvatures agree in
+ * magnitude, and points get GUSSET_POINT_OUT_OF_PLANE.
+ */
+#define GUSSET_JOINT_PARAMETER_G2 2
+
+/**
+ * Closed forms and Newton's method.
+ */
+#define GUSSET_SOLVER_FAST 0
+
+/**
+ * The paper's: steps along the guide, refined where the deviation changes its sign.
+ */
+#define GUSSET_SOLVER_STEP 1
+
+/**
+ * Open outlines begin and end as their first and last sections have it.
+ */
+#define GUSSET_ENDS_FREE 0
+
+/**
+ * Perpendicular to the first chord, from the first point to the third, and to the last one.
+ */
+#define GUSSET_ENDS_PERPENDICULAR 1
+
+/**
+ * Along the x-axis, in the sense of the first and the last leg.
+ */
+#define GUSSET_ENDS_LEVEL 2
+
+/**
+ * Along the y-axis, in the sense of the first and the last leg.
+ */
+#define GUSSET_ENDS_UPRIGHT 3
+
+/**
+ * Level or upright, whichever is nearer the perpendicular of the first or the last chord.
+ */
+#define GUSSET_ENDS_LEVEL_OR_UPRIGHT 4
+
+/**
+ * As asked.
+ */
+#define GUSSET_POINT_OK 0
+
+/**
+ * Its parameter was brought within the limits.
+ */
+#define GUSSET_POINT_CLAMPED_PARAMETER 1
+
+/**
+ * It repeats a point before it (or the first one, at the end of a closed outline), and was left
+ * out: the curve passes that one, which is within the tolerance for repeats.
+ */
+#define GUSSET_POINT_MERGED 2
+
+/**
+ * It is so near the first or last point of its section that this has no control point by the
+ * method; the median took its place.
+ */
+#define GUSSET_POINT_REPEATED 3
+
+/**
+ * Its triangle is flat: it has no guide, or no perpendicular.
+ */
+#define GUSSET_POINT_COLLINEAR 4
+
+/**
+ * The foot of the normal is outside the chord; the bisector took its place.
+ */
+#define GUSSET_POINT_NORMAL_OUTSIDE 5
+
+/**
+ * The foot of the normal is an end of the chord; the bisector took its place.
+ */
+#define GUSSET_POINT_RIGHT_ANGLE 6
+
+/**
+ * The curve does not cross the guide.
+ */
+#define GUSSET_POINT_NO_CROSSING 7
+
+/**
+ * The tangent runs between points that should be on one side of it.
+ */
+#define GUSSET_POINT_TANGENT_SEPARATES 8
+
+/**
+ * The curve would have to run backwards along the tangent.
+ */
+#define GUSSET_POINT_TANGENT_BACKWARD 9
+
+/**
+ * The tangent cannot be reached by a quadratic: the point is farther from it than the section's
+ * end.
+ */
+#define GUSSET_POINT_TANGENT_BEYOND 10
+
+/**
+ * The tangent is not in the plane of the section; or GUSSET_LOCK_DATA_GUIDE or
+ * GUSSET_JOINT_PARAMETER_G2 is asked of an outline that is not plane.
+ */
+#define GUSSET_POINT_OUT_OF_PLANE 11
+
+/**
+ * The tangent has no direction, and was left out.
+ */
+#define GUSSET_POINT_NO_TANGENT 12
+
+/**
+ * The lock could not be kept: its parameter is that of GUSSET_LOCK_PARAMETER.
+ */
+#define GUSSET_POINT_FELL_BACK 13
+
+/**
+ * The iteration ended before it was still.
+ */
+#define GUSSET_POINT_NOT_CONVERGED 14
+
+/**
+ * The curve misses it: the outline has too few different points, or its equations have no
+ * solution.
+ */
+#define GUSSET_POINT_MISSED 15
+
+/**
+ * A joint beside it could not be where the option asks for it: it is in the middle between its
+ * control points, or, for GUSSET_JOINT_PARAMETER_G2, the curvature there is 0.
+ */
+#define GUSSET_POINT_JOINT_FELL_BACK 16
+
+/**
+ * It is on a composite curve, as the single one failed.
+ */
+#define GUSSET_POINT_COMPOSITE_INSTEAD 17
+
+/**
+ * A blended curve turns back at it: it stands still there, or leaves the way it came.
+ */
+#define GUSSET_POINT_CUSP 18
+
+/**
+ * As asked.
+ */
+#define GUSSET_FIT_OK 0
+
+/**
+ * Some points are not as asked, in other ways than merged or clamped: see their status.
+ */
+#define GUSSET_FIT_PARTIAL 1
+
+/**
+ * The iteration ended before it was still.
+ */
+#define GUSSET_FIT_NOT_CONVERGED 2
+
+/**
+ * The iteration ran away, or control points are beyond the largest number.
+ */
+#define GUSSET_FIT_DIVERGED 3
+
+/**
+ * The equations are so nearly singular that control points lie far outside the outline.
+ */
+#define GUSSET_FIT_ILL_CONDITIONED 4
+
+/**
+ * Fewer than two different points, or three of a closed outline: there is no curve, or what two
+ * points give.
+ */
+#define GUSSET_FIT_TOO_FEW_POINTS 5
+
+/**
+ * A single curve would have a degree above 64; a composite one took its place.
+ */
+#define GUSSET_FIT_DEGREE_TOO_HIGH 6
 
 /**
  * 32-bit floats.
@@ -6761,388 +7251,6 @@ typedef uint32_t gusset_cut_kind;
 #define GUSSET_RULE_TEXTURE 4
 
 /**
- * At an edge with three or more faces each face has a border of its own; loops run along it and
- * are always closed.
- */
-#define GUSSET_NON_MANIFOLD_CUT 0
-
-/**
- * Only edges with exactly one face belong to loops; one that meets an edge with more ends there,
- * as an open chain.
- */
-#define GUSSET_NON_MANIFOLD_STOP 1
-
-/**
- * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on
- * the loops.
- */
-#define GUSSET_SURVEY_WHOLE_MESH 0
-
-/**
- * As little is looked at as will give the loops, which is many times faster. Where the boundary
- * itself is odd (open, touching itself, badly oriented, with three faces on an edge) the whole
- * mesh is looked at after all. But what is away from the boundary is not reported, nor an edge
- * with as many faces one way as the other, two or more each; loops are not cut there. The answer
- * rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that
- * was made to deceive may hide a boundary. For meshes from hostile hands take
- * GUSSET_SURVEY_WHOLE_MESH.
- */
-#define GUSSET_SURVEY_BOUNDARY_ONLY 1
-
-/**
- * A face (index) that repeats a vertex (other).
- */
-#define GUSSET_DEFECT_DEGENERATE_FACE 1
-
-/**
- * An edge whose two faces run it in the same direction: half-edges index and other.
- */
-#define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
-
-/**
- * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
- * half-edge is index.
- */
-#define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
-
-/**
- * A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at
- * edges with three or more faces, whose own ends are therefore listed too where a loop passes them.
- */
-#define GUSSET_DEFECT_BOW_TIE 4
-
-/**
- * Lengths and areas: stretch and compression count alike, by the symmetric Dirichlet energy.
- */
-#define GUSSET_DISTORTION_SYMMETRIC 0
-
-/**
- * Lengths: as rigid as possible.
- */
-#define GUSSET_DISTORTION_RIGID 1
-
-/**
- * Angles: a least squares conformal map, which may stretch areas.
- */
-#define GUSSET_DISTORTION_CONFORMAL 2
-
-/**
- * By unfolding about edges: every edge has its length.
- */
-#define GUSSET_CHART_EXACT 0
-
-/**
- * By descent until nothing was gained.
- */
-#define GUSSET_CHART_CONVERGED 1
-
-/**
- * By descent, ended by the number of steps.
- */
-#define GUSSET_CHART_ITERATION_LIMIT 2
-
-/**
- * The conformal map that was asked for.
- */
-#define GUSSET_CHART_CONFORMAL 3
-
-/**
- * The conformal map folds or overlaps: the chart has the least symmetric distortion instead.
- */
-#define GUSSET_CHART_NOT_CONFORMAL 4
-
-/**
- * No map without folds was found: some triangles are turned over.
- */
-#define GUSSET_CHART_FOLDED 5
-
-/**
- * By descent until no step was possible that gains: the border would meet itself, or rounding hides
- * it. Cuts or darts may help.
- */
-#define GUSSET_CHART_STALLED 6
-
-/**
- * On a path that was given.
- */
-#define GUSSET_CUT_GIVEN 0
-
-/**
- * To make a disc of a chart.
- */
-#define GUSSET_CUT_OPENING 1
-
-/**
- * For a dart.
- */
-#define GUSSET_CUT_DART 2
-
-/**
- * All loops are holes.
- */
-#define GUSSET_KEEP_NONE 0
-
-/**
- * The longest loop is none: the outline of an open sheet.
- */
-#define GUSSET_KEEP_LONGEST 1
-
-/**
- * Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the
- * sheet: whose area vector points as that of their component, and is at least half as long as its
- * area.
- */
-#define GUSSET_KEEP_BORDERS 2
-
-/**
- * Each loop gets a patch of its own.
- */
-#define GUSSET_TOGETHER_APART 0
-
-/**
- * All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one
- * plane, up to some 160 loops.
- */
-#define GUSSET_TOGETHER_ONE 1
-
-/**
- * Loops get one patch where that costs less, by the weight asked for, than patches of their own.
- * Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
- * gains most first: about 8 pairs for each loop and 256 in all, as the log says, and at most 16
- * loops for a patch. By area alone the ends of a short tube cost less together, along the tube
- * itself.
- */
-#define GUSSET_TOGETHER_CHEAPEST 2
-
-/**
- * No new vertices.
- */
-#define GUSSET_REFINE_NONE 0
-
-/**
- * New vertices as dense as those round the hole.
- */
-#define GUSSET_REFINE_RIM_DENSITY 1
-
-/**
- * Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is
- * least.
- */
-#define GUSSET_CONTINUITY_C1 0
-
-/**
- * They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old
- * faces round each rim have a say, and with them their noise.
- */
-#define GUSSET_CONTINUITY_C2 1
-
-/**
- * The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
- * the rim's included, t being the angle between the normals on both sides, and over the triangles of
- * the mean square of how far the surface that was there is likely to have been from them, as its
- * tangent planes at the rim say, in units of 1 / 140 of its length. By area alone if it is planar.
- */
-#define GUSSET_WEIGHT_CONTINUATION 0
-
-/**
- * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
- * of the angle between its faces.
- */
-#define GUSSET_WEIGHT_AREA_AND_BEND 1
-
-/**
- * The least largest angle between neighbouring faces, those beyond the rim included, and then the
- * least area, as Liepa has it.
- */
-#define GUSSET_WEIGHT_BEND_THEN_AREA 2
-
-/**
- * The least area, exactly.
- */
-#define GUSSET_WEIGHT_AREA 3
-
-/**
- * Triangles between the vertices of the rims.
- */
-#define GUSSET_PATCH_PLAIN 0
-
-/**
- * With new vertices, where the plain triangles are, but for those beside creases that go on.
- */
-#define GUSSET_PATCH_REFINED 1
-
-/**
- * With new vertices, faired.
- */
-#define GUSSET_PATCH_FAIRED 2
-
-/**
- * Filled; with plan_only, to be filled.
- */
-#define GUSSET_HOLE_FILLED 0
-
-/**
- * Left: it is no hole, as keep has it.
- */
-#define GUSSET_HOLE_KEPT 1
-
-/**
- * Left: it exceeds max_edges, max_length, max_diameter or max_area.
- */
-#define GUSSET_HOLE_TOO_LARGE 2
-
-/**
- * Left: an open chain.
- */
-#define GUSSET_HOLE_OPEN 3
-
-/**
- * Left: it runs along an edge with three or more faces.
- */
-#define GUSSET_HOLE_NON_MANIFOLD 4
-
-/**
- * Left: the faces along it disagree in orientation.
- */
-#define GUSSET_HOLE_NOT_ORIENTED 5
-
-/**
- * Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
- */
-#define GUSSET_HOLE_NOT_SIMPLE 6
-
-/**
- * Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
- */
-#define GUSSET_HOLE_NOT_FREE 7
-
-/**
- * Left: every triangulation would have an edge between two vertices of one old face, which is an
- * edge of the mesh or becomes one once its polygons are cut into triangles; or none was found that
- * closes all loops together which are to get one patch, as where two of them share a vertex.
- */
-#define GUSSET_HOLE_NO_TRIANGULATION 8
-
-/**
- * Coincident borders are sewn, by default up to what rounding can have done; see
- * gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew.
- */
-#define GUSSET_WELDING_SEW 0
-
-/**
- * Nothing is welded.
- */
-#define GUSSET_WELDING_NONE 1
-
-/**
- * Coincident borders are sewn where they match vertex by vertex; see gusset_weld.
- */
-#define GUSSET_WELDING_EDGE_TO_EDGE 2
-
-/**
- * Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
- * size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
- * from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
- * is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
- * the loop with the longer ones. The width is the mean distance from each loop to the nearest
- * points of the other, the larger of the two. Loops must look at each other, or lie round each
- * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
- * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
- * may be a hole that the seam crosses.
- * Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
- * coarsest wide, or four where a part would be left alone.
- */
-#define GUSSET_GAP_AUTO 0
-
-/**
- * Gaps are closed up to max_gap.
- */
-#define GUSSET_GAP_GIVEN 1
-
-/**
- * Pieces that overlap stay as they are.
- */
-#define GUSSET_OVERLAPS_KEEP 0
-
-/**
- * Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
- * are closed as others are. Strips that would cut other faces are left to the holes.
- */
-#define GUSSET_OVERLAPS_TRIM 1
-
-/**
- * A strip joins them.
- */
-#define GUSSET_JOINT_JOINED 0
-
-/**
- * Left: joining them would make a one-sided surface with what is joined already.
- */
-#define GUSSET_JOINT_ORIENTATION_CONFLICT 1
-
-/**
- * Left: they pass the same vertex.
- */
-#define GUSSET_JOINT_SHARE_VERTEX 2
-
-/**
- * Left: every strip would repeat an edge that the mesh already has.
- */
-#define GUSSET_JOINT_NO_STRIP 3
-
-/**
- * Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
- * part of a hole then.
- */
-#define GUSSET_JOINT_WOULD_CUT 4
-
-/**
- * There is no other loop.
- */
-#define GUSSET_LEFT_ALONE 0
-
-/**
- * It is open, or the faces along it disagree in orientation or are not manifold there.
- */
-#define GUSSET_LEFT_NOT_SIMPLE 1
-
-/**
- * It has fewer than three vertices.
- */
-#define GUSSET_LEFT_TOO_SHORT 2
-
-/**
- * It faces another loop, but no strip could be made: see the joints.
- */
-#define GUSSET_LEFT_NOT_JOINED 3
-
-/**
- * The nearest loop is farther away than is allowed; or the loop is what sewing left of two
- * borders, and its two sides are. See gap and allowed_gap.
- */
-#define GUSSET_LEFT_TOO_FAR 4
-
-/**
- * All other loops are of its own component, and within_components is not set.
- */
-#define GUSSET_LEFT_SAME_COMPONENT 5
-
-/**
- * The nearest loop is near enough, but they do not look at each other along enough of both.
- */
-#define GUSSET_LEFT_LOOKS_AWAY 6
-
-/**
- * The nearest loop is joined with another.
- */
-#define GUSSET_LEFT_TAKEN 7
-
-/**
- * It is not to be joined with the nearest loop.
- */
-#define GUSSET_LEFT_EXCLUDED 8
-
-/**
  * Vertices; the points of polylines, the nodes of a net or a sheet.
  */
 #define GUSSET_DOMAIN_VERTICES 0
@@ -7156,290 +7264,6 @@ typedef uint32_t gusset_cut_kind;
  * Faces; the cells of a net or a sheet.
  */
 #define GUSSET_DOMAIN_FACES 2
-
-/**
- * The strip of triangles that best continues both surfaces, near the strip of least area: little
- * turn between neighbours, along the rims above all, and meridians that lie on the surface which
- * the faces beside the rims suggest. Between lines without faces (gusset_strip) the strip
- * of least area.
- */
-#define GUSSET_MERIDIANS_CONTINUATION 0
-
-/**
- * The paper's rule by index, O(N + M): good for evenly spaced rims.
- */
-#define GUSSET_MERIDIANS_INDEX 1
-
-/**
- * Both rims walked at the same pace, by arc length, O(N + M).
- */
-#define GUSSET_MERIDIANS_ARC_LENGTH 2
-
-/**
- * Always on to the shorter of the two next meridians, O(N + M).
- */
-#define GUSSET_MERIDIANS_GREEDY 3
-
-/**
- * The strip of triangles whose meridians have the least total length.
- */
-#define GUSSET_MERIDIANS_MIN_DIAGONAL 4
-
-/**
- * The strip of triangles with the least bends: the sum over its edges, rims included, of length
- * times (1 - cos of the angle between the normals).
- */
-#define GUSSET_MERIDIANS_SMOOTH 5
-
-/**
- * The least sum of the meridians' squared lengths where steps on both rims at once are allowed
- * (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for strips
- * with interior rows.
- */
-#define GUSSET_MERIDIANS_QUAD 6
-
-/**
- * The strip of triangles of least area through the first meridian.
- */
-#define GUSSET_MERIDIANS_MIN_AREA 7
-
-/**
- * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
- * fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
- * the best on all rims that were measured.
- */
-#define GUSSET_SEARCH_AUTO 0
-
-/**
- * Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch.
- */
-#define GUSSET_SEARCH_EXACT 1
-
-/**
- * The first meridian of a closed band joins the closest pair of vertices, or the closest pair
- * after rim B has been turned along rim A to where it fits best; the better strip of the two is
- * kept.
- */
-#define GUSSET_START_AUTO 0
-
-/**
- * The closest pair.
- */
-#define GUSSET_START_CLOSEST 1
-
-/**
- * gusset_strip only: the first points.
- */
-#define GUSSET_START_GIVEN 2
-
-/**
- * New vertices stay where they were first put: those of a strip divide their meridians evenly, as
- * the paper has it, those of a patch lie on the triangles of its first triangulation.
- */
-#define GUSSET_FAIRING_NONE 0
-
-/**
- * New vertices are moved so that the new surface bends as a thin plate does and meets the old one
- * smoothly: the sum of the squared Laplacians over them and the rims is least. The rims, and the
- * ends of an open strip, stay where they are.
- */
-#define GUSSET_FAIRING_THIN_PLATE 1
-
-/**
- * Faces of the strip that cut others are looked for, and what can be done about them is done:
- * - a strip of triangles without rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it
- *   cuts, and of the strips tried the one that cuts least is kept;
- * - faired rows are taken back in places, up to 12 times, until nothing cuts or nothing is left to
- *   take back; if the straight rows cut less in the end, they are kept;
- * - blends are taken back likewise, and made with less fairing where they still cut; the one that
- *   cuts least is kept, or the strip if that cuts less than every blend.
- *
- * All other strips stay as they are: rows that are not faired, quads, and other meridians.
- */
-#define GUSSET_INTERSECTIONS_AUTO 0
-
-/**
- * They are not looked for: rows are faired in full, and the first blend is kept.
- */
-#define GUSSET_INTERSECTIONS_IGNORE 1
-
-/**
- * They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO,
- * and no strip goes another way, nor does the strip that a blend follows.
- */
-#define GUSSET_INTERSECTIONS_REPORT 2
-
-/**
- * A second piece that is oriented against the first is turned over: the component that rim B is
- * on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
- * the end. Two loops of one connected piece are taken as they are. Whole rims are compared as
- * curves, and by where their surfaces lie if both lead off them to the same side, as at the ends
- * of a U-bend; where nothing is clear, nothing is turned.
- */
-#define GUSSET_ORIENTATION_FIX 0
-
-/**
- * Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
- */
-#define GUSSET_ORIENTATION_REFUSE 1
-
-/**
- * The rims are not compared: the faces are taken to be right as they are.
- */
-#define GUSSET_ORIENTATION_KEEP 2
-
-/**
- * All of both loops, by a closed band.
- */
-#define GUSSET_EXTENT_WHOLE_LOOPS 0
-
-/**
- * The runs of vertices that face the other loop, as the paper has it:
- * GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
- */
-#define GUSSET_EXTENT_OPEN_ARCS 1
-
-/**
- * Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of
- * their centres, or if the planes cannot tell; else open arcs.
- */
-#define GUSSET_EXTENT_AUTO 2
-
-/**
- * The arcs given in arc_a and arc_b. Of a loop that is not given, place 0 is where
- * gusset_boundary_get_loop has it.
- */
-#define GUSSET_EXTENT_ARCS 3
-
-/**
- * Of several runs of facing vertices, on each loop the one with the closest pair.
- */
-#define GUSSET_RUN_CLOSEST 0
-
-/**
- * On each loop the one of the most vertices.
- */
-#define GUSSET_RUN_LONGEST 1
-
-/**
- * The centre of a loop is the mean of its vertices, as the paper has it.
- */
-#define GUSSET_CENTRES_VERTICES 0
-
-/**
- * The mean of its points: vertices that lie close together do not draw it to them.
- */
-#define GUSSET_CENTRES_LENGTH 1
-
-/**
- * No interior rows: every meridian is one edge.
- */
-#define GUSSET_ROWS_NONE 0
-
-/**
- * max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
- */
-#define GUSSET_ROWS_MEAN_EDGE 1
-
-/**
- * As many as row_count says.
- */
-#define GUSSET_ROWS_COUNT 2
-
-/**
- * Triangles throughout; quads are split by their shorter diagonals.
- */
-#define GUSSET_CELLS_TRIANGLES 0
-
-/**
- * Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
- */
-#define GUSSET_CELLS_QUADS 1
-
-/**
- * The strip of meridians, with its rows.
- */
-#define GUSSET_FINISH_STRIP 0
-
-/**
- * The best-looking joint: triangles about as fine as those round the rims, graded between them,
- * without sharp angles where the rims allow it, on a surface that leaves both pieces along their
- * tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
- * no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
- * Where every blend would cut more faces than the strip does, the strip stays; the log says so.
- * The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged
- * by a tube, to within some per cent of its radius across a few radii. Time and memory grow with
- * the number of new triangles. Where sides as short as those round the rims would take more than
- * about 50,000 new vertices, or 16 for each of the rims', the sides are up to twice as long; where
- * that is not enough, the strip stays, and the log says so.
- */
-#define GUSSET_FINISH_BLEND 1
-
-/**
- * No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that
- * face another loop that is at most 2^-16 of the loops' largest coordinate for 32-bit positions,
- * 2^-45 for 64-bit ones; for vertices that are welded see gusset_weld_options.
- */
-#define GUSSET_TOLERANCE_AUTO 0
-
-/**
- * The tolerance is the one given.
- */
-#define GUSSET_TOLERANCE_GIVEN 1
-
-/**
- * The tolerance is 0: of vertices that are welded, the positions are equal.
- */
-#define GUSSET_TOLERANCE_EXACT 2
-
-/**
- * As the operation does by default: gusset_join as GUSSET_OUTWARD_CLOSED, all others as GUSSET_OUTWARD_KEEP.
- */
-#define GUSSET_OUTWARD_DEFAULT 0
-
-/**
- * Closed components stay as they are; gusset_orient turns each to the side that most of its faces had.
- */
-#define GUSSET_OUTWARD_KEEP 1
-
-/**
- * Closed components face outwards, each by its own volume. A shell within another one encloses its own inside, and
- * the wall of a cavity is turned over too. A component whose volume is 0 up to rounding is as with
- * GUSSET_OUTWARD_KEEP. Except in gusset_orient, only components that are closed (every edge has two faces),
- * consistently oriented and inside out are turned over, each as a whole; all others stay as they are.
- */
-#define GUSSET_OUTWARD_CLOSED 2
-
-/**
- * The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
- */
-#define GUSSET_WELD_BOUNDARY 0
-
-/**
- * All vertices that faces use are welded, as triangle soups need it.
- */
-#define GUSSET_WELD_ALL 1
-
-/**
- * Corners of one face stay apart.
- */
-#define GUSSET_COLLAPSE_NEVER 0
-
-/**
- * Corners of one face may become one; a face that keeps fewer than three different vertices is
- * dropped.
- */
-#define GUSSET_COLLAPSE_ALLOW 1
-
-/**
- * Vertices that no face uses stay.
- */
-#define GUSSET_UNUSED_KEEP 0
-
-/**
- * Vertices that no face of the result uses are left out.
- */
-#define GUSSET_UNUSED_REMOVE 1
 
 /**
  * Along rows, from column to column.
@@ -7478,7 +7302,7 @@ typedef uint32_t gusset_cut_kind;
 #define GUSSET_REPLICATE_AT_POLES 4
 
 /**
- * None: sizes that differ are refused. For gusset_concatenate_options only.
+ * None: sizes that differ are refused. For gusset_join_options only.
  */
 #define GUSSET_REPLICATE_REFUSE 5
 
@@ -7841,16 +7665,6 @@ typedef uint32_t gusset_cut_kind;
  * Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
  */
 #define GUSSET_NET_TRIANGLES_FIXED 2
-
-/**
- * Quads, with triangles at poles.
- */
-#define GUSSET_GRID_QUADS 0
-
-/**
- * Triangles only, two for each cell.
- */
-#define GUSSET_GRID_TRIANGLES 1
 
 /**
  * Straight.
@@ -8451,11 +8265,11 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
  * Degrees are 1 to 64; coordinates any finite numbers.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param points x, y of each control point, or x, y, z, packed.
- * @param point_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
+ * @param controls x, y of each control point, or x, y, z, packed.
+ * @param control_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
  * @param dimension 2 or 3.
- * @param ends 0, then the place of the last control point of each segment, rising; the last is
- *     point_count - 1.
+ * @param ends 0, then the index of the last control point of each segment, rising; the last is
+ *     control_count - 1.
  * @param end_count the number of segments and 1.
  * @param closed 1 if the last control point is the first one again, else 0.
  * @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
@@ -8468,8 +8282,8 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_create(const struct gusset_context *context,
-                                  const double *points,
-                                  size_t point_count,
+                                  const double *controls,
+                                  size_t control_count,
                                   uint32_t dimension,
                                   const uint32_t *ends,
                                   size_t end_count,
@@ -8488,7 +8302,7 @@ GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
  * Lends the control points, valid until the curve is destroyed.
  *
  * @param curve the curve.
- * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8496,12 +8310,13 @@ GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
-                                    struct gusset_curve_view *parts);
+                                    struct gusset_curve_view *view);
 
 /**
  * The part of a curve from one place to another, open.
  *
- * On a closed curve it may run over the start, and from a place to itself it goes round once.
+ * On a closed curve the part may run over the start, and from a place to itself it goes round once. A
+ * curve of n segments ends at segment n - 1 and t = 1.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
@@ -8524,26 +8339,6 @@ gusset_status gusset_curve_part_create(const struct gusset_context *context,
                                        struct gusset_curve **part);
 
 /**
- * The part of a curve before a place, or the part after it; both are open.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param at the place.
- * @param after 0 for the part before it, 1 for the part after it.
- * @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_curve_part_create.
- * @complexity O(points).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_split_create(const struct gusset_context *context,
-                                        const struct gusset_curve *curve,
-                                        struct gusset_place at,
-                                        uint32_t after,
-                                        struct gusset_curve **part);
-
-/**
  * The same curve run through from its end to its start.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -8560,51 +8355,33 @@ gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
                                           struct gusset_curve **reversed);
 
 /**
- * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below
- * `to` raised to it.
+ * Changes the degrees of a curve's segments: lower degrees are raised, higher ones lowered.
+ *
+ * A raised segment stays the same curve. A lowered segment is fitted by least squares with fixed ends.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param by how much each segment is raised, or 0.
- * @param to if `by` is 0: the degree, 1 to 64.
- * @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
- *     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(degree) for each new control point.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
-                                          const struct gusset_curve *curve,
-                                          uint32_t by,
-                                          uint32_t to,
-                                          struct gusset_curve **elevated);
-
-/**
- * The curve with segments of a lower degree, by least squares with fixed ends.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param degree of each at most, 1 to 64.
- * @param tolerance segments that would deviate by more are kept; at least 0, in the unit of the
+ * @param lowest segments of a lower degree are raised to this, 1 to 64; 1 raises none.
+ * @param highest segments of a higher degree are lowered to this, lowest to 64; 64 lowers none.
+ * @param tolerance segments that would deviate by more are not lowered; at least 0, in the unit of the
  *     points; infinity is allowed.
- * @param[out] deviations receives a bound on the deviation of each segment from the original, of a
- *     kept one what it would have been; NULL if it is not wanted.
- * @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
- *     tolerance), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(degree^3) a segment.
+ * @param[out] deviations receives for each segment a bound on its deviation from the original. A
+ *     segment that was kept has the deviation that lowering would cost. NULL if it is not wanted.
+ * @param[out] changed receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree,
+ *     tolerance), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(degree) for each new control point of a raised segment, O(degree^3) a lowered segment.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
-                                         const struct gusset_curve *curve,
-                                         uint32_t degree,
-                                         double tolerance,
-                                         double *deviations,
-                                         struct gusset_curve **reduced);
+gusset_status gusset_curve_change_degree_create(const struct gusset_context *context,
+                                                const struct gusset_curve *curve,
+                                                uint32_t lowest,
+                                                uint32_t highest,
+                                                double tolerance,
+                                                double *deviations,
+                                                struct gusset_curve **changed);
 
 /**
  * The curve beside a plane curve, re-fitted by segments with common tangents.
@@ -8634,63 +8411,27 @@ gusset_status gusset_curve_offset_create(const struct gusset_context *context,
                                          struct gusset_curve **offset);
 
 /**
- * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not
- * turned over.
+ * Exports a curve to another format.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
- *     this group; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
- *     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(points).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_svg_create(const struct gusset_context *context,
-                                      const struct gusset_curve *curve,
-                                      struct gusset_curve_form **form);
-
-/**
- * The contour of a TrueType font: control points, and those joints that are not in the middle
- * between two of them.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param tolerance how far from the middle still counts as there, at least 0, in the unit of the
- *     points; rounding always does.
+ * @param format GUSSET_CURVE_FORMAT_...
+ * @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: how far from the middle a joint still counts as
+ *     there, at least 0, in the unit of the points; rounding always does. Other formats do not read it.
  * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
- *     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY,
- *     CANCELLED.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (format),
+ *     CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG),
+ *     OUT_OF_RANGE (a degree that the format lacks: see gusset_curve_change_degree_create; tolerance),
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_contour_create(const struct gusset_context *context,
-                                          const struct gusset_curve *curve,
-                                          double tolerance,
-                                          struct gusset_curve_form **form);
-
-/**
- * The curve as a clamped B-spline, if all segments have one degree n.
- *
- * Joints with one tangent become knots of multiplicity n - 1 and are no control points.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
- *     (other degrees), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(points).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_spline_create(const struct gusset_context *context,
+gusset_status gusset_curve_export_create(const struct gusset_context *context,
                                          const struct gusset_curve *curve,
+                                         gusset_curve_format format,
+                                         double tolerance,
                                          struct gusset_curve_form **form);
 
 /**
@@ -8705,7 +8446,7 @@ GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
  * Lends the parts.
  *
  * @param form the form.
- * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8713,7 +8454,7 @@ GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
-                                         struct gusset_curve_form_view *parts);
+                                         struct gusset_curve_form_view *view);
 
 /**
  * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve
@@ -8757,7 +8498,7 @@ gusset_status gusset_frame_create(const struct gusset_context *context,
  * @param distances in the unit of the points, finite.
  * @param distance_count 1: all nodes move by the same; the number of rows: each section by its own;
  *     rows x columns: each node by its own, row by row.
- * @param direction GUSSET_OFFSET_NORMAL or GUSSET_OFFSET_IN_SECTION.
+ * @param direction GUSSET_OFFSET_...
  * @param[out] offset receives the result, for gusset_frame_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
  *     COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), those of
@@ -8772,7 +8513,7 @@ gusset_status gusset_frame_offset_create(const struct gusset_context *context,
                                          const struct gusset_frame *frame,
                                          const double *distances,
                                          size_t distance_count,
-                                         uint32_t direction,
+                                         gusset_offset_direction direction,
                                          struct gusset_frame **offset);
 
 /**
@@ -8784,10 +8525,10 @@ gusset_status gusset_frame_offset_create(const struct gusset_context *context,
 GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 
 /**
- * Lends the nodes, valid until the frame is destroyed.
+ * Lends the nodes and the curves, valid until the frame is destroyed.
  *
  * @param frame the frame.
- * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8795,26 +8536,7 @@ GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
-                                    struct gusset_frame_view *parts);
-
-/**
- * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one
- * for each column; node i of row k is point i H + k), for H rows of W columns.
- *
- * Not to be destroyed: valid until the frame is. Either may be NULL.
- *
- * @param frame the frame.
- * @param[out] across receives the curves across; NULL on failure.
- * @param[out] along receives the curves along; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_frame_get_curves(const struct gusset_frame *frame,
-                                      const struct gusset_outline **across,
-                                      const struct gusset_outline **along);
+                                    struct gusset_frame_view *view);
 
 /**
  * Cuts the curves along by the plane through a point across a normal, and draws a curve through
@@ -8840,24 +8562,9 @@ gusset_status gusset_frame_slice_create(const struct gusset_context *context,
                                         struct gusset_outline **section);
 
 /**
- * Measures curve `index` of an outline: girth, area and centre.
+ * Finds the places where a curve crosses or touches a plane.
  *
- * @param outline the outline.
- * @param index its number, from 0.
- * @param[out] measure receives them.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
- *     OUT_OF_MEMORY.
- * @complexity O(segments).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_outline_measure(const struct gusset_outline *outline,
-                                     size_t index,
-                                     struct gusset_section_report *measure);
-
-/**
- * Where a curve crosses or touches a plane.
+ * A plane curve meets the line through `point` along (x, y) where it meets the plane across (-y, x, 0).
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
@@ -8879,37 +8586,24 @@ gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *c
                                                   struct gusset_places **places);
 
 /**
- * Where a plane curve crosses or touches a line.
+ * Finds the places where two curves meet, or come as near to each other as `within`; or, if other is
+ * NULL, where a plane curve meets itself.
+ *
+ * If within is 0 and both curves are plane, the places are crossings and touches. Otherwise they are the
+ * places where the distance of the curves is least, each once. Joints of neighbouring segments do not
+ * count where a curve meets itself.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param point x, y of a point of the line.
- * @param direction x, y along it, not 0.
- * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
- *     gusset_curve_intersect_plane_create.
- * @complexity O(points), and O(degree^2) a crossing.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
-                                                 const struct gusset_curve *curve,
-                                                 const double *point,
-                                                 const double *direction,
-                                                 struct gusset_places **places);
-
-/**
- * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then
- * joints of neighbours do not count.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param other the other curve.
- * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
- *     OUT_OF_MEMORY, CANCELLED.
- * @complexity Bounded work for each pair of segments whose boxes meet.
+ * @param other the other curve; NULL for the curve itself.
+ * @param within a length, 0 or more and finite, 0 if other is NULL; in space at least 1e-12 of the curves'
+ *     size is taken.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
+ *     in common, parts that stay as near, and parts where no place can be told from the next.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
+ *     CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0), OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity Bounded work for each pair of segments whose boxes meet or are as near as within.
  * @since 0.1
  */
 GUSSET_API
@@ -8917,6 +8611,7 @@ GUSSET_MUST_USE
 gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
                                             const struct gusset_curve *curve,
                                             const struct gusset_curve *other,
+                                            double within,
                                             struct gusset_places **places);
 
 /**
@@ -8964,7 +8659,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_sample_create(const struct gusset_context *context,
                                          const struct gusset_curve *curve,
-                                         uint32_t rule,
+                                         gusset_sample_rule rule,
                                          double amount,
                                          struct gusset_places **places);
 
@@ -8991,67 +8686,36 @@ gusset_status gusset_places_get_view(const struct gusset_places *places,
                                      struct gusset_places_view *view);
 
 /**
- * Points and derivatives at many places.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param places count of them, at least 0.
- * @param count see places.
- * @param order 0 for the points alone, at most 64.
- * @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
- *     of the first derivative by t, and so on; 0 beyond the degree.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
- *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(degree^2) a place.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_derivatives(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       const struct gusset_place *places,
-                                       size_t count,
-                                       uint32_t order,
-                                       double *out);
-
-/**
- * The directions at many places, of length 1; 0 on a segment without extent.
+ * Computes points, derivatives, tangents and curvatures at many places: only those that the caller
+ * gives room for.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param places count of them, at any alignment.
- * @param count see places.
- * @param[out] out receives 3 count numbers.
- * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @param count the number of places, at least 0.
+ * @param order the highest derivative, 0 for the points alone, at most 64; read if derivatives is given.
+ * @param[out] derivatives receives 3 (order + 1) count numbers: for each place x, y, z of the point,
+ *     then of the first derivative by t, and so on; 0 beyond the degree. NULL: not wanted.
+ * @param[out] tangents receives 3 count numbers: x, y, z of each direction, of length 1; 0 on a segment
+ *     without extent. NULL: not wanted.
+ * @param[out] curvatures receives count numbers, 1 over the radius: on a plane segment positive where it
+ *     turns from x to y; infinite where the first derivative is 0. NULL: not wanted.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
+ *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. Nothing is
+ *     written then.
+ * @complexity O(degree^2) a place, for each of the outputs.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_tangents(const struct gusset_context *context,
+gusset_status gusset_curve_evaluate(const struct gusset_context *context,
                                     const struct gusset_curve *curve,
                                     const struct gusset_place *places,
                                     size_t count,
-                                    double *out);
-
-/**
- * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
- * from x to y; infinite where the first derivative is 0.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param places count of them, at any alignment.
- * @param count see places.
- * @param[out] out receives count numbers.
- * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_curvatures(const struct gusset_context *context,
-                                      const struct gusset_curve *curve,
-                                      const struct gusset_place *places,
-                                      size_t count,
-                                      double *out);
+                                    uint32_t order,
+                                    double *derivatives,
+                                    double *tangents,
+                                    double *curvatures);
 
 /**
  * The nearest points of a curve to many points.
@@ -9076,22 +8740,6 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
                                    struct gusset_curve_nearest_point *out);
 
 /**
- * The arc length of a curve.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param[out] length receives it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(points); to 1e-13, in closed form up to degree 2.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_length(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  double *length);
-
-/**
  * The arc lengths from the start to many places.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -9099,7 +8747,7 @@ gusset_status gusset_curve_length(const struct gusset_context *context,
  * @param places count of them, at any alignment.
  * @param count see places.
  * @param[out] out receives count numbers.
- * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @return GUSSET_OK, or an error: those of gusset_curve_evaluate, except OUT_OF_RANGE.
  * @complexity O(points) in all.
  * @since 0.1
  */
@@ -9133,55 +8781,27 @@ gusset_status gusset_curve_places_at(const struct gusset_context *context,
                                      struct gusset_place *out);
 
 /**
- * The smallest box with sides along the axes.
+ * Measures a curve: only what the flags ask for is computed.
+ *
+ * A measure that the curve lacks is not an error: `defined` of the measures lacks its flag.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param[out] bounds receives the least x, y, z and the greatest x, y, z.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, CANCELLED.
- * @complexity O(points); exact but for rounding.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_bounds(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  double *bounds);
-
-/**
- * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
- *
- * An open curve is closed by the chord from its end to its start.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param[out] area receives x, y, z.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CANCELLED.
- * @complexity O(sum of degree^2); exact but for rounding.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_area_vector(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       double *area);
-
-/**
- * Area, centroid and second moments of what a plane curve encloses.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param[out] moments receives the moments; struct_size is set by the caller.
+ * @param flags the sum of GUSSET_CURVE_MEASURE_...; 0 for all that the curve has.
+ * @param[out] measures receives the measures; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     CURVE_NOT_PLANE, EMPTY_CURVE, CANCELLED.
- * @complexity O(sum of degree^2); exact but for rounding.
+ *     UNKNOWN_VALUE (flags), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(points) for length and bounds, O(sum of degree^2) for all others. The length is right
+ *     to 1e-13, and exact except for rounding up to degree 2; the centre is that of 16 chords a
+ *     segment; all others are exact except for rounding.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_get_moments(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       struct gusset_curve_moment_report *moments);
+gusset_status gusset_curve_measure(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   gusset_curve_measure_flags flags,
+                                   struct gusset_curve_measures *measures);
 
 /**
  * Finds the curves through the points of outlines: control points are sought such that each curve
@@ -9225,7 +8845,7 @@ GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
  * Lends the curves, valid until the outline is destroyed.
  *
  * @param outline the outline.
- * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -9233,7 +8853,7 @@ GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
-                                      struct gusset_outline_view *parts);
+                                      struct gusset_outline_view *view);
 
 /**
  * The account of outline `index`.
@@ -9253,26 +8873,7 @@ gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
                                         struct gusset_outline_report *report);
 
 /**
- * Lends the history of outline `index`: how far each cycle moved the control points, if the
- * options asked for it.
- *
- * @param outline the outline.
- * @param index its number, from 0.
- * @param[out] history receives it; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     NO_SUCH_ELEMENT.
- * @complexity O(1).
- * @source Nadopta, the second and following approximations.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_outline_get_history(const struct gusset_outline *outline,
-                                         size_t index,
-                                         struct gusset_outline_history_view *history);
-
-/**
- * Copies the curve of outline `index`, for what the gusset_curve functions do.
+ * Copies the curve of outline `index`. gusset_curve_measure of the copy has girth, area and centre.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param outline the outline.
@@ -9301,42 +8902,29 @@ gusset_status gusset_outline_curve_create(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param outlines the outlines.
  * @param options NULL for the defaults; method, alpha and solver are read, and by
- *     GUSSET_SOLVER_STEP tolerance, first_step, step_divisor and max_steps; all must be valid.
- * @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
+ *     GUSSET_SOLVER_STEP tolerance and max_steps; all must be valid.
+ * @param[out] controls receives x, y, z of each point's control point; the ends of open outlines,
+ *     which have no section, have themselves. NULL: not wanted. Unspecified on failure.
+ * @param[out] parameters receives the parameter of each point on its section; 0 and 1 at the ends of
+ *     open outlines. NULL: not wanted. Unspecified on failure.
+ * @param[out] statuses receives GUSSET_POINT_... of each point. NULL: not wanted. Unspecified on
+ *     failure.
+ * @param[out] steps receives the steps of GUSSET_SOLVER_STEP, of all sections. NULL: not wanted.
  * @return GUSSET_OK, or an error: those of gusset_outline_create.
- * @complexity O(n).
+ * @complexity O(n); no memory.
  * @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
  *     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sections_create(const struct gusset_context *context,
-                                     const struct gusset_outlines *outlines,
-                                     const struct gusset_outline_options *options,
-                                     struct gusset_sections **sections);
-
-/**
- * Destroys what gusset_sections_create made; NULL is allowed.
- *
- * @param[in,out] sections the handle; NULL is allowed.
- * @since 0.1
- */
-GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
-
-/**
- * Lends the sections, valid until they are destroyed.
- *
- * @param sections the sections.
- * @param[out] parts receives the parts; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
-                                       struct gusset_sections_view *parts);
+gusset_status gusset_outlines_find_sections(const struct gusset_context *context,
+                                            const struct gusset_outlines *outlines,
+                                            const struct gusset_outline_options *options,
+                                            double *controls,
+                                            double *parameters,
+                                            uint8_t *statuses,
+                                            uint64_t *steps);
 
 /**
  * Finds where pieces that overlap belong: rigid motions after which they fit, all at once, so that
@@ -9399,6 +8987,88 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_alignment_get_view(const struct gusset_alignment *alignment,
                                         struct gusset_alignment_view *view);
+
+/**
+ * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
+ * loops that face each other across a gap stitched, holes filled, and closed components turned
+ * outwards, as the options say.
+ *
+ * That two loops cannot be joined is no failure: each joint has its outcome.
+ *
+ * Loops of different components face each other as wholes if nearly all vertices of each (9/10)
+ * are nearest to the other loop, and from similar distances (the ninth decile is at most four
+ * times the first, or the spacing of the vertices) or so that the nearest vertices go round the
+ * other loop once; else runs of neighbouring vertices that are nearest to each other face each
+ * other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
+ * not cut unless overlaps says so: where two lie on each other, their borders face each other and
+ * enclose what is between.
+ * Vertices of the result: those of the pieces in order, then those of the strips, then those of
+ * the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
+ * ones keep their bits.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param pieces piece_count mesh views one after another, each as large as the first one's
+ *     struct_size says, at least one; each may have several components.
+ * @param piece_count see pieces.
+ * @param options NULL for the defaults.
+ * @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
+ *     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
+ *     report's index is its number, its input is 0 or 1 for the first or the second loop, its
+ *     value the piece that does not exist, else the vertex, and the message says what is wrong:
+ *     there is no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop
+ *     that can be joined passes it or several do, it is on the pair's other loop, or its loop is
+ *     in a pair before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
+ *     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
+ *     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
+ *     intersections. Extra memory is linear in the pieces and the result.
+ * @source Nesterenko for a single gap; the rest is our own.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_create(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *pieces,
+                                     size_t piece_count,
+                                     const struct gusset_assembly_options *options,
+                                     struct gusset_assembly **assembly);
+
+/**
+ * Destroys an assembly; NULL is allowed.
+ *
+ * @param[in,out] assembly the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_assembly_destroy(struct gusset_assembly *assembly);
+
+/**
+ * Lends the whole result, valid until the assembly is destroyed.
+ *
+ * @param assembly the assembly.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_get_mesh(const struct gusset_assembly *assembly,
+                                       struct gusset_mesh_view *view);
+
+/**
+ * Lends the account.
+ *
+ * @param assembly the assembly.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_assembly_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
+                                       struct gusset_assembly_view *parts);
 
 /**
  * Carries values of the inputs' elements over to the elements of a result.
@@ -9471,7 +9141,7 @@ gusset_status gusset_mesh_find_merge(const struct gusset_context *context,
  * along edges with three or more faces alone are left out; a loop that is cut out of another walk
  * may have no edge with exactly one face. A face of fewer than three sides of different ends has no
  * border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places
- * are no errors: see the flags of each loop, and the defects.
+ * are no errors: see the flags of each loop, and gusset_boundary_get_defects.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh the mesh.
@@ -9501,21 +9171,30 @@ gusset_status gusset_boundary_create(const struct gusset_context *context,
 GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
 
 /**
- * Lends the number of loops and all defects, valid until the boundary is destroyed.
+ * The number of loops and open chains: 0 if the mesh is closed, or for NULL.
  *
  * @param boundary the boundary.
- * @param[out] view receives the view; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @return their number; 0 for NULL.
  * @complexity O(1).
  * @since 0.1
  */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_boundary_get_view(const struct gusset_boundary *boundary,
-                                       struct gusset_boundary_view *view);
+GUSSET_API size_t gusset_boundary_loop_count(const struct gusset_boundary *boundary);
 
 /**
- * Lends loop number `index`, below loop_count of gusset_boundary_view.
+ * The number of walks that the loops were cut from: loops that touch at vertices, counted as one
+ * where the walk round the boundary passes from one to the next.
+ *
+ * 0 for NULL.
+ *
+ * @param boundary the boundary.
+ * @return their number; 0 for NULL.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API size_t gusset_boundary_walk_count(const struct gusset_boundary *boundary);
+
+/**
+ * Lends loop number `index`, below gusset_boundary_loop_count.
  *
  * @param boundary the boundary.
  * @param index its number, from 0.
@@ -9530,6 +9209,25 @@ GUSSET_MUST_USE
 gusset_status gusset_boundary_get_loop(const struct gusset_boundary *boundary,
                                        size_t index,
                                        struct gusset_loop_view *view);
+
+/**
+ * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges
+ * of the whole mesh, and the bow-tie vertices on its boundary.
+ *
+ * They are valid until the boundary is destroyed; NULL and 0 if there is nothing.
+ *
+ * @param boundary the boundary.
+ * @param[out] defects receives the first one.
+ * @param[out] count receives how many.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_boundary_get_defects(const struct gusset_boundary *boundary,
+                                          const struct gusset_defect **defects,
+                                          size_t *count);
 
 /**
  * Checks a mesh.
@@ -9586,21 +9284,21 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
  * they lower the distortion: each is a cut from the border to the vertex whose scale in a conformal
  * map would be the worst.
  *
- * The result is a flat mesh in the scalar type of the surface, with z = 0. It has the faces of the mesh in their
- * order, each from its own first corner and all counterclockwise in the plane. Charts are turned so that the mean square of their borders'
+ * The result has the faces of the mesh in their order, each from its own first corner and all
+ * counterclockwise in the plane. Charts are turned so that the mean square of their borders'
  * distances from the middle is greatest along x. A vertex on a cut becomes several; of merged
  * vertices the smallest is meant. Edges of three or more faces, and those whose two faces disagree in
  * orientation, are borders, and no cuts. Polygons are measured by triangles they are cut into; a
  * triangle flatter than 1e-7 of its longest side, or smaller than 1e-7 of the mean edge, counts as
  * that large. Conformal maps have the area of the surface.
  *
- * Nets and sheets are developed by their meshes; see gusset_net_to_mesh and
- * gusset_sheet_to_mesh.
+ * Nets and sheets are developed by their meshes; see gusset_net_mesh_create and
+ * gusset_sheet_mesh_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh the surface.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] development receives the result, for gusset_development_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE
  *     (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (a vertex of a cut; the
  *     report's input is the cut, the index the place in it), CUT_NOT_CONNECTED (the same),
@@ -9615,25 +9313,47 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_develop(const struct gusset_context *context,
-                             const struct gusset_mesh_view *mesh,
-                             const struct gusset_develop_options *options,
-                             struct gusset_result **result);
+gusset_status gusset_development_create(const struct gusset_context *context,
+                                        const struct gusset_mesh_view *mesh,
+                                        const struct gusset_development_options *options,
+                                        struct gusset_development **development);
 
 /**
- * Lends the places in the plane, the places they come from, and the report on each chart, for results of gusset_develop.
+ * Destroys a development; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] development the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_development_destroy(struct gusset_development *development);
+
+/**
+ * Lends the flat mesh, in the scalar type of the surface, with z = 0, valid until the development
+ * is destroyed.
+ *
+ * @param development the development.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_develop(const struct gusset_result *result,
-                                        struct gusset_develop_report *report);
+gusset_status gusset_development_get_mesh(const struct gusset_development *development,
+                                          struct gusset_mesh_view *view);
+
+/**
+ * Lends the places in the plane, where they come from, and the account of each chart.
+ *
+ * @param development the development.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_development_get_mesh.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_development_get_view(const struct gusset_development *development,
+                                          struct gusset_development_view *view);
 
 /**
  * Finds which vertices of two loops face each other.
@@ -9742,7 +9462,7 @@ gusset_status gusset_meridians_index(uint32_t n,
  *     loops that the mesh has.
  * @param loop_count see loops.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
  *     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops),
  *     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
@@ -9758,89 +9478,61 @@ gusset_status gusset_meridians_index(uint32_t n,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_fill(const struct gusset_context *context,
-                          const struct gusset_mesh_view *mesh,
-                          const struct gusset_indices *loops,
-                          size_t loop_count,
-                          const struct gusset_fill_options *options,
-                          struct gusset_result **result);
+gusset_status gusset_fill_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *mesh,
+                                 const struct gusset_indices *loops,
+                                 size_t loop_count,
+                                 const struct gusset_fill_options *options,
+                                 struct gusset_fill **fill);
 
 /**
- * Lends the reports of the loops, for results of gusset_fill.
+ * Destroys a fill; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] fill the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_fill_destroy(struct gusset_fill *fill);
+
+/**
+ * Lends the result, valid until the fill is destroyed.
+ *
+ * @param fill the filled mesh.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_fill(const struct gusset_result *result,
-                                     struct gusset_fill_report *report);
+gusset_status gusset_fill_get_mesh(const struct gusset_fill *fill,
+                                   struct gusset_mesh_view *view);
 
 /**
- * Joins open pieces into one mesh: coincident borders are sewn, components oriented alike,
- * loops that face each other across a gap stitched, holes filled, and closed components turned
- * outwards, as the options say.
+ * Lends the accounts of the loops.
  *
- * That two loops cannot be joined is no failure: each joint has its outcome.
- *
- * Loops of different components face each other as wholes if nearly all vertices of each (9/10)
- * are nearest to the other loop, and from similar distances (the ninth decile is at most four
- * times the first, or the spacing of the vertices) or so that the nearest vertices go round the
- * other loop once; else runs of neighbouring vertices that are nearest to each other face each
- * other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
- * not cut unless overlaps says so: where two lie on each other, their borders face each other and
- * enclose what is between.
- * Vertices of the result: those of the pieces in order, then those of the strips, then those of
- * the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
- * ones keep their bits.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param pieces piece_count mesh views one after another, each as large as the first one's
- *     struct_size says, at least one; each may have several components.
- * @param piece_count see pieces.
- * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
- *     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
- *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
- *     report's index is its number, its input is 0 or 1 for the first or the second loop, its
- *     value the piece that does not exist, else the vertex, and the message says what is wrong:
- *     there is no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop
- *     that can be joined passes it or several do, it is on the pair's other loop, or its loop is
- *     in a pair before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
- *     vertices on loops, the time of each strip as for gusset_stitch, and of each hole as
- *     for gusset_fill; a pass over all faces for each strip that is faired or tested for
- *     intersections. Extra memory is linear in the pieces and the result.
- * @source Nesterenko for a single gap; the rest is our own.
+ * @param fill the filled mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_fill_get_mesh.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_join(const struct gusset_context *context,
-                          const struct gusset_mesh_view *pieces,
-                          size_t piece_count,
-                          const struct gusset_join_options *options,
-                          struct gusset_result **result);
+gusset_status gusset_fill_get_view(const struct gusset_fill *fill,
+                                   struct gusset_fill_view *parts);
 
 /**
- * Lends the report on pieces, joints, loops and holes, for results of gusset_join.
+ * Measures of the new faces and of the result.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param fill the filled mesh.
+ * @param[out] quality receives the measures; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_join(const struct gusset_result *result,
-                                     struct gusset_join_report *report);
+gusset_status gusset_fill_get_quality(const struct gusset_fill *fill,
+                                      struct gusset_quality_report *quality);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.
@@ -9854,7 +9546,7 @@ gusset_status gusset_result_get_join(const struct gusset_result *result,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh the mesh.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] orient receives the result, for gusset_orient_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
  *     CANCELLED.
  * @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
@@ -9862,25 +9554,178 @@ gusset_status gusset_result_get_join(const struct gusset_result *result,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_orient(const struct gusset_context *context,
-                            const struct gusset_mesh_view *mesh,
-                            const struct gusset_orient_options *options,
-                            struct gusset_result **result);
+gusset_status gusset_orient_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh,
+                                   const struct gusset_orient_options *options,
+                                   struct gusset_orient **orient);
 
 /**
- * Lends the flags, lists and counts, for results of gusset_orient.
+ * Destroys what gusset_orient_create made; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] orient the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
+
+/**
+ * Lends the oriented mesh, valid until the handle is destroyed.
+ *
+ * @param orient the oriented mesh.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_orient(const struct gusset_result *result,
-                                       struct gusset_orient_report *report);
+gusset_status gusset_orient_get_mesh(const struct gusset_orient *orient,
+                                     struct gusset_mesh_view *view);
+
+/**
+ * Lends the flags, lists and counts.
+ *
+ * @param orient the oriented mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_orient_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
+                                     struct gusset_orient_view *parts);
+
+/**
+ * The origins of a stitched mesh, whose inputs are its one or two meshes.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param stitch the stitched mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
+ *     face, and linear in n.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_origins_create(const struct gusset_context *context,
+                                           const struct gusset_stitch *stitch,
+                                           struct gusset_origins **origins);
+
+/**
+ * The origins of a strip, whose inputs are its two polylines; they have no corners and faces, and
+ * nor have its own any sources.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param strip the strip.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_stitch_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_origins_create(const struct gusset_context *context,
+                                          const struct gusset_strip *strip,
+                                          struct gusset_origins **origins);
+
+/**
+ * The origins of a mesh with holes filled.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param fill the mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_stitch_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_origins_create(const struct gusset_context *context,
+                                         const struct gusset_fill *fill,
+                                         struct gusset_origins **origins);
+
+/**
+ * The origins of an assembly, whose inputs are its pieces.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param assembly the assembly.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_stitch_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_origins_create(const struct gusset_context *context,
+                                             const struct gusset_assembly *assembly,
+                                             struct gusset_origins **origins);
+
+/**
+ * The origins of a welded mesh.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param weld the welded mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity O(size); 16 bytes for each vertex, corner and face.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_origins_create(const struct gusset_context *context,
+                                         const struct gusset_weld *weld,
+                                         struct gusset_origins **origins);
+
+/**
+ * The origins of a sewn mesh. A corner that a face gained on an edge has the face's corners at both
+ * ends of the edge.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sew the sewn mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_weld_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sew_origins_create(const struct gusset_context *context,
+                                        const struct gusset_sew *sew,
+                                        struct gusset_origins **origins);
+
+/**
+ * The origins of an oriented mesh.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param orient the oriented mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_weld_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_origins_create(const struct gusset_context *context,
+                                           const struct gusset_orient *orient,
+                                           struct gusset_origins **origins);
+
+/**
+ * The origins of a development: each vertex comes from one, corners and faces are those of the
+ * surface.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param development the development.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_weld_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_development_origins_create(const struct gusset_context *context,
+                                                const struct gusset_development *development,
+                                                struct gusset_origins **origins);
 
 /**
  * Destroys origins; NULL is allowed.
@@ -9908,74 +9753,9 @@ gusset_status gusset_origins_get_view(const struct gusset_origins *origins,
                                       struct gusset_origins_view *view);
 
 /**
- * Destroys a result; NULL is allowed.
- *
- * @param[in,out] result the handle; NULL is allowed.
- * @since 0.1
- */
-GUSSET_API void gusset_result_destroy(struct gusset_result *result);
-
-/**
- * Lends the mesh, valid until the result is destroyed.
- *
- * @param result the result.
- * @param[out] view receives the view; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_result_get_mesh(const struct gusset_result *result,
-                                     struct gusset_mesh_view *view);
-
-/**
- * Gives measures of the new faces and of the result, for results of gusset_stitch and gusset_fill.
- *
- * @param result the result.
- * @param[out] quality receives the measures; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_result_get_quality(const struct gusset_result *result,
-                                        struct gusset_quality_report *quality);
-
-/**
- * Finds where the vertices, corners and faces of a result come from.
- *
- * The inputs are the meshes or pieces of the operation in their order, or its one mesh, net or sheet:
- * - a strip has two polylines, which have neither corners nor faces; nor have its corners and faces any sources;
- * - a corner that gusset_sew added on an edge has the corners of its face at both ends of that edge;
- * - each vertex of a development comes from one vertex, and its corners and faces are those of the surface;
- * - a vertex of the mesh of a net has the first of its nodes, and a face its cell. A corner has the node of the cell
- *   of its own face, which differs on either side of a seam: an image need not run back there;
- * - the nodes of a sheet are those between its cells, (rows + 1) * (columns + 1) of them, row after row. A vertex and
- *   a corner have the nodes of their cell, by its parameters, and faces have their cells. On a line that closes the
- *   sheet each corner has the nodes on the side of its own face.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param result the result.
- * @param[out] origins receives the origins, for gusset_origins_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
- *     CANCELLED.
- * @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
- *     face (of a sheet 52 for each vertex and corner), and linear in n.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_result_origins_create(const struct gusset_context *context,
-                                           const struct gusset_result *result,
-                                           struct gusset_origins **origins);
-
-/**
  * Sews borders that lie on one another, also where their vertices do not match.
  *
- * Vertices are welded first, as by gusset_weld. Where a vertex of one border then lies
+ * Vertices are welded first, as by gusset_weld_create. Where a vertex of one border then lies
  * inside a free edge of another (a T-junction), the edge is split there, if that makes pieces of
  * which exactly two lie on one another; triangles with split edges are cut into triangles, none of
  * them turned over, and larger faces gain corners. Then borders are welded again. So the result
@@ -9995,8 +9775,8 @@ gusset_status gusset_result_origins_create(const struct gusset_context *context,
  * @param mesh the mesh.
  * @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded
  *     before edges are split, and borders after it.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_weld, TOO_LARGE (the result has too many
+ * @param[out] sew receives the result, for gusset_sew_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_weld_create, TOO_LARGE (the result has too many
  *     elements).
  * @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside
  *     each edge; linear extra memory.
@@ -10004,25 +9784,45 @@ gusset_status gusset_result_origins_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sew(const struct gusset_context *context,
-                         const struct gusset_mesh_view *mesh,
-                         const struct gusset_weld_options *options,
-                         struct gusset_result **result);
+gusset_status gusset_sew_create(const struct gusset_context *context,
+                                const struct gusset_mesh_view *mesh,
+                                const struct gusset_weld_options *options,
+                                struct gusset_sew **sew);
 
 /**
- * Lends the maps, lists and counts, for results of gusset_sew.
+ * Destroys a sewn mesh; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] sew the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_sew_destroy(struct gusset_sew *sew);
+
+/**
+ * Lends the sewn mesh, valid until its handle is destroyed.
+ *
+ * @param sew the sewn mesh.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_sew(const struct gusset_result *result,
-                                    struct gusset_sew_report *report);
+gusset_status gusset_sew_get_mesh(const struct gusset_sew *sew,
+                                  struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, lists and counts.
+ *
+ * @param sew the sewn mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_sew_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sew_get_view(const struct gusset_sew *sew,
+                                  struct gusset_sew_view *parts);
 
 /**
  * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
@@ -10043,7 +9843,7 @@ gusset_status gusset_result_get_sew(const struct gusset_result *result,
  * @param mesh_b NULL if both loops are of mesh_a.
  * @param loop_b see loop_a.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
  *     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT,
  *     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
@@ -10066,49 +9866,79 @@ gusset_status gusset_result_get_sew(const struct gusset_result *result,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch(const struct gusset_context *context,
-                            const struct gusset_mesh_view *mesh_a,
-                            const struct gusset_indices *loop_a,
-                            const struct gusset_mesh_view *mesh_b,
-                            const struct gusset_indices *loop_b,
-                            const struct gusset_stitch_options *options,
-                            struct gusset_result **result);
+gusset_status gusset_stitch_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh_a,
+                                   const struct gusset_indices *loop_a,
+                                   const struct gusset_mesh_view *mesh_b,
+                                   const struct gusset_indices *loop_b,
+                                   const struct gusset_stitch_options *options,
+                                   struct gusset_stitch **stitch);
 
 /**
- * Lends the strip of a stitch alone: the vertices of the two rims, the new ones, and the faces between them.
+ * Destroys a stitch; NULL is allowed.
  *
- * @param result the result of gusset_stitch.
+ * @param[in,out] stitch the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_stitch_destroy(struct gusset_stitch *stitch);
+
+/**
+ * Lends the whole result, valid until the stitch is destroyed.
+ *
+ * @param stitch the stitch.
  * @param[out] view receives the view; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_stitch.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_strip_mesh(const struct gusset_result *result,
-                                           struct gusset_mesh_view *view);
+gusset_status gusset_stitch_get_mesh(const struct gusset_stitch *stitch,
+                                     struct gusset_mesh_view *view);
 
 /**
- * Lends the maps, rims and meridians, for results of gusset_stitch.
+ * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param stitch the stitch.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_get_strip(const struct gusset_stitch *stitch,
+                                      struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, rims and meridians.
+ *
+ * @param stitch the stitch.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_get_view(const struct gusset_stitch *stitch,
+                                     struct gusset_stitch_view *parts);
+
+/**
+ * Measures of the strip and of the result.
+ *
+ * @param stitch the stitch.
+ * @param[out] quality receives the measures; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_stitch(const struct gusset_result *result,
-                                       struct gusset_stitch_report *report);
+gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
+                                        struct gusset_quality_report *quality);
 
 /**
- * Makes a strip of faces between two polylines that run side by side, as gusset_stitch does
+ * Makes a strip of faces between two polylines that run side by side, as gusset_stitch_create does
  * between two rims: the third, intermediate mesh alone.
- *
- * The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
- * against polyline A, and along B. Where both sides advance at once triangles split a quad by its shorter diagonal.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
@@ -10117,42 +9947,65 @@ gusset_status gusset_result_get_stitch(const struct gusset_result *result,
  * @param points_b see points_a.
  * @param count_b see points_a.
  * @param options NULL for the defaults (open polylines).
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
  *     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
- * @complexity Time and memory of the meridians of gusset_stitch, and linear in the mesh.
+ * @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
  * @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
  *     strips.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_strip(const struct gusset_context *context,
-                           const double *points_a,
-                           size_t count_a,
-                           const double *points_b,
-                           size_t count_b,
-                           const struct gusset_strip_options *options,
-                           struct gusset_result **result);
+gusset_status gusset_strip_create(const struct gusset_context *context,
+                                  const double *points_a,
+                                  size_t count_a,
+                                  const double *points_b,
+                                  size_t count_b,
+                                  const struct gusset_strip_options *options,
+                                  struct gusset_strip **strip);
 
 /**
- * Lends the meridians and the matrix, for results of gusset_strip.
+ * Destroys a strip; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] strip the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
+
+/**
+ * Lends the mesh, valid until the strip is destroyed: the points of A, 0 to N - 1, those of B, then
+ * the new ones row by row. Faces run A_i+1, A_i, B_j: against polyline A, and along B. Where both
+ * sides advance at once triangles split a quad by its shorter diagonal.
+ *
+ * @param strip the strip.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_strip(const struct gusset_result *result,
-                                      struct gusset_strip_report *report);
+gusset_status gusset_strip_get_mesh(const struct gusset_strip *strip,
+                                    struct gusset_mesh_view *view);
+
+/**
+ * Lends the meridians and the matrix, valid until the strip is destroyed.
+ *
+ * @param strip the strip.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
+                                    struct gusset_strip_view *parts);
 
 /**
  * Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the
- * others, which gusset_join closes; see GUSSET_OVERLAPS_TRIM there for both at once.
+ * others, which gusset_assembly_create closes; see GUSSET_OVERLAPS_TRIM there for both at once.
  *
  * The pieces are cut along lines on which both are equally good. A vertex is the better the
  * farther it is from the borders of its piece, in mean edges of it, so that the finer of two
@@ -10228,7 +10081,7 @@ gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh the mesh.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] weld receives the result, for gusset_weld_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the
  *     tolerance), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(H log H) for H half-edges, if no vertex has very many and few corners of one face
@@ -10237,25 +10090,45 @@ gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_weld(const struct gusset_context *context,
-                          const struct gusset_mesh_view *mesh,
-                          const struct gusset_weld_options *options,
-                          struct gusset_result **result);
+gusset_status gusset_weld_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *mesh,
+                                 const struct gusset_weld_options *options,
+                                 struct gusset_weld **weld);
 
 /**
- * Lends the maps, lists and counts, for results of gusset_weld.
+ * Destroys a weld; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] weld the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
+
+/**
+ * Lends the welded mesh, valid until the weld is destroyed.
+ *
+ * @param weld the welded mesh.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_weld(const struct gusset_result *result,
-                                     struct gusset_weld_report *report);
+gusset_status gusset_weld_get_mesh(const struct gusset_weld *weld,
+                                   struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, lists and counts.
+ *
+ * @param weld the welded mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_weld_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_get_view(const struct gusset_weld *weld,
+                                   struct gusset_weld_view *parts);
 
 /**
  * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
@@ -11206,7 +11079,7 @@ GUSSET_MUST_USE
 gusset_status gusset_net_concatenate_create(const struct gusset_context *context,
                                             const struct gusset_net *const *nets,
                                             size_t net_count,
-                                            const struct gusset_concatenate_options *options,
+                                            const struct gusset_join_options *options,
                                             struct gusset_net **joined);
 
 /**
@@ -11389,7 +11262,7 @@ gusset_status gusset_net_planarity(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
  *     CANCELLED.
@@ -11398,25 +11271,65 @@ gusset_status gusset_net_planarity(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_to_mesh(const struct gusset_context *context,
-                                 const struct gusset_net *net,
-                                 const struct gusset_net_mesh_options *options,
-                                 struct gusset_result **result);
+gusset_status gusset_net_mesh_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     const struct gusset_net_mesh_options *options,
+                                     struct gusset_net_mesh **mesh);
 
 /**
- * Lends the maps between the net and its mesh, for results of gusset_net_to_mesh.
+ * The origins of the mesh of a net: its one input is the net.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * A vertex has the first of its nodes, a corner the node of its own face's cell, which on either side
+ * of a seam is another, so that an image need not run back there, and a face its cell.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(corners); 16 bytes for each vertex, corner and face.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_origins_create(const struct gusset_context *context,
+                                             const struct gusset_net_mesh *mesh,
+                                             struct gusset_origins **origins);
+
+/**
+ * Destroys the mesh of a net; NULL is allowed.
+ *
+ * @param[in,out] mesh the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_net_mesh_destroy(struct gusset_net_mesh *mesh);
+
+/**
+ * Lends the mesh, valid until it is destroyed.
+ *
+ * @param mesh the mesh.
+ * @param[out] view its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_net_mesh(const struct gusset_result *result,
-                                         struct gusset_net_mesh_report *report);
+gusset_status gusset_net_mesh_get_mesh(const struct gusset_net_mesh *mesh,
+                                       struct gusset_mesh_view *view);
+
+/**
+ * Lends what became what.
+ *
+ * @param mesh the mesh.
+ * @param[out] maps receives the maps; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_net_mesh_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_get_view(const struct gusset_net_mesh *mesh,
+                                       struct gusset_net_mesh_view *maps);
 
 /**
  * Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin
@@ -11441,37 +11354,53 @@ gusset_status gusset_net_from_heights_create(const struct gusset_context *contex
                                              struct gusset_net **net);
 
 /**
- * Finds rows and columns in a mesh, and makes the net of its vertices.
+ * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of
+ * triangles round a pole at its first and last row, or either.
  *
- * Quads form a rectangle, which may be closed round, with fans of triangles round a pole at its first
- * and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
- *
- * With GUSSET_GRID_TRIANGLES each quad is cut in two along either diagonal. Vertices and their bits are kept.
- * For each cell the grid lends the first of its two triangles. Where several pairings of the triangles
- * make a grid, as if all diagonals run one way, the same mesh always gives the same one. On a torus that
- * pairing may close with a shift, so that rows and columns differ from those it was made from. Tubes
- * and tori whose diagonals run without any rule may be refused, and so are fans of fewer than six
- * triangles at the pole of an open sheet; at least one row of quads is needed.
+ * Rows run as the first quad says, and round if only one direction is closed.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh see gusset_mesh_view.
- * @param options NULL for the defaults: quads, and the whole mesh is one grid.
- * @param[out] grid receives where the net was found, for gusset_net_grid_destroy; NULL on failure. May be
- *     NULL.
- * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of the view, UNKNOWN_VALUE, NO_GRID with a face that shows it,
+ * @param face a face of the component that is meant; UINT32_MAX: the mesh must be one grid.
+ * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of the view, NO_GRID with a face that shows it,
  *     OUT_OF_MEMORY, CANCELLED.
- * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles whose
- *     poles do not show by their degrees some attempts of that.
+ * @complexity O(H log d) for H half-edges and vertices of degree d.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_from_mesh_create(const struct gusset_context *context,
-                                          const struct gusset_mesh_view *mesh,
-                                          const struct gusset_net_grid_options *options,
-                                          struct gusset_net_grid **grid,
-                                          struct gusset_net **net);
+gusset_status gusset_net_grid_create(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *mesh,
+                                     uint32_t face,
+                                     struct gusset_net_grid **grid);
+
+/**
+ * Finds rows and columns in a mesh of triangles: a grid of quads, each cut in two along either
+ * diagonal, which may be closed round, with fans of triangles round a pole at its first and last
+ * row.
+ *
+ * Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
+ * Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
+ * taken, always the same for the same mesh; of a torus that may be one that closes with a shift,
+ * so that rows and columns are others than it was made from. Tubes and tori whose diagonals run
+ * without any rule may be refused, and so are fans of fewer than six triangles at the pole of an
+ * open sheet; at least one row of quads is needed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh triangles; see gusset_mesh_view.
+ * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of the view, NO_GRID with a triangle that shows it,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets whose poles do
+ *     not show by their degrees some attempts of that.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_triangle_grid_create(const struct gusset_context *context,
+                                              const struct gusset_mesh_view *mesh,
+                                              struct gusset_net_grid **grid);
 
 /**
  * Destroys a grid; NULL is allowed.
@@ -11480,6 +11409,22 @@ gusset_status gusset_net_from_mesh_create(const struct gusset_context *context,
  * @since 0.1
  */
 GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
+
+/**
+ * The net that was found.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param grid the grid.
+ * @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_net_create(const struct gusset_context *context,
+                                         const struct gusset_net_grid *grid,
+                                         struct gusset_net **net);
 
 /**
  * Lends where the net was found.
@@ -11977,7 +11922,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
                                           const struct gusset_scene *scene,
-                                          const struct gusset_concatenate_options *options,
+                                          const struct gusset_join_options *options,
                                           struct gusset_net **net);
 
 /**
@@ -12571,52 +12516,30 @@ gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
                                         struct gusset_curve **curve);
 
 /**
- * Where two curves in space come as near to each other as `within`: each place where their
- * distance is least, once.
+ * Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as
+ * `within`.
  *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param curve the curve.
- * @param other the other curve.
- * @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
- * @param[out] places receives the places on the first curve, those on the other, and the points of
- *     the first; overlaps are parts where the curves stay as near, or cannot be told apart;
- *     undecided is 1 if something was given up that may be near enough. For gusset_places_destroy;
- *     NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
- *     (within), OUT_OF_MEMORY, CANCELLED.
- * @complexity Bounded work for each pair of segments whose boxes are near.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_near_misses_create(const struct gusset_context *context,
-                                              const struct gusset_curve *curve,
-                                              const struct gusset_curve *other,
-                                              double within,
-                                              struct gusset_places **places);
-
-/**
- * Where a curve in space comes as near to a line, ray or segment as `within`.
- *
- * The others among the places have segment 0, and the line's own parameter as t.
+ * The places are those where the distance is least, each once. The others among the places have segment
+ * 0, and the line's own parameter as t. gusset_curve_intersect_plane_create cuts a plane curve by a line.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param line one, at any alignment.
- * @param within a distance, at least 0.
- * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
- *     a line that is not finite or has no direction.
+ * @param within a length, 0 or more and finite; at least 1e-12 of the curve's size is taken.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
+ *     that stay as near, and parts where no place can be told from the next.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+ *     (within; a line that is not finite or has no direction), OUT_OF_MEMORY, CANCELLED.
  * @complexity Bounded work for each segment whose box meets the line.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *context,
-                                                   const struct gusset_curve *curve,
-                                                   const struct gusset_line *line,
-                                                   double within,
-                                                   struct gusset_places **places);
+gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
+                                                 const struct gusset_curve *curve,
+                                                 const struct gusset_line *line,
+                                                 double within,
+                                                 struct gusset_places **places);
 
 /**
  * The nearest points of a surface and a line, ray or segment.
@@ -13505,7 +13428,7 @@ gusset_status gusset_sheet_from_frame_create(const struct gusset_context *contex
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param sheet the sheet.
  * @param options NULL for the defaults.
- * @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
+ * @param[out] mesh receives the result, for gusset_sheet_mesh_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more),
  *     OUT_OF_MEMORY, CANCELLED.
@@ -13514,25 +13437,67 @@ gusset_status gusset_sheet_from_frame_create(const struct gusset_context *contex
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_to_mesh(const struct gusset_context *context,
-                                   const struct gusset_sheet *sheet,
-                                   const struct gusset_sheet_mesh_options *options,
-                                   struct gusset_result **result);
+gusset_status gusset_sheet_mesh_create(const struct gusset_context *context,
+                                       const struct gusset_sheet *sheet,
+                                       const struct gusset_sheet_mesh_options *options,
+                                       struct gusset_sheet_mesh **mesh);
 
 /**
- * Lends places and normals of the vertices, for results of gusset_sheet_to_mesh.
+ * Destroys the mesh of a sheet; NULL is allowed.
  *
- * @param result the result.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
- *     operation).
+ * @param[in,out] mesh the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_sheet_mesh_destroy(struct gusset_sheet_mesh *mesh);
+
+/**
+ * Lends the mesh, valid until it is destroyed.
+ *
+ * @param mesh the mesh.
+ * @param[out] view its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_result_get_sheet_mesh(const struct gusset_result *result,
-                                           struct gusset_sheet_mesh_report *report);
+gusset_status gusset_sheet_mesh_get_mesh(const struct gusset_sheet_mesh *mesh,
+                                         struct gusset_mesh_view *view);
+
+/**
+ * Lends places and normals of the vertices.
+ *
+ * @param mesh the mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_sheet_mesh_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_get_view(const struct gusset_sheet_mesh *mesh,
+                                         struct gusset_sheet_mesh_view *parts);
+
+/**
+ * The origins of the mesh of a sheet: its one input is the sheet, whose nodes are those between its
+ * cells, (rows + 1) * (columns + 1) of them, row after row.
+ *
+ * A vertex and a corner have the nodes of their cell, by its parameters; on a line that closes the
+ * sheet each corner has those of its own face's side, so that an image need not run back there.
+ * Faces have their cells.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(corners); 52 bytes for each vertex and corner.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_origins_create(const struct gusset_context *context,
+                                               const struct gusset_sheet_mesh *mesh,
+                                               struct gusset_origins **origins);
 
 /**
  * Tells what a sheet is.
@@ -13759,65 +13724,3 @@ GUSSET_API uint32_t gusset_abi(void);
 #endif  // __cplusplus
 
 #endif  /* GUSSET_H */
-
-#if !defined(GUSSET_INLINE_H)
-#define GUSSET_INLINE_H
-
-/** Makes a view of packed arrays; face_offsets is NULL or face_size is 0. The functions below are its cases. @ingroup mesh */
-static inline gusset_mesh_view gusset_mesh_view_of(gusset_scalar scalar, const void *points, size_t point_count,
-                                                   const uint32_t *face_offsets, const uint32_t *corners, size_t face_count,
-                                                   uint32_t face_size) {
-    gusset_mesh_view view;
-    view.struct_size = sizeof view;
-    view.positions = points;
-    view.position_stride = 0;
-    view.vertex_count = point_count;
-    view.face_offsets = face_offsets;
-    view.face_corners = corners;
-    view.face_count = face_count;
-    view.scalar = scalar;
-    view.index = GUSSET_U32;
-    view.face_size = face_size;
-    view.reserved = 0;
-    view.merge = NULL;
-    return view;
-}
-
-/** Makes a view of triangles: point_count packed points x, y, z, and three vertices for each triangle. @ingroup mesh */
-static inline gusset_mesh_view gusset_triangles_f32(const float *points, size_t point_count, const uint32_t *corners,
-                                                    size_t triangle_count) {
-    return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, triangle_count, 3);
-}
-
-/** Makes a view of triangles in double precision; see gusset_triangles_f32. @ingroup mesh */
-static inline gusset_mesh_view gusset_triangles_f64(const double *points, size_t point_count, const uint32_t *corners,
-                                                    size_t triangle_count) {
-    return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, triangle_count, 3);
-}
-
-/** Makes a view of quads: point_count packed points x, y, z, and four vertices for each quad. @ingroup mesh */
-static inline gusset_mesh_view gusset_quads_f32(const float *points, size_t point_count, const uint32_t *corners,
-                                                size_t quad_count) {
-    return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, quad_count, 4);
-}
-
-/** Makes a view of quads in double precision; see gusset_quads_f32. @ingroup mesh */
-static inline gusset_mesh_view gusset_quads_f64(const double *points, size_t point_count, const uint32_t *corners,
-                                                size_t quad_count) {
-    return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, quad_count, 4);
-}
-
-/** Makes a view of polygons: point_count packed points x, y, z; face f has the vertices corners[offsets[f]] to
- * corners[offsets[f + 1] - 1], and there are face_count + 1 offsets. @ingroup mesh */
-static inline gusset_mesh_view gusset_polygons_f32(const float *points, size_t point_count, const uint32_t *offsets,
-                                                   const uint32_t *corners, size_t face_count) {
-    return gusset_mesh_view_of(GUSSET_F32, points, point_count, offsets, corners, face_count, 0);
-}
-
-/** Makes a view of polygons in double precision; see gusset_polygons_f32. @ingroup mesh */
-static inline gusset_mesh_view gusset_polygons_f64(const double *points, size_t point_count, const uint32_t *offsets,
-                                                   const uint32_t *corners, size_t face_count) {
-    return gusset_mesh_view_of(GUSSET_F64, points, point_count, offsets, corners, face_count, 0);
-}
-
-#endif  /* GUSSET_INLINE_H */

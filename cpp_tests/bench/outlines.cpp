@@ -138,15 +138,22 @@ private:
 class Sections final : public Gusset {
 public:
     using Gusset::Gusset;
-    ~Sections() override { forget(); }
-    void work() override { check(gusset_sections_create(context_, &given_, &options_, &sections_)); }
+    void work() override {
+        // Not cleared: the library writes every number.
+        controls_.reset(new double[3 * given_.point_count]);
+        parameters_.reset(new double[given_.point_count]);
+        statuses_.reset(new uint8_t[given_.point_count]);
+        check(gusset_outlines_find_sections(context_, &given_, &options_, controls_.get(), parameters_.get(), statuses_.get(), nullptr));
+    }
     void forget() override {
-        gusset_sections_destroy(sections_);
-        sections_ = nullptr;
+        controls_.reset();
+        parameters_.reset();
+        statuses_.reset();
     }
 
 private:
-    gusset_sections *sections_ = nullptr;
+    std::unique_ptr<double[]> controls_, parameters_;
+    std::unique_ptr<uint8_t[]> statuses_;
 };
 
 /// The parameters of `count` places evenly from `low` to `high`.
@@ -285,11 +292,11 @@ struct Kind {
     uint32_t curve, method, lock;
 };
 const std::vector<std::pair<std::string, Kind>> KINDS = {
-    {"composite", {GUSSET_CURVE_COMPOSITE, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_PARAMETER}},
-    {"composite-median", {GUSSET_CURVE_COMPOSITE, GUSSET_METHOD_MEDIAN, GUSSET_LOCK_PARAMETER}},
-    {"self", {GUSSET_CURVE_COMPOSITE, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_SELF_CONSISTENT}},
-    {"cubic", {GUSSET_CURVE_CUBIC_C2, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_PARAMETER}},
-    {"blend", {GUSSET_CURVE_BLEND_C1, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_PARAMETER}},
+    {"composite", {GUSSET_CURVE_KIND_COMPOSITE, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_PARAMETER}},
+    {"composite-median", {GUSSET_CURVE_KIND_COMPOSITE, GUSSET_METHOD_MEDIAN, GUSSET_LOCK_PARAMETER}},
+    {"self", {GUSSET_CURVE_KIND_COMPOSITE, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_SELF_CONSISTENT}},
+    {"cubic", {GUSSET_CURVE_KIND_CUBIC_C2, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_PARAMETER}},
+    {"blend", {GUSSET_CURVE_KIND_BLEND_C1, GUSSET_METHOD_BISECTOR, GUSSET_LOCK_PARAMETER}},
 };
 
 struct Outcome {

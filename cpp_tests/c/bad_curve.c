@@ -38,7 +38,7 @@ static void creation(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_get_view(NULL, &parts));
     made = curve();
     EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
-    CHECK(parts.point_count == 4 && parts.ends.count == 3 && parts.closed == 0 && parts.points[6] == 1.0);
+    CHECK(parts.control_count == 4 && parts.ends.count == 3 && parts.closed == 0 && parts.controls[6] == 1.0);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_get_view(made, NULL));
     parts.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_curve_get_view(made, &parts));
@@ -52,25 +52,29 @@ static void questions(void) {
     double out[18], length[1] = {0.5};
     const double queries[3] = {0.5, 0.25, 0};
     gusset_curve_nearest_point nearest;
-    gusset_curve_moment_report moments = {sizeof moments, 0, {0, 0}, {0, 0, 0}};
 
-    EXPECT(GUSSET_OK, gusset_curve_derivatives(context, given, places, 2, 2, out));
+    EXPECT(GUSSET_OK, gusset_curve_evaluate(context, given, places, 2, 2, out, NULL, NULL));
     CHECK(out[0] == 0.5 && out[1] == 0.25 && out[3] == 1.0 && out[7] == 2.0 && out[9] == 1.0 && out[16] == 0.0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_derivatives(context, NULL, places, 2, 2, out));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_derivatives(context, given, NULL, 2, 2, out));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_derivatives(context, given, places, 2, 2, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_curve_derivatives(context, given, places, 2, 2, misaligned()));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_curve_derivatives(context, given, places, SIZE_MAX, 2, out));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_derivatives(context, given, places, 2, 65, out));
-    EXPECT(GUSSET_OK, gusset_curve_derivatives(context, given, NULL, 0, 2, NULL));
-    EXPECT(GUSSET_OK, gusset_curve_tangents(context, given, places, 2, out));
-    EXPECT(GUSSET_OK, gusset_curve_curvatures(context, given, places, 2, out));
-    CHECK(fabs(out[0] - 2.0 / pow(2.0, 1.5)) < 1e-14 && out[1] == 0.0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_evaluate(context, NULL, places, 2, 2, out, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_evaluate(context, given, NULL, 2, 2, out, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_curve_evaluate(context, given, places, 2, 2, misaligned(), NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_curve_evaluate(context, given, places, 2, 2, NULL, misaligned(), NULL));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_curve_evaluate(context, given, places, SIZE_MAX, 2, out, NULL, NULL));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_evaluate(context, given, places, 2, 65, out, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_curve_evaluate(context, given, NULL, 0, 2, NULL, NULL, NULL));
+    /* Nothing is written if anything fails, and nothing is computed that is not wanted. */
+    out[0] = 9;
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_curve_evaluate(context, given, places, 2, 2, out, NULL, misaligned()));
+    CHECK(out[0] == 9);
+    EXPECT(GUSSET_OK, gusset_curve_evaluate(context, given, places, 2, 65, NULL, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_curve_evaluate(context, given, places, 2, 0, NULL, out, out + 6));
+    CHECK(fabs(out[0] - sqrt(0.5)) < 1e-15 && out[4] == -1.0);
+    CHECK(fabs(out[6] - 2.0 / pow(2.0, 1.5)) < 1e-14 && out[7] == 0.0);
     EXPECT(GUSSET_OK, gusset_curve_lengths_at(context, given, places, 2, out));
     places[1].segment = 2;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_curve_tangents(context, given, places, 2, out));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_curve_evaluate(context, given, places, 2, 0, NULL, out, NULL));
     places[1].segment = 1, places[1].t = NAN;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_curve_curvatures(context, given, places, 2, out));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_curve_evaluate(context, given, places, 2, 0, NULL, NULL, out));
     places[1].t = 0.0, places[1].reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_lengths_at(context, given, places, 2, out));
     EXPECT(GUSSET_OK, gusset_curve_nearest(context, given, queries, 1, &nearest));
@@ -81,21 +85,58 @@ static void questions(void) {
     length[0] = 1e9;
     EXPECT(GUSSET_OK, gusset_curve_places_at(context, given, length, 1, found));
     CHECK(found[0].segment == 1 && found[0].t == 1.0);
-    EXPECT(GUSSET_OK, gusset_curve_length(context, given, length));
-    CHECK(fabs(length[0] - (0.5 * sqrt(5.0) + 0.25 * asinh(2.0) + 1.0)) < 1e-14);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_length(context, given, NULL));
-    EXPECT(GUSSET_OK, gusset_curve_bounds(context, given, out));
-    CHECK(out[0] == 0.0 && out[3] == 1.0 && out[4] == 1.0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_bounds(context, given, NULL));
-    EXPECT(GUSSET_OK, gusset_curve_area_vector(context, given, out));
-    EXPECT(GUSSET_OK, gusset_curve_get_moments(context, given, &moments));
-    CHECK(fabs(moments.area + 1.0 / 3.0) < 1e-15 && out[2] == moments.area);
     gusset_curve_destroy(given);
+}
+
+static void measures_of_curves(void) {
+    const double knee[9] = {0, 0, 0, 1, 0, 0, 1, 0, 1};
+    const uint32_t legs[3] = {0, 1, 2}, none[1] = {0};
+    const uint32_t every = GUSSET_CURVE_MEASURE_LENGTH | GUSSET_CURVE_MEASURE_BOUNDS | GUSSET_CURVE_MEASURE_CENTRE |
+                           GUSSET_CURVE_MEASURE_AREA | GUSSET_CURVE_MEASURE_MOMENTS;
+    gusset_curve *given = curve(), *bent = NULL, *empty = NULL;
+    gusset_curve_measures measures;
+
+    memset(&measures, 0, sizeof measures);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_curve_measure(context, given, 0, &measures));
+    measures.struct_size = sizeof measures;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_measure(context, NULL, 0, &measures));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_measure(context, given, 0, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_measure(context, given, every + 1, &measures));
+    EXPECT(GUSSET_OK, gusset_curve_measure(context, given, 0, &measures));
+    CHECK(measures.defined == every);
+    CHECK(fabs(measures.length - (0.5 * sqrt(5.0) + 0.25 * asinh(2.0) + 1.0)) < 1e-14);
+    CHECK(measures.low[0] == 0.0 && measures.high[0] == 1.0 && measures.high[1] == 1.0);
+    CHECK(fabs(measures.area_vector[2] + 1.0 / 3.0) < 1e-15 && measures.area == -measures.area_vector[2]);
+    CHECK(fabs(measures.centroid[0] - 0.75) < 1e-15 && measures.second[0] < 0.0);
+    /* What is not asked for is 0. */
+    EXPECT(GUSSET_OK, gusset_curve_measure(context, given, GUSSET_CURVE_MEASURE_BOUNDS, &measures));
+    CHECK(measures.defined == GUSSET_CURVE_MEASURE_BOUNDS && measures.high[1] == 1.0 && measures.length == 0.0);
+    /* What the curve lacks is no error. */
+    EXPECT(GUSSET_OK, gusset_curve_create(context, knee, 3, 3, legs, 3, 0, &bent));
+    EXPECT(GUSSET_OK, gusset_curve_measure(context, bent, 0, &measures));
+    CHECK(measures.defined == every - GUSSET_CURVE_MEASURE_MOMENTS && measures.centroid[0] == 0.0);
+    CHECK(measures.length == 2.0 && measures.area == 0.5 && measures.area_vector[1] == -0.5);
+    CHECK(fabs(measures.centre[0] - 0.75) < 1e-15 && fabs(measures.centre[2] - 0.25) < 1e-15);
+    EXPECT(GUSSET_OK, gusset_curve_measure(context, bent, GUSSET_CURVE_MEASURE_MOMENTS, &measures));
+    CHECK(measures.defined == 0);
+    EXPECT(GUSSET_OK, gusset_curve_create(context, NULL, 0, 2, none, 1, 0, &empty));
+    EXPECT(GUSSET_OK, gusset_curve_measure(context, empty, 0, &measures));
+    CHECK(measures.defined == (GUSSET_CURVE_MEASURE_LENGTH | GUSSET_CURVE_MEASURE_AREA) && measures.length == 0.0);
+    /* It is cleared whatever fails. */
+    measures.length = measures.second[2] = 9;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_measure(context, given, 0, &measures));
+    gusset_context_reset(context);
+    CHECK(measures.defined == 0 && measures.length == 0.0 && measures.second[2] == 0.0);
+    gusset_curve_destroy(given);
+    gusset_curve_destroy(bent);
+    gusset_curve_destroy(empty);
 }
 
 static void made_of_curves(void) {
     gusset_curve *given = curve(), *made = NULL;
-    const gusset_place from = {0, 0, 0.5}, to = {1, 0, 0.5}, wrong = {0, 7, 0.5};
+    const gusset_place from = {0, 0, 0.5}, to = {1, 0, 0.5}, end = {1, 0, 1}, wrong = {0, 7, 0.5};
+    gusset_curve_view parts = {sizeof parts, NULL, 0, {NULL, 0}, 0, 0};
     double deviations[2];
     gusset_offset_options options = {sizeof options, 1e-6, 0, 0, 0};
     gusset_offset_report report = {sizeof report, 0, 0, 0, 0};
@@ -105,32 +146,32 @@ static void made_of_curves(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_part_create(context, given, to, from, &made));
     CHECK(made == NULL);
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_part_create(context, given, wrong, to, &made));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_split_create(context, given, from, 2, &made));
-    EXPECT(GUSSET_OK, gusset_curve_split_create(context, given, from, 1, &made));
+    EXPECT(GUSSET_OK, gusset_curve_part_create(context, given, from, end, &made));
+    EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
+    CHECK(parts.ends.count == 3 && parts.controls[0] == 0.5 && parts.controls[1] == 0.25 && parts.controls[9] == 1.0);
     gusset_curve_destroy(made);
     EXPECT(GUSSET_OK, gusset_curve_reverse_create(context, given, &made));
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_elevate_create(context, given, 63, 0, &made));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_elevate_create(context, given, 0, 0, &made));
-    EXPECT(GUSSET_OK, gusset_curve_elevate_create(context, given, 0, 3, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_change_degree_create(context, given, 65, 65, 0, NULL, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_change_degree_create(context, given, 0, 64, 0, NULL, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_change_degree_create(context, given, 3, 2, 0, NULL, &made));
+    CHECK(made == NULL);
+    EXPECT(GUSSET_OK, gusset_curve_change_degree_create(context, given, 3, 64, 0, NULL, &made));
+    EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
+    CHECK(parts.ends.data[1] == 3 && parts.ends.data[2] == 6);
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reduce_create(context, given, 0, 1.0, NULL, &made));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reduce_create(context, given, 1, NAN, NULL, &made));
-    EXPECT(GUSSET_OK, gusset_curve_reduce_create(context, given, 1, 1.0, deviations, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_change_degree_create(context, given, 1, 0, 1.0, NULL, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_change_degree_create(context, given, 1, 1, NAN, NULL, &made));
+    EXPECT(GUSSET_OK, gusset_curve_change_degree_create(context, given, 1, 1, 1.0, deviations, &made));
     CHECK(fabs(deviations[0] - 0.5) < 1e-14 && deviations[1] == 0.0);
     gusset_curve_destroy(made);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_offset_create(context, given, 0.1, NULL, NULL, &made));
     /* What is of a fixed size is cleared whatever fails. */
-    {
-        double bounds[6] = {9, 9, 9, 9, 9, 9}, area[3] = {9, 9, 9};
-        report.corners = 9;
-        gusset_context_cancel(context);
-        EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));
-        EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_bounds(context, given, bounds));
-        EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_area_vector(context, given, area));
-        gusset_context_reset(context);
-        CHECK(made == NULL && report.corners == 0 && bounds[0] == 0 && bounds[5] == 0 && area[0] == 0 && area[2] == 0);
-    }
+    report.corners = 9;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));
+    gusset_context_reset(context);
+    CHECK(made == NULL && report.corners == 0);
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_offset_create(context, given, NAN, &options, NULL, &made));
     EXPECT(GUSSET_OK, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));
     CHECK(report.deviation <= 1e-6 && report.reached == 1 && report.tight == 0 && report.corners == 1);
@@ -149,11 +190,11 @@ static void found_on_curves(void) {
     gusset_curve *given = curve();
     gusset_places *places = NULL;
     gusset_places_view view;
-    const double point[3] = {0.5, 0.5, 0}, along[3] = {1, 0, 0}, zero[3] = {0, 0, 0};
+    const double point[3] = {0.5, 0.5, 0}, along[3] = {1, 0, 0}, up[3] = {0, 1, 0}, zero[3] = {0, 0, 0};
 
     memset(&view, 0, sizeof view);
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_curve_intersect_line_create(context, given, point, along, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_plane_create(context, given, point, up, &places));
     EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 2 && view.others == NULL && view.inside.count == 0);
     CHECK(fabs(view.places[0].t - sqrt(0.5)) < 1e-15 && view.places[1].segment == 1 && view.points[3] == 1.0);
@@ -161,16 +202,16 @@ static void found_on_curves(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_places_get_view(places, NULL));
     gusset_places_destroy(places);
     gusset_places_destroy(NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_line_create(context, given, point, zero, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_plane_create(context, given, point, zero, &places));
     CHECK(places == NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_plane_create(context, given, NULL, along, &places));
     EXPECT(GUSSET_OK, gusset_curve_intersect_plane_create(context, given, point, along, &places));
     gusset_places_destroy(places);
-    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, given, given, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, given, given, 0.0, &places));
     EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.overlap_count == 2 && view.undecided == 0);
     gusset_places_destroy(places);
-    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, given, NULL, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, given, NULL, 0.0, &places));
     EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 0 && view.overlap_count == 0);
     gusset_places_destroy(places);
@@ -195,15 +236,18 @@ static void forms(void) {
 
     memset(&parts, 0, sizeof parts);
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_curve_svg_create(context, given, &form));
+    EXPECT(GUSSET_OK, gusset_curve_export_create(context, given, GUSSET_CURVE_FORMAT_SVG, NAN, &form));
     EXPECT(GUSSET_OK, gusset_curve_form_get_view(form, &parts));
     CHECK(strcmp(parts.text, "M 0 0 Q 0.5 0 1 1 L 1 0") == 0 && parts.text_length == 23 && parts.point_count == 0);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_form_get_view(NULL, &parts));
     gusset_curve_form_destroy(form);
-    EXPECT(GUSSET_ERROR_CURVE_NOT_CLOSED, gusset_curve_contour_create(context, given, 0.0, &form));
+    EXPECT(GUSSET_ERROR_CURVE_NOT_CLOSED, gusset_curve_export_create(context, given, GUSSET_CURVE_FORMAT_CONTOUR, 0.0, &form));
     CHECK(form == NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_contour_create(context, given, NAN, &form));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_spline_create(context, given, &form));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_export_create(context, given, GUSSET_CURVE_FORMAT_CONTOUR, NAN, &form));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_export_create(context, given, GUSSET_CURVE_FORMAT_SPLINE, 0.0, &form));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_export_create(context, given, 3, 0.0, &form));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_export_create(context, NULL, GUSSET_CURVE_FORMAT_SVG, 0.0, &form));
+    CHECK(form == NULL);
     gusset_curve_form_destroy(NULL);
     gusset_curve_destroy(given);
 }
@@ -215,6 +259,7 @@ int main(void) {
     }
     creation();
     questions();
+    measures_of_curves();
     made_of_curves();
     found_on_curves();
     forms();

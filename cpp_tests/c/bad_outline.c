@@ -24,10 +24,23 @@ static gusset_status fit(const gusset_outlines *outlines, const gusset_outline_o
     return status;
 }
 
+/* Those of curve `index`, through a copy; all 0 of none. */
+static gusset_curve_measures measures_of(const gusset_outline *outline, size_t index) {
+    gusset_curve_measures measures;
+    gusset_curve *curve = NULL;
+    memset(&measures, 0, sizeof measures);
+    measures.struct_size = sizeof measures;
+    if (outline != NULL) {
+        EXPECT(GUSSET_OK, gusset_outline_curve_create(context, outline, index, &curve));
+        EXPECT(GUSSET_OK, gusset_curve_measure(context, curve, 0, &measures));
+        gusset_curve_destroy(curve);
+    }
+    return measures;
+}
+
 static void arguments(void) {
     gusset_outlines outlines = given(square, 4), bad;
     gusset_outline *outline = NULL;
-    gusset_sections *sections = NULL;
     gusset_error_report report;
 
     report.struct_size = sizeof report;
@@ -37,8 +50,11 @@ static void arguments(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(context, misaligned(), NULL, &outline));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(context, &outlines, misaligned(), &outline));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(context, &outlines, NULL, misaligned()));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_create(context, NULL, NULL, &sections));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_create(context, &outlines, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outlines_find_sections(context, NULL, NULL, NULL, NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outlines_find_sections(context, &outlines, NULL, misaligned(), NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outlines_find_sections(context, &outlines, NULL, NULL, misaligned(), NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outlines_find_sections(context, &outlines, NULL, NULL, NULL, NULL, misaligned()));
+    EXPECT(GUSSET_OK, gusset_outlines_find_sections(context, &outlines, NULL, NULL, NULL, NULL, NULL));
 
     bad = outlines, bad.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, fit(&bad, NULL));
@@ -69,7 +85,6 @@ static void arguments(void) {
     gusset_context_reset(context);
     EXPECT(GUSSET_OK, fit(&outlines, NULL));
     gusset_outline_destroy(NULL);
-    gusset_sections_destroy(NULL);
 }
 
 static void data(void) {
@@ -95,9 +110,9 @@ static void data(void) {
     CHECK(report.element == GUSSET_ELEMENT_OFFSET && report.index == 2);
     CHECK(strstr(gusset_context_get_message(context), "must not fall") != NULL);
     offsets[1] = 2, offsets[2] = 4;
-    constraints[0].demand = 3;
+    constraints[0].kind = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, NULL));
-    constraints[0].demand = GUSSET_CONSTRAINT_CORNER, constraints[1].point = 4;
+    constraints[0].kind = GUSSET_CONSTRAINT_CORNER, constraints[1].point = 4;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_CONSTRAINT && report.index == 1);
@@ -105,7 +120,7 @@ static void data(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
     constraints[1].point = 3, constraints[1].tangent[2] = NAN;
     EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
-    constraints[1].tangent[2] = 0.0, constraints[1].demand = GUSSET_CONSTRAINT_TANGENT_ANGLE;
+    constraints[1].tangent[2] = 0.0, constraints[1].kind = GUSSET_CONSTRAINT_TANGENT_ANGLE;
     constraints[1].tangent[0] = INFINITY;
     EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
     constraints[1].tangent[0] = 0.5, points[2][1] = INFINITY;
@@ -117,10 +132,8 @@ static void data(void) {
 static void options(void) {
     const gusset_outlines outlines = given(square, 4);
     gusset_outline_options options;
-    uint32_t *choices[] = {&options.curve, &options.method, &options.lock,    &options.joint,
-                           &options.solver, &options.ends, &options.repeats, &options.history};
-    double *numbers[] = {&options.parameter_limit, &options.corner_angle, &options.tolerance, &options.first_step,
-                         &options.step_divisor};
+    uint32_t *choices[] = {&options.curve, &options.method, &options.lock, &options.joint, &options.solver, &options.ends};
+    double *numbers[] = {&options.parameter_limit, &options.repeat_tolerance, &options.corner_angle, &options.tolerance};
     size_t i;
 
     memset(&options, 0, sizeof options);
@@ -143,9 +156,9 @@ static void options(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
     options.method = GUSSET_METHOD_BISECTOR;
     EXPECT(GUSSET_OK, fit(&outlines, &options));
-    options.repeats = GUSSET_REPEATS_GIVEN, options.repeat_tolerance = NAN;
+    options.repeat_tolerance = 1.0;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
-    options.repeat_tolerance = 0.0;
+    options.repeat_tolerance = 1e-300;
     EXPECT(GUSSET_OK, fit(&outlines, &options));
 }
 
@@ -156,19 +169,18 @@ static void results(void) {
     gusset_outlines outlines;
     gusset_outline_view parts;
     gusset_outline_report report;
-    gusset_outline_history_view history;
-    gusset_sections_view sections_parts;
+    double controls[4][3], section_parameters[4];
+    uint8_t statuses[4];
+    uint64_t steps = 9;
     gusset_outline *outline = NULL;
-    gusset_sections *sections = NULL;
     gusset_curve *curve = NULL;
-    double length = 0.0;
+    gusset_curve_measures measures = measures_of(NULL, 0);
     size_t i;
 
     memcpy(unaligned + 1, points, sizeof points);
     outlines = given(unaligned + 1, 5);
     memset(&parts, 0, sizeof parts);
     memset(&report, 0, sizeof report);
-    memset(&sections_parts, 0, sizeof sections_parts);
     outlines.offsets = offsets, outlines.outline_count = 3;
     EXPECT(GUSSET_OK, gusset_outline_create(context, &outlines, NULL, &outline));
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_view(outline, &parts));
@@ -204,17 +216,11 @@ static void results(void) {
     EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 2, &report));
     CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok_count == 1);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_report(outline, 3, &report));
-    memset(&history, 0, sizeof history);
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_history(outline, 0, &history));
-    history.struct_size = sizeof history;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_history(NULL, 0, &history));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_history(outline, 0, NULL));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_history(outline, 3, &history));
-    EXPECT(GUSSET_OK, gusset_outline_get_history(outline, 0, &history));
-    CHECK(history.cycles == NULL && history.cycle_count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_report(NULL, 0, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_report(outline, 0, NULL));
     EXPECT(GUSSET_OK, gusset_outline_curve_create(context, outline, 0, &curve));
-    EXPECT(GUSSET_OK, gusset_curve_length(context, curve, &length));
-    CHECK(length > 2.8 && length < 4.5);
+    EXPECT(GUSSET_OK, gusset_curve_measure(context, curve, GUSSET_CURVE_MEASURE_LENGTH, &measures));
+    CHECK(measures.length > 2.8 && measures.length < 4.5);
     gusset_curve_destroy(curve);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_curve_create(context, outline, 3, &curve));
     CHECK(curve == NULL);
@@ -238,25 +244,21 @@ static void results(void) {
         if (k == 1) wrong.parameter_limit = NAN;
         if (k == 2) wrong.corner_angle = -1;
         if (k == 3) wrong.tolerance = -1;
-        if (k == 4) wrong.step_divisor = 1;
-        if (k == 5) wrong.repeats = GUSSET_REPEATS_GIVEN, wrong.repeat_tolerance = 2;
+        if (k == 4) wrong.tolerance = 1;
+        if (k == 5) wrong.repeat_tolerance = 2;
         EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_outline_create(context, &outlines, &wrong, &none));
-        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sections_create(context, &outlines, &wrong, &sections));
-        CHECK(sections == NULL);
+        steps = 9;
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_outlines_find_sections(context, &outlines, &wrong, NULL, NULL, NULL, &steps));
+        CHECK(steps == 0);
     }
-    EXPECT(GUSSET_OK, gusset_sections_create(context, &outlines, NULL, &sections));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sections_get_view(sections, &sections_parts));
-    sections_parts.struct_size = sizeof sections_parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_get_view(NULL, &sections_parts));
-    EXPECT(GUSSET_OK, gusset_sections_get_view(sections, &sections_parts));
-    CHECK(sections_parts.count == 4);
+    EXPECT(GUSSET_OK, gusset_outlines_find_sections(context, &outlines, NULL, controls[0], section_parameters, statuses, &steps));
+    CHECK(steps == 0);
     for (i = 0; i < 4; ++i) {
         /* P is half-way between the middle of the chord, which is the centre, and B. */
-        CHECK(fabs(sections_parts.controls[3 * i] - (2 * square[i][0] - 0.5)) < 1e-15);
-        CHECK(fabs(sections_parts.controls[3 * i + 1] - (2 * square[i][1] - 0.5)) < 1e-15);
-        CHECK(sections_parts.parameters[i] == 0.5 && sections_parts.statuses[i] == GUSSET_POINT_OK);
+        CHECK(fabs(controls[i][0] - (2 * square[i][0] - 0.5)) < 1e-15);
+        CHECK(fabs(controls[i][1] - (2 * square[i][1] - 0.5)) < 1e-15);
+        CHECK(section_parameters[i] == 0.5 && statuses[i] == GUSSET_POINT_OK);
     }
-    gusset_sections_destroy(sections);
 }
 
 static void frames(void) {
@@ -270,10 +272,10 @@ static void frames(void) {
     uint32_t missing = 99;
     gusset_outline_options curves;
     gusset_frame_view parts;
-    gusset_section_report measure;
+    gusset_curve_measures measures;
     gusset_frame *frame = (gusset_frame *)misaligned();
     gusset_outline *section = NULL;
-    const gusset_outline *across = NULL, *along = NULL;
+    gusset_curve *curve = NULL;
     gusset_error_report report;
 
     memset(&report, 0, sizeof report);
@@ -301,7 +303,7 @@ static void frames(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
     options.smooth_corners = 0, options.across = &curves;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_create(context, &sections, &options, &frame));
-    curves.struct_size = sizeof curves, curves.curve = GUSSET_CURVE_CUBIC_C2;
+    curves.struct_size = sizeof curves, curves.curve = GUSSET_CURVE_KIND_CUBIC_C2;
     options.correspondence = GUSSET_CORRESPONDENCE_ARC_LENGTH, options.columns = UINT32_MAX;
     EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_frame_create(context, &sections, &options, &frame));
     options.columns = 0;
@@ -359,20 +361,16 @@ static void frames(void) {
     EXPECT(GUSSET_OK, gusset_frame_get_view(frame, &parts));
     CHECK(parts.rows == 2 && parts.columns == 4 && memcmp(parts.nodes, points, sizeof points) == 0);
     CHECK(parts.along[2] == 1.0 && parts.turned[1] == 0 && parts.ambiguous.count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_get_curves(NULL, &across, &along));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_get_curves(frame, misaligned(), NULL));
-    EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, NULL, NULL));
-    EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, &across, &along));
-    /* They are the frame's, and stay with it. */
-    gusset_outline_destroy((gusset_outline *)(size_t)across);
-    gusset_outline_destroy((gusset_outline *)(size_t)along);
-    EXPECT(GUSSET_OK, gusset_outline_measure(across, 1, &measure));
-    CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
-    EXPECT(GUSSET_OK, gusset_outline_measure(along, 3, &measure));
-    CHECK(measure.girth == 1.0 && measure.area == 0.0);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_measure(along, 4, &measure));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(along, 3, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(NULL, 3, &measure));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_get_view(frame, NULL));
+    /* The curves are the frame's, and stay with it. */
+    gusset_outline_destroy((gusset_outline *)(size_t)parts.curves_across);
+    gusset_outline_destroy((gusset_outline *)(size_t)parts.curves_along);
+    measures = measures_of(parts.curves_across, 1);
+    CHECK(measures.centre[2] == 1.0 && measures.area > 1.0);
+    measures = measures_of(parts.curves_along, 3);
+    CHECK(measures.length == 1.0 && measures.area == 0.0);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_curve_create(context, parts.curves_along, 4, &curve));
+    CHECK(curve == NULL);
 
     {
         const double by[8] = {1, 1, 1, 1, 1, NAN, 1, 1}, one = 0.25;
@@ -391,8 +389,8 @@ static void frames(void) {
         gusset_frame_destroy(wider);
     }
     EXPECT(GUSSET_OK, gusset_frame_slice_create(context, frame, middle, up, &section));
-    EXPECT(GUSSET_OK, gusset_outline_measure(section, 0, &measure));
-    CHECK(fabs(measure.centre[2] - 0.5) < 1e-15);
+    measures = measures_of(section, 0);
+    CHECK(fabs(measures.centre[2] - 0.5) < 1e-15);
     gusset_outline_destroy(section);
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_slice_create(context, frame, middle, nothing, &section));
     CHECK(section == NULL);

@@ -201,7 +201,7 @@ static void made_curves(void) {
     CHECK(made == NULL);
     EXPECT(GUSSET_OK, gusset_curve_through_create(context, nodes, 5, 1, GUSSET_SCHEME_FOUR_POINT, &made));
     EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
-    CHECK(parts.point_count == 13 && parts.ends.count == 5 && parts.closed == 1 && parts.points[9] == 1.0);
+    CHECK(parts.control_count == 13 && parts.ends.count == 5 && parts.closed == 1 && parts.controls[9] == 1.0);
     gusset_curve_destroy(made);
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_curve_create(context, NULL, GUSSET_ALONG_ROWS, 1.0, &made));
@@ -212,11 +212,11 @@ static void made_curves(void) {
     CHECK(made == NULL);
     EXPECT(GUSSET_OK, gusset_sheet_curve_create(context, given, GUSSET_ALONG_ROWS, 1.0, &made));
     EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
-    CHECK(parts.ends.count == 5 && near(parts.points[0], -0.5) && near(parts.points[1], -1) && near(parts.points[2], 0.5));
+    CHECK(parts.ends.count == 5 && near(parts.controls[0], -0.5) && near(parts.controls[1], -1) && near(parts.controls[2], 0.5));
     gusset_curve_destroy(made);
     EXPECT(GUSSET_OK, gusset_sheet_curve_create(context, given, GUSSET_ALONG_COLUMNS, 2.5, &made));
     EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
-    CHECK(near(parts.points[0], -1) && near(parts.points[1], 0.25));
+    CHECK(near(parts.controls[0], -1) && near(parts.controls[1], 0.25));
     gusset_curve_destroy(made);
     gusset_sheet_destroy(given);
 }
@@ -234,34 +234,53 @@ static void approaches(void) {
     EXPECT(GUSSET_OK, gusset_curve_create(context, a, 2, 3, ends, 2, 0, &one));
     EXPECT(GUSSET_OK, gusset_curve_create(context, b, 2, 3, ends, 2, 0, &two));
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_near_misses_create(context, NULL, two, 0.2, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_create(context, NULL, two, 0.2, &places));
     CHECK(places == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_near_misses_create(context, one, NULL, 0.2, &places));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_near_misses_create(context, one, two, 0.2, NULL));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_near_misses_create(context, one, two, -0.2, &places));
-    EXPECT(GUSSET_OK, gusset_curve_near_misses_create(context, one, two, 0.2, &places));
+    /* A curve with itself: in the plane alone, and without a distance. */
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_create(context, one, NULL, 0.2, &places));
+    EXPECT(GUSSET_ERROR_CURVE_NOT_PLANE, gusset_curve_intersect_create(context, two, NULL, 0.0, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_create(context, one, two, NAN, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_create(context, one, two, 0.2, NULL));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_create(context, one, two, -0.2, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, one, two, 0.2, &places));
     EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 1 && view.overlap_count == 0 && view.undecided == 0);
     if (view.count == 1)
         CHECK(near(view.places[0].t, 0.5) && near(view.others[0].t, 0.5) && near(view.points[0], 0));
     gusset_places_destroy(places);
-    EXPECT(GUSSET_OK, gusset_curve_near_misses_create(context, one, two, 0.05, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, one, two, 0.05, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
+    CHECK(view.count == 0);
+    gusset_places_destroy(places);
+    /* Curves in space, without a distance: they pass each other. */
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, one, two, 0.0, &places));
     EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 0);
     gusset_places_destroy(places);
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_line_near_misses_create(context, NULL, &line, 0.2, &places));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_line_near_misses_create(context, one, NULL, 0.2, &places));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_line_near_misses_create(context, one, &line, 0.2, NULL));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_line_near_misses_create(context, one, &line, NAN, &places));
-    EXPECT(GUSSET_OK, gusset_curve_line_near_misses_create(context, one, &line, 0.2, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_line_create(context, NULL, &line, 0.2, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_line_create(context, one, NULL, 0.2, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_line_create(context, one, &line, 0.2, NULL));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_line_create(context, one, &line, NAN, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_line_create(context, one, &line, 0.2, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
+    CHECK(view.count == 1);
+    if (view.count == 1)
+        CHECK(near(view.places[0].t, 0.5) && near(view.others[0].t, 1.5));
+    gusset_places_destroy(places);
+    EXPECT(GUSSET_OK, gusset_curve_intersect_line_create(context, two, &line, 0.0, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
+    CHECK(view.overlap_count == 1);
+    gusset_places_destroy(places);
+    line.origin[2] = 0;
+    EXPECT(GUSSET_OK, gusset_curve_intersect_line_create(context, one, &line, 0.0, &places));
     EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 1);
     if (view.count == 1)
         CHECK(near(view.places[0].t, 0.5) && near(view.others[0].t, 1.5));
     gusset_places_destroy(places);
     line.direction[1] = 0;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_line_near_misses_create(context, one, &line, 0.2, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_line_create(context, one, &line, 0.2, &places));
     CHECK(places == NULL);
     gusset_curve_destroy(one);
     gusset_curve_destroy(two);

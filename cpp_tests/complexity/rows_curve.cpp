@@ -43,13 +43,13 @@ std::vector<Row> curve_rows() {
         }
         return made;
     };
-    const auto copy = [](const Curve &curve, const Context &context) { return curve.intersect(curve, context); };
+    const auto copy = [](const Curve &curve, const Context &context) { return curve.intersect(curve, 0.0, context); };
     const auto itself = [](const Curve &curve, const Context &context) { return curve.self_intersections(context); };
-    const auto near = [](const Curve &curve, const Context &context) { return curve.near_misses(curve, 0.01, context); };
+    const auto near = [](const Curve &curve, const Context &context) { return curve.intersect(curve, 0.01, context); };
     const auto offset = [](const Curve &curve, const Context &context) {
         return curve.offset(0.01, 1e-4, 3, 0, context);
     };
-    const auto length = [](const Curve &curve, const Context &context) { return curve.length(context); };
+    const auto measure = [](const Curve &curve, const Context &context) { return curve.measure(0, context); };
     const auto plane = [](const Curve &curve, const Context &context) {
         return curve.intersect_plane({0, 0, 0}, {0.3, 1, 0}, context);
     };
@@ -83,14 +83,14 @@ std::vector<Row> curve_rows() {
         {"curve_intersect_create", "equal copy in a point", 32, 2000, 1, 1, 0, on_curve(one, copy)},
         {"curve_intersect_create", "itself, at random", 8, 2000, 2, 2, 0, on_curve(random, itself), true},
         {"curve_intersect_create", "itself, spiral", 64, 2000, 1, 1, 0, on_curve(whirl, itself)},
-        {"curve_near_misses_create", "equal points", 2, 64, 0, 0, 0, on_curve(one, near), true},
-        {"curve_near_misses_create", "equal copy of a circle", 2, 64, 1, 1, 0, on_curve(round, near), true},
-        {"curve_near_misses_create", "equal copy of a line", 2, 64, 1, 1, 0, on_curve(line, near), true},
+        {"curve_intersect_create", "near, equal points", 2, 64, 0, 0, 0, on_curve(one, near), true},
+        {"curve_intersect_create", "near, equal copy of a circle", 2, 64, 1, 1, 0, on_curve(round, near), true},
+        {"curve_intersect_create", "near, equal copy of a line", 2, 64, 1, 1, 0, on_curve(line, near), true},
         {"curve_intersect_plane_create", "star", 128, 1000000, 1, 1, 0, on_curve(star, plane)},
         {"curve_offset_create", "circle", 64, 3000, 1, 1, 0, on_curve(round, offset)},
         {"curve_offset_create", "star", 4, 3000, 2, 2, 0, on_curve(star, offset)},
         {"curve_offset_create", "points in one", 64, 3000, 1, 1, 0, on_curve(one, offset)},
-        {"curve_length", "star", 128, 1000000, 1, 1, 0, on_curve(star, length)},
+        {"curve_measure", "star", 128, 1000000, 1, 1, 0, on_curve(star, measure)},
         {"curve_nearest", "focal point", 16, 100000, 1, 1, 0, on_curve(round, nearest)},
         {"curve_nearest", "star", 64, 100000, 1, 1, 0, on_curve(star, nearest)},
         {"outline_create", "circle", 256, 1000000, 1, 1, 0, outlined(round, outline)},

@@ -183,17 +183,18 @@ void add_curve_rows(std::vector<Row> &rows) {
     rows.push_back(on_curve("curve_part_create", 0, [](const Curve &curve, const Context &context) {
         return curve.part({0, 0, 0.5}, {static_cast<uint32_t>(curve.segment_count() - 1), 0, 0.5}, context);
     }));
-    rows.push_back(on_curve("curve_split_create", 0, [](const Curve &curve, const Context &context) {
-        return curve.split({static_cast<uint32_t>(curve.segment_count() / 2), 0, 0.5}, context);
-    }));
     rows.push_back(on_curve("curve_reverse_create", 0, [](const Curve &curve, const Context &context) { return curve.reversed(context); }));
-    rows.push_back(on_curve("curve_elevate_create", 0, [](const Curve &curve, const Context &context) { return curve.elevated_by(1, context); }));
-    rows.push_back(on_curve("curve_reduce_create", 0, [](const Curve &curve, const Context &context) {
-        return curve.reduced(2, 1e-3, context);
+    rows.push_back(on_curve("curve_change_degree_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.with_degrees(4, 64, 0.0, context);
     }));
-    rows.push_back(on_curve("curve_svg_create", 0, [](const Curve &curve, const Context &context) { return curve.svg(context); }));
-    rows.push_back(on_curve("curve_contour_create", 0, [](const Curve &curve, const Context &context) { return curve.contour(1e-3, context); }));
-    rows.push_back(on_curve("curve_spline_create", 0, [](const Curve &curve, const Context &context) { return curve.spline(context); }));
+    rows.push_back(on_curve("curve_change_degree_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.with_degrees(1, 2, 1e-3, context);
+    }));
+    for (const gusset::CurveFormat format : {gusset::CurveFormat::svg, gusset::CurveFormat::contour, gusset::CurveFormat::spline}) {
+        rows.push_back(on_curve("curve_export_create", 0, [format](const Curve &curve, const Context &context) {
+            return curve.exported(format, 1e-3, context);
+        }));
+    }
     rows.push_back(on_curve("curve_tangent_angle_create", 0, [](const Curve &curve, const Context &context) {
         return curve.tangents_at_angle({1, 0, 0}, 0.3, context);
     }));
@@ -205,7 +206,7 @@ void add_curve_rows(std::vector<Row> &rows) {
         const double at[] = {0.5};
         return curve.places_at(at, context);
     }));
-    rows.push_back({"sections_create", "circle", 1024, 0, 1, 1, 0, [](std::size_t n) {
+    rows.push_back({"outlines_find_sections", "circle", 1024, 0, 1, 1, 0, [](std::size_t n) {
                         const auto points = std::make_shared<const std::vector<Point3>>(circle(n, 1.0, 0.0));
                         return making([=](const Context &context) {
                             return gusset::Sections(gusset::Outlines(*points, true), gusset::SectionMethod::bisector, 0.5, context);

@@ -168,7 +168,7 @@ gusset::Curve curve_of(const std::vector<Point3> &points, uint32_t degree, bool 
         used.back() = used.front();
     }
     ends.insert(ends.begin(), 0);
-    return gusset::Curve::from_points(used, ends, closed);
+    return gusset::Curve::from_controls(used, ends, closed);
 }
 
 Grid plane_grid(std::size_t n, double height) {

@@ -9,7 +9,7 @@ int main() {
 #elif defined(AS_NET)
     return gusset::Net::from_points(1, 3, points).rows() != 0;
 #elif defined(AS_CURVE)
-    return gusset::Curve::from_points(points, corners, false).is_closed();
+    return gusset::Curve::from_controls(points, corners, false).is_closed();
 #else
     return gusset::MeshView::triangles(points, corners).face_count() != 0;
 #endif

@@ -20,24 +20,25 @@ gusset::Curve circle(double radius, double x) {
                                      {x - radius, k}, {x - radius, 0},  {x - radius, -k}, {x - k, -radius}, {x, -radius},
                                      {x + k, -radius}, {x + radius, -k}, {x + radius, 0}};
     const std::array<uint32_t, 5> ends{0, 3, 6, 9, 12};
-    return gusset::Curve::from_points(points, ends, true);
+    return gusset::Curve::from_controls(points, ends, true);
 }
 
 /// y = x^2 from 0 to 1.
 gusset::Curve parabola() {
     const std::array<Point2, 3> points{{{0, 0}, {0.5, 0}, {1, 1}}};
     const std::array<uint32_t, 2> ends{0, 2};
-    return gusset::Curve::from_points(points, ends, false);
+    return gusset::Curve::from_controls(points, ends, false);
 }
 } // namespace
 
 TEST_CASE("questions") {
     const gusset::Curve curve = parabola();
     CHECK(curve.segment_count() == 1);
-    CHECK(curve.points().size() == 3);
+    CHECK(curve.controls().size() == 3);
     CHECK(curve.point(gusset::place(0, 0.5)) == gusset::Point3{0.5, 0.25, 0});
     CHECK(std::abs(curve.length() - (0.5 * std::sqrt(5.0) + 0.25 * std::asinh(2.0))) < 1e-15);
-    CHECK(std::abs(curve.moments().area - 1.0 / 6.0) < 1e-15);
+    CHECK(std::abs(curve.measure().area_vector[2] - 1.0 / 6.0) < 1e-15);
+    CHECK(curve.measure(GUSSET_CURVE_MEASURE_MOMENTS).defined == GUSSET_CURVE_MEASURE_MOMENTS);
     const std::array<gusset::Place, 2> places{gusset::place(0, 0.0), gusset::place(0, 1.0)};
     CHECK(std::abs(curve.curvatures(places)[0] - 2.0) < 1e-14);
     CHECK(std::abs(curve.tangents(places)[1][1] - 2 / std::sqrt(5.0)) < 1e-15);
@@ -49,9 +50,10 @@ TEST_CASE("questions") {
     const gusset_curve_nearest_point nearest = curve.nearest(query)[0];
     CHECK(std::abs(nearest.place.t - std::sqrt(0.5)) < 1e-14);
     CHECK(std::abs(nearest.distance - std::sqrt(0.75)) < 1e-15);
-    const gusset::Bounds bounds = circle(2, 0).bounds();
-    CHECK(bounds.high == gusset::Point3{2, 2, 0});
-    CHECK(std::abs(circle(2, 0).area_vector()[2] / (4 * pi) - 1) < 5e-4);
+    const gusset_curve_measures measures = circle(2, 0).measure();
+    CHECK((measures.high[0] == 2 && measures.high[1] == 2 && measures.high[2] == 0));
+    CHECK(std::abs(measures.area_vector[2] / (4 * pi) - 1) < 5e-4);
+    CHECK(measures.area == measures.area_vector[2]);
     CHECK_THROWS_AS(curve.point(gusset::place(1, 0)), gusset::Error);
     try {
         curve.points_at({&places[0], 1});
@@ -74,7 +76,12 @@ TEST_CASE("places found") {
     CHECK(meetings.overlaps().empty());
     CHECK_FALSE(meetings.undecided());
     CHECK(one.self_intersections().size() == 0);
-    CHECK(one.intersect_line({0, 0.6}, {1, 0}).size() == 2);
+    CHECK(one.intersect(two, 0.01).size() == 2);
+    const gusset::Places on_line = one.intersect_line(gusset::Line::line({0, 0.6, 0}, {1, 0, 0}));
+    REQUIRE(on_line.size() == 2);
+    CHECK(std::abs(on_line.points()[0][1] - 0.6) < 1e-12);
+    CHECK(on_line.others()[0].t == doctest::Approx(on_line.points()[0][0]));
+    CHECK(one.intersect_plane({0, 0.6, 0}, {0, 1, 0}).size() == 2);
     CHECK(one.intersect_plane({0, 0, 0}, {1, 0, 0}).size() == 2);
     const gusset::Places in_plane = one.intersect_plane({0, 0, 0}, {0, 0, 1});
     CHECK(in_plane.inside().size() == 4);
@@ -86,17 +93,25 @@ TEST_CASE("places found") {
 
 TEST_CASE("curves made of curves") {
     const gusset::Curve curve = circle(1, 0);
-    const auto [before, after] = curve.split(gusset::place(2, 0.5));
+    const gusset::Place middle = gusset::place(2, 0.5);
+    const gusset::Curve before = curve.part(gusset::place(0, 0), middle), after = curve.part(middle, gusset::place(3, 1));
+    CHECK(before.segment_count() == 3);
+    CHECK(after.segment_count() == 2);
     CHECK(std::abs(before.length() + after.length() - curve.length()) < 1e-12);
     CHECK(curve.part(gusset::place(3, 0.5), gusset::place(0, 0.5)).segment_count() == 2);
-    CHECK(curve.reversed().moments().area == doctest::Approx(-curve.moments().area));
-    const gusset::Curve by_two = curve.elevated_by(2), by_none = curve.elevated_by(0), to_four = curve.elevated_to(4);
-    CHECK(by_two.points().size() == 21);
-    CHECK(by_none.points().size() == 13);
-    CHECK(to_four.ends()[1] == 4);
-    const gusset::ReducedCurve reduced = curve.elevated_to(5).reduced(3, 1e-9);
-    CHECK(reduced.curve.points().size() == 13);
-    CHECK(reduced.deviations[0] < 1e-14);
+    CHECK(curve.reversed().measure().area_vector[2] == doctest::Approx(-curve.measure().area_vector[2]));
+    const gusset::Curve to_five = curve.with_degrees(5, 5).curve, as_it_is = curve.with_degrees(1, 64).curve;
+    CHECK(to_five.controls().size() == 21);
+    CHECK(as_it_is.controls().size() == 13);
+    const gusset::CurveOfDegrees to_four = curve.with_degrees(4, 64);
+    CHECK(to_four.curve.ends()[1] == 4);
+    const gusset::CurveOfDegrees lowered = to_five.with_degrees(1, 3, 1e-9);
+    CHECK(lowered.curve.controls().size() == 13);
+    CHECK(lowered.deviations[0] < 1e-14);
+    // Circles are no parabolas: the segments are kept.
+    const gusset::CurveOfDegrees kept = curve.with_degrees(1, 2, 1e-9);
+    CHECK(kept.curve.controls().size() == 13);
+    CHECK(kept.deviations[3] > 1e-3);
     const gusset::OffsetCurve offset = curve.offset(-0.5, 1e-7, 2);
     CHECK(offset.report.deviation <= 1e-7);
     CHECK(offset.report.reached == 1);
@@ -106,18 +121,18 @@ TEST_CASE("curves made of curves") {
 }
 
 TEST_CASE("other forms") {
-    const gusset::CurveForm svg = parabola().svg();
+    const gusset::CurveForm svg = parabola().exported(gusset::CurveFormat::svg);
     CHECK(svg.text() == "M 0 0 Q 0.5 0 1 1");
     const std::array<Point2, 9> points{{{0.5, 0}, {1, 0}, {1, 0.5}, {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}, {0, 0}, {0.5, 0}}};
     const std::array<uint32_t, 5> ends{0, 2, 4, 6, 8};
-    const gusset::Curve round = gusset::Curve::from_points(points, ends, true);
-    const gusset::CurveForm contour = round.contour();
+    const gusset::Curve round = gusset::Curve::from_controls(points, ends, true);
+    const gusset::CurveForm contour = round.exported(gusset::CurveFormat::contour);
     CHECK(contour.points().size() == 4);
     CHECK(contour.on_curve()[0] == 0);
-    const gusset::CurveForm spline = round.spline();
+    const gusset::CurveForm spline = round.exported(gusset::CurveFormat::spline);
     CHECK(spline.degree() == 2);
     CHECK(spline.knots().size() == spline.points().size() + 3);
-    CHECK(circle(1, 0).spline().degree() == 3);
+    CHECK(circle(1, 0).exported(gusset::CurveFormat::spline).degree() == 3);
     // A form lends nothing for the arrays that it does not have.
     CHECK(spline.on_curve().data() == nullptr);
     CHECK(spline.text().data() == nullptr);

@@ -150,9 +150,9 @@ TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures")
     for (const Space &p : frame.nodes()) {
         CHECK(std::hypot(p[0], p[1], p[2]) == doctest::Approx(2).epsilon(1e-3));
     }
-    const gusset_section_report measure = frame.slice({0, 0, 0.13}, {0, 0, 7}).measure();
+    const gusset_curve_measures measure = frame.slice({0, 0, 0.13}, {0, 0, 7}).measure();
     const double r = std::sqrt(4 - 0.13 * 0.13);
-    CHECK(measure.girth == doctest::Approx(turn * r).epsilon(1e-3));
+    CHECK(measure.length == doctest::Approx(turn * r).epsilon(1e-3));
     CHECK(measure.area == doctest::Approx(turn / 2 * r * r).epsilon(1e-3));
     CHECK(measure.centre[2] == doctest::Approx(0.13).epsilon(1e-6));
     try {

@@ -242,12 +242,12 @@ TEST_CASE("curves through points, on sheets, and near to each other") {
     CHECK(std::abs(ring.length() - 2 * pi) < 1e-4);
     // The axis of the ring is as near everywhere; a line beside it is nearest at one place, and one
     // in space passes two.
-    const gusset::Places met = ring.near_misses(gusset::Line::line({-2, 0.5, 0.01}, {1, 0, 0}), 0.05);
+    const gusset::Places met = ring.intersect_line(gusset::Line::line({-2, 0.5, 0.01}, {1, 0, 0}), 0.05);
     REQUIRE(met.size() == 2);
     CHECK(std::abs(met.points()[0][1] - 0.5) < 1e-4);
-    CHECK(ring.near_misses(gusset::Line::line({-2, 0.5, 0.1}, {1, 0, 0}), 0.05).size() == 0);
+    CHECK(ring.intersect_line(gusset::Line::line({-2, 0.5, 0.1}, {1, 0, 0}), 0.05).size() == 0);
     const std::array<Point3, 2> bar{{{-2, 0, 0.01}, {2, 0, 0.01}}};
-    const gusset::Places both = ring.near_misses(Curve::through(bar, false), 0.05);
+    const gusset::Places both = ring.intersect(Curve::through(bar, false), 0.05);
     REQUIRE(both.size() == 2);
     CHECK(both.others().size() == 2);
 }

@@ -124,7 +124,7 @@ TEST_CASE("distances from lines, planes, curves and surfaces") {
     CHECK(flat.distance(Line::line({1, 1, 2}, {0, 0, 1})).meets());
     const std::array<Point3, 2> bar{{{1, 1, 0.5}, {2, 2, 1}}};
     const std::array<uint32_t, 2> ends{0, 1};
-    const auto curve = gusset::Curve::from_points(bar, gusset::Indices(ends), false);
+    const auto curve = gusset::Curve::from_controls(bar, gusset::Indices(ends), false);
     CHECK(std::abs(flat.distance(curve).distance - 0.5) < 1e-12);
     CHECK_THROWS_AS(flat.distance(curve, -1.0), gusset::Error);
 }

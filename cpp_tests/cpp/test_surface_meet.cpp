@@ -100,7 +100,7 @@ TEST_CASE("which hits, and what they are") {
     // A curve: the parabola z = x^2 - 1/4 over the sheet.
     const std::vector<std::array<double, 3>> points{{0.1, 0.5, -0.24}, {0.5, 0.5, 0.25 - 0.4}, {0.9, 0.5, 0.56}};
     const std::vector<uint32_t> ends{0, 2};
-    const gusset::SurfaceHits curve = flat.curve_hits(gusset::Curve::from_points(points, ends, false));
+    const gusset::SurfaceHits curve = flat.curve_hits(gusset::Curve::from_controls(points, ends, false));
     REQUIRE(curve.size() == 1);
     REQUIRE(curve[0].size() == 1);
     CHECK(curve.on_curve().size() == 3);

@@ -68,9 +68,9 @@ Tested random_curve(Random &random, bool plane, bool lattice) {
         for (const Point &p : points) {
             flat.push_back({p[0], p[1]});
         }
-        return {segments, Curve::from_points(flat, ends, closed), closed, lattice};
+        return {segments, Curve::from_controls(flat, ends, closed), closed, lattice};
     }
-    return {segments, Curve::from_points(points, ends, closed), closed, lattice};
+    return {segments, Curve::from_controls(points, ends, closed), closed, lattice};
 }
 
 double global(const Place &place) { return place.segment + place.t; }
@@ -130,7 +130,7 @@ void check_values(Case &test, const Tested &tested) {
         }
     }
     const auto own = tested.curve.derivatives(places, 1);
-    const auto bounds = tested.curve.bounds();
+    const gusset_curve_measures bounds = tested.curve.measure(GUSSET_CURVE_MEASURE_BOUNDS);
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto &controls = tested.segments[places[k].segment];
         const Point p = at(controls, places[k].t);
@@ -253,7 +253,8 @@ void check_crossings(Case &test, const Tested &tested, bool plane) {
         const gusset::Places by_plane = tested.curve.intersect_plane(origin, normal);
         check_roots(test, tested, height, by_plane, noise, !tested.lattice);
         if (plane) {
-            const gusset::Places by_line = tested.curve.intersect_line({origin[0], origin[1]}, {-normal[1], normal[0]});
+            const gusset::Line line = gusset::Line::line(origin, {-normal[1], normal[0], 0});
+            const gusset::Places by_line = tested.curve.intersect_line(line);
             check_roots(test, tested, height, by_line, noise, !tested.lattice);
             test.equal(by_line.size(), by_plane.size(), "places by a line and by its plane");
         }
@@ -346,7 +347,7 @@ void check_pairs(Case &test, const Tested &a, const Tested &b, const gusset::Pla
 /// Places where the distance of two curves is least, by samples and descent.
 void check_near_misses(Case &test, const Tested &a, const Tested &b) {
     const double within = test.random.real(0.05, 0.4);
-    const gusset::Places found = a.curve.near_misses(b.curve, within);
+    const gusset::Places found = a.curve.intersect(b.curve, within);
     const auto places = found.places(), others = found.others();
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Point p = at(a.segments[places[k].segment], places[k].t), q = at(b.segments[others[k].segment], others[k].t);
@@ -405,14 +406,14 @@ void check_near_misses(Case &test, const Tested &a, const Tested &b) {
 void check_parts(Case &test, const Tested &tested) {
     Random &random = test.random;
     const Place place = gusset::place(random.below(tested.segments.size()), random.unit());
-    const auto [before, after] = tested.curve.split(place);
-    test.at_most(std::abs(before.length() + after.length() - tested.curve.length()), 1e-10 * (1 + tested.curve.length()), "the error of the lengths of parts");
-    const Curve back = tested.curve.reversed(), raised = tested.curve.elevated_by(2);
     const auto n = static_cast<uint32_t>(tested.segments.size());
+    const Curve before = tested.curve.part(gusset::place(0, 0), place), after = tested.curve.part(place, gusset::place(n - 1, 1));
+    test.at_most(std::abs(before.length() + after.length() - tested.curve.length()), 1e-10 * (1 + tested.curve.length()), "the error of the lengths of parts");
+    const Curve back = tested.curve.reversed(), raised = tested.curve.with_degrees(7, 64).curve;
     const Point p = at(tested.segments[place.segment], place.t);
     test.at_most(size(minus(back.point(gusset::place(n - 1 - place.segment, 1 - place.t)), p)), 1e-12, "the error of a point of the reversed curve");
     test.at_most(size(minus(raised.point(place), p)), 1e-12, "the error of a point of the elevated curve");
-    const Point end = before.points()[before.points().size() - 1], start = after.points()[0];
+    const Point end = before.controls()[before.controls().size() - 1], start = after.controls()[0];
     test.at_most(std::max(size(minus(end, p)), size(minus(start, p))), 1e-12, "the error of the ends of parts");
 }
 } // namespace

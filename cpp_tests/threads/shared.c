@@ -119,7 +119,7 @@ static uint64_t tessellated(const gusset_context *context) {
 static uint64_t crossings(const gusset_context *context) {
     gusset_places_view view = {.struct_size = sizeof view};
     gusset_places *places = NULL;
-    MUST(gusset_curve_intersect_create(context, shared.curve, shared.crossing, &places));
+    MUST(gusset_curve_intersect_create(context, shared.curve, shared.crossing, 0.0, &places));
     MUST(gusset_places_get_view(places, &view));
     const uint64_t hash = hashed(view.count, view.points, view.count * 2 * sizeof(double));
     gusset_places_destroy(places);
@@ -131,7 +131,7 @@ static uint64_t copied(const gusset_context *context) {
     gusset_curve *curve = NULL;
     MUST(gusset_outline_curve_create(context, shared.outline, 0, &curve));
     MUST(gusset_curve_get_view(curve, &view));
-    const uint64_t hash = hashed(view.point_count, view.points, view.point_count * 2 * sizeof(double));
+    const uint64_t hash = hashed(view.control_count, view.controls, view.control_count * 2 * sizeof(double));
     gusset_curve_destroy(curve);
     return hash;
 }

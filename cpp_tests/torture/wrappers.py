@@ -21,9 +21,10 @@ VECTORS = {"point", "normal", "direction", "query"}
 UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "values": "SCALARS", "x": "SCALARS", "y": "SCALARS",
            "z": "SCALARS", "face_offsets": "OFFSET", "face_corners": "U32", "merge": "U32"}
 # Arrays of points: three coordinates each, or as many as a field `dimension` says.
-POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points"}
+POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points", "controls"}
 # Arrays that are results: what they hold after a failure is unspecified. Of other outputs, the first element is looked at.
-UNSPECIFIED = {"out", "rows", "columns", "deviations", "merge"}
+UNSPECIFIED = {"out", "rows", "columns", "deviations", "merge", "derivatives", "tangents", "curvatures",
+               "controls", "parameters", "statuses"}
 # What says that an element is none, where not all of it is 0.
 NONE = {"gusset_surface_nearest_point": "flags"}
 # Handles that functions change, and what results.h calls what it knows of them.
@@ -83,9 +84,7 @@ def count_after(items, at, within):
         # A number of another meaning, or, after an input, a result, whose count comes next.
         if not one.stars or items[at].constant and not one.constant:
             break
-    # Curves may be plane.
-    vector = "2" if any(one.type == "gusset_curve" for one in items) else "3"
-    return vector if items[at].name in VECTORS else "1"
+    return "3" if items[at].name in VECTORS else "1"
 
 
 def number(header, item, kind, lvalue, path, wide):

@@ -87,9 +87,9 @@ std::vector<double> differences(const gusset::Curve &reference, const gusset::Cu
 
 void write(std::ostream &svg, const std::vector<Point> &points, const std::vector<DrawnOutline> &all, bool closed) {
     const double width = 900, margin = 40, graph = 180;
-    gusset::Bounds box = all[0].curve.bounds();
+    gusset_curve_measures box = all[0].curve.measure(GUSSET_CURVE_MEASURE_BOUNDS);
     for (const DrawnOutline &drawn : all) {
-        const gusset::Bounds other = drawn.curve.bounds();
+        const gusset_curve_measures other = drawn.curve.measure(GUSSET_CURVE_MEASURE_BOUNDS);
         for (int k = 0; k < 2; ++k) {
             box.low[k] = std::min(box.low[k], other.low[k]);
             box.high[k] = std::max(box.high[k], other.high[k]);
@@ -115,7 +115,7 @@ void write(std::ostream &svg, const std::vector<Point> &points, const std::vecto
         << py(0) << ")'>\n";
     // The first one on top.
     for (auto drawn = all.rbegin(); drawn != all.rend(); ++drawn) {
-        const gusset::CurveForm path = drawn->curve.svg();
+        const gusset::CurveForm path = drawn->curve.exported(gusset::CurveFormat::svg);
         svg << "<path stroke='" << drawn->style.colour << "' d='" << path.text() << "'/>\n";
     }
     svg << "</g>\n";

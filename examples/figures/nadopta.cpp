@@ -49,7 +49,7 @@ std::string one_point(const std::string &file) {
         const Point3 control = sections.controls()[1];
         const double t = sections.parameters()[1];
         const std::vector<Plane> quadratic{points[0], {control[0], control[1]}, points[2]};
-        const Curve curve = Curve::from_points(quadratic, one_quadratic, false);
+        const Curve curve = Curve::from_controls(quadratic, one_quadratic, false);
         const Point3 given{points[1][0], points[1][1], 0};
         off = std::max(off, curve.nearest({&given, 1})[0].distance);
         figure.line({spot(points[0][0], points[0][1]), at(control), spot(points[2][0], points[2][1])},
@@ -121,16 +121,17 @@ std::string chords(const std::string &file) {
     options.method = SectionMethod::normal;
     options.lock = gusset::ParameterLock::data_guide;
     options.solver = gusset::OutlineSolver::step;
-    options.history = true;
     const gusset::Outline whole(gusset::Outlines(points, false), options);
-    const auto history = whole.history();
+    const gusset_outline_report all_cycles = whole.report();
+    std::vector<double> moves;
     std::vector<std::vector<Spot>> cycles(1);
     for (const Plane &p : points) {
         cycles[0].push_back(of(right, p));
     }
-    for (std::size_t sweeps = 1; sweeps <= history.size(); ++sweeps) {
-        options.max_sweeps = static_cast<uint32_t>(sweeps);
+    for (uint32_t sweeps = 1; sweeps <= all_cycles.iterations; ++sweeps) {
+        options.max_sweeps = sweeps;
         const gusset::Outline part(gusset::Outlines(points, false), options);
+        moves.push_back(part.report().last_move);
         cycles.emplace_back();
         for (const Point3 &p : part.curve().segment(0)) {
             cycles.back().push_back(right(p[0], p[1]));
@@ -157,11 +158,10 @@ std::string chords(const std::string &file) {
     figure.label({730, 382}, "control points by cycles (normal), and the curve");
     figure.save(file);
     text += "; moves of cycles";
-    for (std::size_t k = 0; k < std::min<std::size_t>(history.size(), 5); ++k) {
-        text += " " + places(history[k].moved, 6);
+    for (std::size_t k = 0; k < std::min<std::size_t>(moves.size(), 5); ++k) {
+        text += " " + places(moves[k], 6);
     }
-    return text + " of " + std::to_string(history.size()) + " cycles, " +
-           std::to_string(history[history.size() - 1].steps) + " steps";
+    return text + " of " + std::to_string(moves.size()) + " cycles, " + std::to_string(all_cycles.steps) + " steps";
 }
 
 /// Fig. 3: the weights of the three control points of a quadratic, as heights of curves: 1 there and 0 elsewhere.
@@ -184,7 +184,7 @@ std::string weights(const std::string &file) {
         // x is the parameter itself.
         std::vector<Plane> controls{{0, 0}, {0.5, 0}, {1, 0}};
         controls[k][1] = 1;
-        const Curve curve = Curve::from_points(controls, one_quadratic, false);
+        const Curve curve = Curve::from_controls(controls, one_quadratic, false);
         std::vector<Spot> line;
         for (int step = 0; step <= steps; ++step) {
             const Point3 p = curve.point(gusset::place(0, static_cast<double>(step) / steps));

@@ -132,8 +132,8 @@ static void curves() {
     const std::vector<std::array<double, 2>> points = {{0, 0}, {2, 1}, {4, 0}, {3, 2}, {2, 4}, {1, 2}};
     const gusset::Outline outline(gusset::Outlines(points, true)); // closed
     const gusset::Curve curve = outline.curve_copy();
-    std::cout << "length " << curve.length() << ", area " << curve.moments().area << '\n';
-    const gusset::CurveForm svg = curve.svg();
+    std::cout << "length " << curve.length() << ", area " << curve.measure().area << '\n';
+    const gusset::CurveForm svg = curve.exported(gusset::CurveFormat::svg);
     std::cout << "<path d=\"" << svg.text() << "\"/>\n";
     //! [outline]
 }

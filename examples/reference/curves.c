@@ -22,7 +22,7 @@ static gusset_curve *a_curve_through_points(void) {
     gusset_outline *outline = NULL;
     gusset_outline_view parts = {.struct_size = sizeof parts};
     gusset_outline_report report = {.struct_size = sizeof report};
-    gusset_section_report measure;
+    gusset_curve_measures measures = {.struct_size = sizeof measures};
     gusset_curve *curve = NULL;
 
     circle(points, 12, 0.0);
@@ -31,61 +31,27 @@ static gusset_curve *a_curve_through_points(void) {
     HOLDS(parts.outline_count == 1 && parts.statuses[0] == GUSSET_POINT_OK);
     MUST(gusset_outline_get_report(outline, 0, &report));
     HOLDS(report.fit == GUSSET_FIT_OK && report.max_residual < 1e-12 && about(report.size, 2.0));
-    MUST(gusset_outline_measure(outline, 0, &measure));
-    HOLDS(fabs(measure.girth - 2.0 * pi) < 0.05 && fabs(measure.area - pi) < 0.05);
     /* A copy that outlives the outline. */
     MUST(gusset_outline_curve_create(NULL, outline, 0, &curve));
     gusset_outline_destroy(outline);
+    MUST(gusset_curve_measure(NULL, curve, GUSSET_CURVE_MEASURE_LENGTH | GUSSET_CURVE_MEASURE_AREA, &measures));
+    HOLDS(fabs(measures.length - 2.0 * pi) < 0.05 && fabs(measures.area - pi) < 0.05);
     return curve;
 }
 //! [outline]
-
-//! [history]
-static void how_the_cycles_went(void) {
-    double points[12][3];
-    gusset_outlines outlines = {.struct_size = sizeof outlines,
-                                .points = points,
-                                .point_stride = sizeof points[0],
-                                .point_count = 12,
-                                .dimension = 2,
-                                .closed = 1};
-    /* The paper's chain, with control points on the bisectors, by its own steps. */
-    gusset_outline_options options = {.struct_size = sizeof options,
-                                      .curve = GUSSET_CURVE_CHAIN,
-                                      .solver = GUSSET_SOLVER_STEP,
-                                      .history = 1};
-    gusset_outline *outline = NULL;
-    gusset_outline_history_view history = {.struct_size = sizeof history};
-    size_t i;
-
-    circle(points, 12, 0.0);
-    /* Of an ellipse: on a circle the first cycle is right. */
-    for (i = 0; i < 12; ++i) {
-        points[i][0] *= 3.0;
-    }
-    MUST(gusset_outline_create(NULL, &outlines, &options, &outline));
-    MUST(gusset_outline_get_history(outline, 0, &history));
-    /* The moves of the control points become less from cycle to cycle. */
-    HOLDS(history.cycle_count > 3 && history.cycles[3].moved < history.cycles[0].moved);
-    HOLDS(history.cycles[history.cycle_count - 1].steps > history.cycles[0].steps);
-    gusset_outline_destroy(outline);
-}
-//! [history]
 
 //! [sections]
 static void one_section_a_point(void) {
     const double points[3][2] = {{0, 0}, {1, 1}, {2, 0}};
     gusset_outlines outlines = {
         .struct_size = sizeof outlines, .points = points, .point_count = 3, .dimension = 2, .closed = 0};
-    gusset_sections *sections = NULL;
-    gusset_sections_view parts = {.struct_size = sizeof parts};
+    double controls[3][3], parameters[3];
+    uint8_t statuses[3];
 
-    MUST(gusset_sections_create(NULL, &outlines, NULL, &sections));
-    MUST(gusset_sections_get_view(sections, &parts));
+    MUST(gusset_outlines_find_sections(NULL, &outlines, NULL, controls[0], parameters, statuses, NULL));
     /* The quadratic (0, 0), (1, 2), (2, 0) passes (1, 1) half way. */
-    HOLDS(parts.count == 3 && about(parts.controls[3], 1.0) && about(parts.controls[4], 2.0));
-    HOLDS(about(parts.parameters[1], 0.5));
-    gusset_sections_destroy(sections);
+    HOLDS(statuses[1] == GUSSET_POINT_OK && about(controls[1][0], 1.0) && about(controls[1][1], 2.0));
+    HOLDS(about(parameters[1], 0.5));
 }
 //! [sections]
 
@@ -103,10 +69,10 @@ static void a_body_and_a_new_section(void) {
                                 .closed = 1};
     gusset_frame *frame = NULL;
     gusset_frame_view parts = {.struct_size = sizeof parts};
-    const gusset_outline *across = NULL, *along = NULL;
     gusset_outline_view columns = {.struct_size = sizeof columns};
     gusset_outline *slice = NULL;
-    gusset_section_report measure;
+    gusset_curve *section = NULL;
+    gusset_curve_measures measures = {.struct_size = sizeof measures};
     gusset_frame_options options = {.struct_size = sizeof options};
     const uint32_t lost = 8 + 3;
     int k;
@@ -117,12 +83,13 @@ static void a_body_and_a_new_section(void) {
     MUST(gusset_frame_create(NULL, &sections, NULL, &frame));
     MUST(gusset_frame_get_view(frame, &parts));
     HOLDS(parts.rows == 3 && parts.columns == 8);
-    MUST(gusset_frame_get_curves(frame, &across, &along));
-    MUST(gusset_outline_get_view(along, &columns));
+    MUST(gusset_outline_get_view(parts.curves_along, &columns));
     HOLDS(columns.outline_count == 8);
     MUST(gusset_frame_slice_create(NULL, frame, middle, upwards, &slice));
-    MUST(gusset_outline_measure(slice, 0, &measure));
-    HOLDS(about(measure.centre[2], 0.5) && fabs(measure.girth - 2.0 * pi) < 0.1);
+    MUST(gusset_outline_curve_create(NULL, slice, 0, &section));
+    MUST(gusset_curve_measure(NULL, section, 0, &measures));
+    HOLDS(about(measures.centre[2], 0.5) && fabs(measures.length - 2.0 * pi) < 0.1);
+    gusset_curve_destroy(section);
     gusset_outline_destroy(slice);
     gusset_frame_destroy(frame);
 
@@ -178,7 +145,7 @@ static gusset_curve *an_arch(void) {
 
     MUST(gusset_curve_create(NULL, points[0], 5, 2, ends, 3, 0, &curve));
     MUST(gusset_curve_get_view(curve, &parts));
-    HOLDS(parts.point_count == 5 && parts.ends.count == 3 && parts.points[5] == 0.0);
+    HOLDS(parts.control_count == 5 && parts.ends.count == 3 && parts.controls[5] == 0.0);
     return curve;
 }
 //! [curve]
@@ -187,36 +154,32 @@ static gusset_curve *an_arch(void) {
 static void what_curves_are(const gusset_curve *arch) {
     const gusset_place top = {.segment = 1, .t = 0.0};
     const double queries[2][3] = {{1, 3, 0}, {-1, 0, 0}};
-    double derivatives[6], tangent[3], curvature, length, at, half, bounds[6], area[3];
+    double derivatives[6], tangent[3], curvature, at, half;
     gusset_curve_nearest_point nearest[2];
-    gusset_curve_moment_report moments = {.struct_size = sizeof moments};
+    gusset_curve_measures measures = {.struct_size = sizeof measures};
     gusset_place place;
 
-    /* The point (1, 1), and the first derivative there. */
-    MUST(gusset_curve_derivatives(NULL, arch, &top, 1, 1, derivatives));
+    /* The point (1, 1), and the first derivative there; direction and curvature. NULL for what is not wanted. */
+    MUST(gusset_curve_evaluate(NULL, arch, &top, 1, 1, derivatives, tangent, &curvature));
     HOLDS(derivatives[0] == 1.0 && derivatives[1] == 1.0 && derivatives[3] == 2.0 && derivatives[4] == 0.0);
-    MUST(gusset_curve_tangents(NULL, arch, &top, 1, tangent));
-    MUST(gusset_curve_curvatures(NULL, arch, &top, 1, &curvature));
     HOLDS(about(tangent[0], 1.0) && about(curvature, -0.5)); /* it turns to the right */
     MUST(gusset_curve_nearest(NULL, arch, queries[0], 2, nearest));
     HOLDS(about(nearest[0].distance, 2.0) && about(nearest[1].distance, 1.0));
-    MUST(gusset_curve_length(NULL, arch, &length));
+    MUST(gusset_curve_measure(NULL, arch, 0, &measures));
+    HOLDS(about(measures.low[0], 0.0) && about(measures.high[0], 2.0) && about(measures.high[1], 1.0));
+    HOLDS((measures.defined & GUSSET_CURVE_MEASURE_MOMENTS) != 0); /* it is plane */
+    /* Run through clockwise, so that the area is negative: two parts of 5/6. */
+    HOLDS(about(measures.area_vector[2], -5.0 / 3.0) && about(measures.centroid[0], 1.0));
     MUST(gusset_curve_lengths_at(NULL, arch, &top, 1, &at));
-    half = 0.5 * length;
+    half = 0.5 * measures.length;
     MUST(gusset_curve_places_at(NULL, arch, &half, 1, &place));
     HOLDS(about(at, half) && about(place.segment + place.t, 1.0));
-    MUST(gusset_curve_bounds(NULL, arch, bounds));
-    HOLDS(about(bounds[0], 0.0) && about(bounds[3], 2.0) && about(bounds[4], 1.0));
-    MUST(gusset_curve_area_vector(NULL, arch, area));
-    MUST(gusset_curve_get_moments(NULL, arch, &moments));
-    /* Run through clockwise, so that the area is negative: two parts of 5/6. */
-    HOLDS(about(area[2], moments.area) && about(moments.area, -5.0 / 3.0) && about(moments.centroid[0], 1.0));
 }
 //! [curve_ask]
 
 //! [curve_find]
 static void places_on_curves(const gusset_curve *arch, const gusset_curve *round) {
-    const double origin[3] = {1, 0, 0}, east[3] = {1, 0, 0}, start[2] = {0, 0.5}, along[2] = {1, 0};
+    const double origin[3] = {1, 0, 0}, east[3] = {1, 0, 0}, start[3] = {0, 0.5, 0}, north[3] = {0, 1, 0};
     gusset_places *places = NULL;
     gusset_places_view view = {.struct_size = sizeof view};
 
@@ -225,12 +188,13 @@ static void places_on_curves(const gusset_curve *arch, const gusset_curve *round
     HOLDS(view.count == 1 && about(view.points[1], 1.0));
     gusset_places_destroy(places);
 
-    MUST(gusset_curve_intersect_line_create(NULL, arch, start, along, &places));
+    /* The line y = 0.5 of the plane is in the plane across y. */
+    MUST(gusset_curve_intersect_plane_create(NULL, arch, start, north, &places));
     MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 2 && about(view.points[0] + view.points[3], 2.0));
     gusset_places_destroy(places);
 
-    MUST(gusset_curve_intersect_create(NULL, arch, round, &places));
+    MUST(gusset_curve_intersect_create(NULL, arch, round, 0.0, &places));
     MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && view.others != NULL && view.undecided == 0);
     gusset_places_destroy(places);
@@ -259,22 +223,20 @@ static void curves_of_curves(const gusset_curve *arch) {
 
     MUST(gusset_curve_part_create(NULL, arch, from, to, &made));
     MUST(gusset_curve_get_view(made, &parts));
-    HOLDS(about(parts.points[0], 0.25) && about(parts.points[3 * (parts.point_count - 1)], 1.75));
-    gusset_curve_destroy(made);
-    MUST(gusset_curve_split_create(NULL, arch, from, 1, &made));
+    HOLDS(about(parts.controls[0], 0.25) && about(parts.controls[3 * (parts.control_count - 1)], 1.75));
     gusset_curve_destroy(made);
     MUST(gusset_curve_reverse_create(NULL, arch, &made));
     MUST(gusset_curve_get_view(made, &parts));
-    HOLDS(parts.points[0] == 2.0);
+    HOLDS(parts.controls[0] == 2.0);
     gusset_curve_destroy(made);
 
-    MUST(gusset_curve_elevate_create(NULL, arch, 1, 0, &made));
+    MUST(gusset_curve_change_degree_create(NULL, arch, 3, 64, 0.0, NULL, &made));
     MUST(gusset_curve_get_view(made, &parts));
-    HOLDS(parts.point_count == 7); /* cubics */
+    HOLDS(parts.control_count == 7); /* cubics */
     gusset_curve_destroy(made);
-    MUST(gusset_curve_reduce_create(NULL, arch, 1, INFINITY, deviations, &made));
+    MUST(gusset_curve_change_degree_create(NULL, arch, 1, 1, INFINITY, deviations, &made));
     MUST(gusset_curve_get_view(made, &parts));
-    HOLDS(parts.point_count == 3 && deviations[0] > 0.1); /* straight */
+    HOLDS(parts.control_count == 3 && deviations[0] > 0.1); /* straight */
     gusset_curve_destroy(made);
 
     MUST(gusset_curve_offset_create(NULL, arch, 0.25, &options, &report, &made));
@@ -288,17 +250,17 @@ static void other_forms(const gusset_curve *arch, const gusset_curve *round) {
     gusset_curve_form *form = NULL;
     gusset_curve_form_view view = {.struct_size = sizeof view};
 
-    MUST(gusset_curve_svg_create(NULL, arch, &form));
+    MUST(gusset_curve_export_create(NULL, arch, GUSSET_CURVE_FORMAT_SVG, 0.0, &form));
     MUST(gusset_curve_form_get_view(form, &view));
     HOLDS(view.text[0] == 'M' && strlen(view.text) == view.text_length);
     gusset_curve_form_destroy(form);
 
-    MUST(gusset_curve_contour_create(NULL, round, 0.0, &form));
+    MUST(gusset_curve_export_create(NULL, round, GUSSET_CURVE_FORMAT_CONTOUR, 0.0, &form));
     MUST(gusset_curve_form_get_view(form, &view));
     HOLDS(view.point_count > 0 && view.on_curve != NULL);
     gusset_curve_form_destroy(form);
 
-    MUST(gusset_curve_spline_create(NULL, arch, &form));
+    MUST(gusset_curve_export_create(NULL, arch, GUSSET_CURVE_FORMAT_SPLINE, 0.0, &form));
     MUST(gusset_curve_form_get_view(form, &view));
     HOLDS(view.degree == 2 && view.knot_count == view.point_count + 3);
     gusset_curve_form_destroy(form);
@@ -316,11 +278,11 @@ static void curves_in_space(void) {
 
     MUST(gusset_curve_through_create(NULL, bow[0], 5, 0, GUSSET_SCHEME_SIX_TAP, &one));
     MUST(gusset_curve_through_create(NULL, bar[0], 5, 0, GUSSET_SCHEME_SIX_TAP, &other));
-    MUST(gusset_curve_near_misses_create(NULL, one, other, 1.001, &places));
+    MUST(gusset_curve_intersect_create(NULL, one, other, 1.001, &places));
     MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && about(view.points[0], 2.0)); /* one above the other */
     gusset_places_destroy(places);
-    MUST(gusset_curve_line_near_misses_create(NULL, one, &line, 1.001, &places));
+    MUST(gusset_curve_intersect_line_create(NULL, one, &line, 1.001, &places));
     MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && about(view.others[0].t, view.points[1]));
     gusset_places_destroy(places);
@@ -331,7 +293,6 @@ static void curves_in_space(void) {
 
 int main(void) {
     gusset_curve *round = a_curve_through_points(), *arch = an_arch();
-    how_the_cycles_went();
     one_section_a_point();
     a_body_and_a_new_section();
     room_for_comfort();

@@ -398,11 +398,11 @@ static void points(const gusset_surface *surface) {
 //! [sheet_curve]
 static void a_line_of_nodes(const gusset_sheet *sheet) {
     gusset_curve *curve = NULL;
-    double length = 0.0;
+    gusset_curve_measures measures = {.struct_size = sizeof measures};
 
     MUST(gusset_sheet_curve_create(NULL, sheet, GUSSET_ALONG_ROWS, 2.0, &curve));
-    MUST(gusset_curve_length(NULL, curve, &length));
-    HOLDS(fabs(length - 2.0 * pi) < 1e-2); /* once round */
+    MUST(gusset_curve_measure(NULL, curve, GUSSET_CURVE_MEASURE_LENGTH, &measures));
+    HOLDS(fabs(measures.length - 2.0 * pi) < 1e-2); /* once round */
     gusset_curve_destroy(curve);
 }
 //! [sheet_curve]

@@ -69,7 +69,7 @@ Sections without_toes(const Sections &foot) {
     const gusset::Outline drawn(gusset::Outlines(foot.points, true).offsets(foot.offsets));
     Sections made;
     for (std::size_t k = 0; k < foot.size(); ++k) {
-        if (k > 1 && drawn.measure(k).girth < 0.67 * drawn.measure(k - 1).girth) {
+        if (k > 1 && drawn.measure(k).length < 0.67 * drawn.measure(k - 1).length) {
             std::cout << "sections left out, of single toes: " << foot.size() - k << '\n';
             break;
         }
@@ -314,7 +314,7 @@ int main(int argc, char **argv) try {
     for (std::size_t k = 0; k < foot.size(); ++k) {
         const double t = (foot.points[foot.offsets[k]][0] - heel) / (toes - heel);
         grown.push_back(ease[0] + t * (ease[1] - ease[0]));
-        room.push_back(grown.back() / 100 * drawn.measure(k).girth / 6.283185307179586);
+        room.push_back(grown.back() / 100 * drawn.measure(k).length / 6.283185307179586);
     }
     const Last bare = make(foot, std::vector<double>(foot.size()), tolerance), last = make(foot, room, tolerance);
 
@@ -326,11 +326,11 @@ int main(int argc, char **argv) try {
     std::cout << "   at    girth  of last     more  wanted     area  of last\n" << std::fixed;
     for (std::size_t k = 0; k < foot.size(); ++k) {
         const Point3 at = foot.points[foot.offsets[k]];
-        const gusset_section_report before = bare.frame.slice(at, {1, 0, 0}).measure();
-        const gusset_section_report after = last.frame.slice(at, {1, 0, 0}).measure();
-        const double more = percent(after.girth, before.girth);
+        const gusset_curve_measures before = bare.frame.slice(at, {1, 0, 0}).measure();
+        const gusset_curve_measures after = last.frame.slice(at, {1, 0, 0}).measure();
+        const double more = percent(after.length, before.length);
         std::cout << std::setprecision(2) << std::setw(5) << at[0] << std::setprecision(4) << std::setw(9)
-                  << before.girth << std::setw(9) << after.girth << std::setprecision(2) << std::setw(7) << more
+                  << before.length << std::setw(9) << after.length << std::setprecision(2) << std::setw(7) << more
                   << " %" << std::setw(6) << grown[k] << " %" << std::setprecision(4) << std::setw(9) << before.area
                   << std::setw(9) << after.area << '\n';
         claims.hold(std::abs(more - grown[k]) < 1.5, "the girth grows by what is wanted, within 1.5 %");

@@ -103,13 +103,15 @@ enum class SampleRule : uint32_t {
 /// The interpolation of nodes by curves and surfaces; see the constants.
 enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
 
-struct Line;
-/// A box along the axes.
-struct Bounds {
-    /// The smallest and the largest x, y, z.
-    Point3 low, high;
+/// The format that a curve is exported to; see the constants.
+enum class CurveFormat : uint32_t {
+    svg = GUSSET_CURVE_FORMAT_SVG,
+    contour = GUSSET_CURVE_FORMAT_CONTOUR,
+    spline = GUSSET_CURVE_FORMAT_SPLINE
 };
-struct ReducedCurve;
+
+struct Line;
+struct CurveOfDegrees;
 struct OffsetCurve;
 
 /// A curve of Bézier segments of any degrees up to 64. Immutable.
@@ -117,17 +119,17 @@ class Curve {
 public:
     explicit Curve(gusset_curve *owned) : curve_(owned) {}
 
-    /// `points`: any container of elements that are two or three doubles and nothing else, such as
+    /// `controls`: any container of elements that are two or three doubles and nothing else, such as
     /// std::array<double, 2>. `ends`: 0, then the index of the last control point of each segment.
     /// `closed`: the last point is the first again.
     template <class Container>
-    static Curve from_points(const Container &points, Indices ends, bool closed, const Context &context = Context()) {
-        using Point = std::decay_t<decltype(*std::data(points))>;
+    static Curve from_controls(const Container &controls, Indices ends, bool closed, const Context &context = Context()) {
+        using Point = std::decay_t<decltype(*std::data(controls))>;
         static_assert(std::is_same_v<typename detail::PointTraits<Point>::Scalar, double> &&
                           (sizeof(Point) == 16 || sizeof(Point) == 24),
                       "two or three doubles");
-        const auto *numbers = reinterpret_cast<const double *>(std::data(points));
-        return Curve(context.result(gusset_curve_create, numbers, std::size(points), static_cast<uint32_t>(sizeof(Point) / 8), ends.data(),
+        const auto *numbers = reinterpret_cast<const double *>(std::data(controls));
+        return Curve(context.result(gusset_curve_create, numbers, std::size(controls), static_cast<uint32_t>(sizeof(Point) / 8), ends.data(),
                                     ends.size(), closed));
     }
 
@@ -141,11 +143,11 @@ public:
 
     const gusset_curve *get() const noexcept { return curve_.get(); }
     /// The control points.
-    Points points() const & {
+    Points controls() const & {
         const gusset_curve_view curve = view();
-        return detail::points(curve.points, curve.point_count);
+        return detail::points(curve.controls, curve.control_count);
     }
-    Points points() const && = delete;
+    Points controls() const && = delete;
     /// 0, then the index of the last control point of each segment.
     Indices ends() const & { return detail::indices(view().ends); }
     Indices ends() const && = delete;
@@ -164,17 +166,17 @@ public:
     std::vector<Point3> derivatives(Span<const Place> places, uint32_t order,
                                     const Context &context = Context()) const {
         std::vector<Point3> out(places.size() * (std::size_t{order} + 1));
-        context.call(gusset_curve_derivatives, get(), places.data(), places.size(), order, detail::numbers(out.data()));
+        context.call(gusset_curve_evaluate, get(), places.data(), places.size(), order, detail::numbers(out.data()), nullptr, nullptr);
         return out;
     }
     std::vector<Point3> tangents(Span<const Place> places, const Context &context = Context()) const {
         std::vector<Point3> out(places.size());
-        context.call(gusset_curve_tangents, get(), places.data(), places.size(), detail::numbers(out.data()));
+        context.call(gusset_curve_evaluate, get(), places.data(), places.size(), uint32_t{0}, nullptr, detail::numbers(out.data()), nullptr);
         return out;
     }
     std::vector<double> curvatures(Span<const Place> places, const Context &context = Context()) const {
         std::vector<double> out(places.size());
-        context.call(gusset_curve_curvatures, get(), places.data(), places.size(), out.data());
+        context.call(gusset_curve_evaluate, get(), places.data(), places.size(), uint32_t{0}, nullptr, nullptr, out.data());
         return out;
     }
     std::vector<gusset_curve_nearest_point> nearest(Points queries,
@@ -184,7 +186,12 @@ public:
         return out;
     }
 
-    double length(const Context &context = Context()) const { return context.result(gusset_curve_length, get()); }
+    /// The measures that the flags GUSSET_CURVE_MEASURE_... ask for, 0 for all; `defined` says which of them
+    /// the curve has.
+    gusset_curve_measures measure(uint32_t flags = 0, const Context &context = Context()) const {
+        return context.result(gusset_curve_measure, get(), flags);
+    }
+    double length(const Context &context = Context()) const { return measure(GUSSET_CURVE_MEASURE_LENGTH, context).length; }
     /// The arc lengths from the start.
     std::vector<double> lengths_at(Span<const Place> places, const Context &context = Context()) const {
         std::vector<double> out(places.size());
@@ -196,81 +203,48 @@ public:
         context.call(gusset_curve_places_at, get(), lengths.data(), lengths.size(), out.data());
         return out;
     }
-    Bounds bounds(const Context &context = Context()) const {
-        std::array<double, 6> b{};
-        context.call(gusset_curve_bounds, get(), b.data());
-        return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-    }
-    /// Half the integral of r x dr; an open curve is closed by the chord from its end to its start.
-    Point3 area_vector(const Context &context = Context()) const {
-        Point3 area{};
-        context.call(gusset_curve_area_vector, get(), area.data());
-        return area;
-    }
-    gusset_curve_moment_report moments(const Context &context = Context()) const {
-        return context.result(gusset_curve_get_moments, get());
-    }
 
     Places intersect_plane(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
         return Places(context.result(gusset_curve_intersect_plane_create, get(), point.data(), normal.data()));
     }
-    Places intersect_line(const std::array<double, 2> &point, const std::array<double, 2> &direction,
-                          const Context &context = Context()) const {
-        return Places(context.result(gusset_curve_intersect_line_create, get(), point.data(), direction.data()));
-    }
+    /// The places where the curve meets a line, or comes as near to it as `within`. The other places are on
+    /// segment 0, with the line's own parameter.
+    Places intersect_line(const Line &line, double within = 0.0, const Context &context = Context()) const;
     /// The places where the tangent makes an angle with a direction, and parts where it does all
     /// along: as overlaps, twice.
     Places tangents_at_angle(const Point3 &direction, double angle, const Context &context = Context()) const {
         return Places(context.result(gusset_curve_tangent_angle_create, get(), direction.data(), angle));
     }
-    Places intersect(const Curve &other, const Context &context = Context()) const {
-        return Places(context.result(gusset_curve_intersect_create, get(), other.get()));
+    /// The places where two curves meet, or come as near to each other as `within`.
+    Places intersect(const Curve &other, double within = 0.0, const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_intersect_create, get(), other.get(), within));
     }
+    /// The places where a plane curve meets itself.
     Places self_intersections(const Context &context = Context()) const {
-        return Places(context.result(gusset_curve_intersect_create, get(), nullptr));
+        return Places(context.result(gusset_curve_intersect_create, get(), nullptr, 0.0));
     }
-    /// Local minima of the distance of two curves in space that are at most `within`.
-    Places near_misses(const Curve &other, double within, const Context &context = Context()) const {
-        return Places(context.result(gusset_curve_near_misses_create, get(), other.get(), within));
-    }
-    /// The same with a line; the other places are on its segment 0, with the line's own parameter.
-    Places near_misses(const Line &line, double within, const Context &context = Context()) const;
     /// `amount`: a count, a step of arc length, or a chord error.
     Places sample(SampleRule rule, double amount, const Context &context = Context()) const {
-        return Places(context.result(gusset_curve_sample_create, get(), static_cast<uint32_t>(rule), amount));
+        return Places(context.result(gusset_curve_sample_create, get(), static_cast<gusset_sample_rule>(rule), amount));
     }
 
     Curve part(Place from, Place to, const Context &context = Context()) const {
         return Curve(context.result(gusset_curve_part_create, get(), from, to));
     }
-    /// The parts before and after a place.
-    std::pair<Curve, Curve> split(Place at, const Context &context = Context()) const {
-        Curve before(context.result(gusset_curve_split_create, get(), at, uint32_t{0}));
-        return {std::move(before), Curve(context.result(gusset_curve_split_create, get(), at, uint32_t{1}))};
-    }
     Curve reversed(const Context &context = Context()) const {
         return Curve(context.result(gusset_curve_reverse_create, get()));
     }
-    Curve elevated_by(uint32_t by, const Context &context = Context()) const {
-        // By 0 the C function reads the degree to raise to: 1 changes nothing.
-        return Curve(context.result(gusset_curve_elevate_create, get(), by, uint32_t{1}));
-    }
-    Curve elevated_to(uint32_t degree, const Context &context = Context()) const {
-        return Curve(context.result(gusset_curve_elevate_create, get(), uint32_t{0}, degree));
-    }
-    ReducedCurve reduced(uint32_t degree, double tolerance, const Context &context = Context()) const;
+    /// The curve with segments of degrees from `lowest` to `highest`; a segment that would deviate by more
+    /// than `tolerance` is not lowered.
+    CurveOfDegrees with_degrees(uint32_t lowest, uint32_t highest, double tolerance = 0.0,
+                                const Context &context = Context()) const;
     /// `degree`: 2 or 3; `max_segments`: 0 for 65536.
     OffsetCurve offset(double distance, double tolerance, uint32_t degree = 3, std::size_t max_segments = 0,
                        const Context &context = Context()) const;
 
-    CurveForm svg(const Context &context = Context()) const {
-        return CurveForm(context.result(gusset_curve_svg_create, get()));
-    }
-    CurveForm contour(double tolerance = 0.0, const Context &context = Context()) const {
-        return CurveForm(context.result(gusset_curve_contour_create, get(), tolerance));
-    }
-    CurveForm spline(const Context &context = Context()) const {
-        return CurveForm(context.result(gusset_curve_spline_create, get()));
+    /// `tolerance`: of a contour, how far from the middle a joint still counts as there.
+    CurveForm exported(CurveFormat format, double tolerance = 0.0, const Context &context = Context()) const {
+        return CurveForm(context.result(gusset_curve_export_create, get(), static_cast<gusset_curve_format>(format), tolerance));
     }
 
 private:
@@ -278,11 +252,11 @@ private:
     detail::Handle<gusset_curve, gusset_curve_destroy> curve_;
 };
 
-/// A curve of lower degree. A segment whose bound exceeds the tolerance keeps its degree.
-struct ReducedCurve {
-    /// The curve of lower degree.
+/// A curve with other degrees.
+struct CurveOfDegrees {
+    /// The curve.
     Curve curve;
-    /// Of each segment a bound of its distance from the original.
+    /// For each segment a bound of its distance from the original; above the tolerance if it kept its degree.
     std::vector<double> deviations;
 };
 
@@ -294,9 +268,9 @@ struct OffsetCurve {
     gusset_offset_report report;
 };
 
-inline ReducedCurve Curve::reduced(uint32_t degree, double tolerance, const Context &context) const {
+inline CurveOfDegrees Curve::with_degrees(uint32_t lowest, uint32_t highest, double tolerance, const Context &context) const {
     std::vector<double> deviations(segment_count());
-    Curve curve(context.result(gusset_curve_reduce_create, get(), degree, tolerance,
+    Curve curve(context.result(gusset_curve_change_degree_create, get(), lowest, highest, tolerance,
                                deviations.empty() ? nullptr : deviations.data()));
     return {std::move(curve), std::move(deviations)};
 }

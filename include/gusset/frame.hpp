@@ -105,16 +105,12 @@ public:
     Points nodes() const && = delete;
     /// The curve through row k.
     OutlineCurve across(std::size_t k) const & {
-        const gusset_outline *curves = nullptr;
-        detail::check(gusset_frame_get_curves(frame_.get(), &curves, nullptr));
-        return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), k);
+        return Outline::curve_of(detail::lent(gusset_outline_get_view, view().curves_across), k);
     }
     OutlineCurve across(std::size_t k) const && = delete;
     /// The curve through column i.
     OutlineCurve along(std::size_t i) const & {
-        const gusset_outline *curves = nullptr;
-        detail::check(gusset_frame_get_curves(frame_.get(), nullptr, &curves));
-        return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), i);
+        return Outline::curve_of(detail::lent(gusset_outline_get_view, view().curves_along), i);
     }
     OutlineCurve along(std::size_t i) const && = delete;
     /// A new section: the intersection of the curves along with the plane through a point.

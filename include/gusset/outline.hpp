@@ -8,12 +8,12 @@ namespace gusset {
 
 /// The kind of a curve; see the constants.
 enum class CurveKind : uint32_t {
-    composite = GUSSET_CURVE_COMPOSITE,
-    single = GUSSET_CURVE_SINGLE,
-    blend_c1 = GUSSET_CURVE_BLEND_C1,
-    blend_c2 = GUSSET_CURVE_BLEND_C2,
-    cubic_c2 = GUSSET_CURVE_CUBIC_C2,
-    chain = GUSSET_CURVE_CHAIN
+    composite = GUSSET_CURVE_KIND_COMPOSITE,
+    single = GUSSET_CURVE_KIND_SINGLE,
+    blend_c1 = GUSSET_CURVE_KIND_BLEND_C1,
+    blend_c2 = GUSSET_CURVE_KIND_BLEND_C2,
+    cubic_c2 = GUSSET_CURVE_KIND_CUBIC_C2,
+    chain = GUSSET_CURVE_KIND_CHAIN
 };
 /// The guide of the control point of a section; see the constants.
 enum class SectionMethod : uint32_t {
@@ -107,15 +107,11 @@ struct OutlineOptions {
     /// For SectionMethod::alpha.
     double alpha = 0.5;
     double parameter_limit = 0.0;
-    std::optional<double> repeat_tolerance;
+    double repeat_tolerance = 0.0;
     double corner_angle = 0.0;
     double tolerance = 0.0;
-    double first_step = 0.0;
-    double step_divisor = 0.0;
     uint32_t max_sweeps = 0;
     uint32_t max_steps = 0;
-    /// Whether the moves of each cycle are kept, for Outline::history.
-    bool history = false;
 
     gusset_outline_options get() const {
         auto options = detail::sized<gusset_outline_options>();
@@ -127,15 +123,11 @@ struct OutlineOptions {
         options.ends = static_cast<uint32_t>(ends);
         options.alpha = alpha;
         options.parameter_limit = parameter_limit;
-        options.repeats = repeat_tolerance ? GUSSET_REPEATS_GIVEN : GUSSET_REPEATS_AUTO;
-        options.repeat_tolerance = repeat_tolerance.value_or(0.0);
+        options.repeat_tolerance = repeat_tolerance;
         options.corner_angle = corner_angle;
         options.tolerance = tolerance;
-        options.first_step = first_step;
-        options.step_divisor = step_divisor;
         options.max_sweeps = max_sweeps;
         options.max_steps = max_steps;
-        options.history = history ? 1 : 0;
         return options;
     }
 };
@@ -181,20 +173,14 @@ public:
     Curve curve_copy(std::size_t k = 0, const Context &context = Context()) const {
         return Curve(context.result(gusset_outline_curve_create, outline_.get(), k));
     }
-    /// Girth, area and centre of outline k.
-    gusset_section_report measure(std::size_t k = 0) const {
-        return detail::lent(gusset_outline_measure, outline_.get(), k);
+    /// The length, area and centre of the curve of outline k.
+    gusset_curve_measures measure(std::size_t k = 0, const Context &context = Context()) const {
+        return curve_copy(k, context).measure(GUSSET_CURVE_MEASURE_LENGTH | GUSSET_CURVE_MEASURE_CENTRE | GUSSET_CURVE_MEASURE_AREA, context);
     }
     /// The report on outline k.
     gusset_outline_report report(std::size_t k = 0) const {
         return detail::lent(gusset_outline_get_report, outline_.get(), k);
     }
-    /// The cycles of outline k, if the options asked for them.
-    Span<const gusset_cycle> history(std::size_t k = 0) const & {
-        const auto found = detail::lent(gusset_outline_get_history, outline_.get(), k);
-        return {found.cycles, found.cycle_count};
-    }
-    Span<const gusset_cycle> history(std::size_t k = 0) const && = delete;
     /// GUSSET_POINT_... of each point.
     Span<const uint8_t> statuses() const & {
         const gusset_outline_view all = view();
@@ -216,36 +202,29 @@ private:
     detail::Handle<gusset_outline, gusset_outline_destroy> outline_;
 };
 
-/// The section of each point with its two neighbours; see gusset_sections_create.
+/// The section of each point with its two neighbours; see gusset_outlines_find_sections.
 class Sections {
 public:
     explicit Sections(const Outlines &outlines, SectionMethod method = SectionMethod::bisector, double alpha = 0.5,
                       const Context &context = Context())
         : Sections(outlines, options_of(method, alpha), context) {}
-    /// Of the options the method, alpha and the solver with its steps are read.
-    explicit Sections(const Outlines &outlines, const OutlineOptions &options, const Context &context = Context()) {
+    /// The method, alpha and the solver of the options are read.
+    explicit Sections(const Outlines &outlines, const OutlineOptions &options, const Context &context = Context())
+        : controls_(outlines.get().point_count), parameters_(controls_.size()), statuses_(controls_.size()) {
         const gusset_outline_options given = options.get();
-        sections_.reset(context.result(gusset_sections_create, &outlines.get(), &given));
+        context.call(gusset_outlines_find_sections, &outlines.get(), &given, detail::numbers(controls_.data()),
+                     parameters_.data(), statuses_.data(), &steps_);
     }
     /// The steps of OutlineSolver::step, of all sections.
-    uint64_t steps() const { return view().steps; }
+    uint64_t steps() const noexcept { return steps_; }
     /// The control point of each section.
-    Points controls() const & {
-        const gusset_sections_view all = view();
-        return detail::points(all.controls, all.count);
-    }
+    Points controls() const & { return controls_; }
     Points controls() const && = delete;
     /// The parameter of each point on its section.
-    Span<const double> parameters() const & {
-        const gusset_sections_view all = view();
-        return {all.parameters, all.count};
-    }
+    Span<const double> parameters() const & { return parameters_; }
     Span<const double> parameters() const && = delete;
     /// GUSSET_POINT_... of each point.
-    Span<const uint8_t> statuses() const & {
-        const gusset_sections_view all = view();
-        return {all.statuses, all.count};
-    }
+    Span<const uint8_t> statuses() const & { return statuses_; }
     Span<const uint8_t> statuses() const && = delete;
 
 private:
@@ -255,8 +234,10 @@ private:
         options.alpha = alpha;
         return options;
     }
-    gusset_sections_view view() const { return detail::lent(gusset_sections_get_view, sections_.get()); }
-    detail::Handle<gusset_sections, gusset_sections_destroy> sections_;
+    std::vector<Point3> controls_;
+    std::vector<double> parameters_;
+    std::vector<uint8_t> statuses_;
+    uint64_t steps_ = 0;
 };
 
 } // namespace gusset

@@ -102,8 +102,8 @@ private:
     detail::Handle<gusset_surface_hits, gusset_surface_hits_destroy> hits_;
 };
 
-inline Places Curve::near_misses(const Line &line, double within, const Context &context) const {
-    return Places(context.result(gusset_curve_line_near_misses_create, get(), &line, within));
+inline Places Curve::intersect_line(const Line &line, double within, const Context &context) const {
+    return Places(context.result(gusset_curve_intersect_line_create, get(), &line, within));
 }
 
 } // namespace gusset

@@ -202,25 +202,17 @@ class OutlineOptions(TypedDict, total=False):
     alpha: float
     #: Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
     parameter_limit: float
-    #: Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
+    #: Neighbours at most so far apart are one point; below 1. 0 for 1e-12. 1e-300 merges equal points only.
     repeat_tolerance: float
     #: Points where the polygon turns by more than this angle, in radians, are corners; at least 0, and 0, pi or more,
     #: also INFINITY, for none.
     corner_angle: float
     #: Iterations end when nothing moves farther, below 1; 0 for 1e-12.
     tolerance: float
-    #: The first step of GUSSET_SOLVER_STEP, at most 1; 0 for 0.1.
-    first_step: float
-    #: What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
-    step_divisor: float
     #: The most sweeps or iterations between two corners; 0 for 200.
     max_sweeps: int
     #: The most steps at a point in a sweep; 0 for 20,000.
     max_steps: int
-    #: one of the words
-    repeats: Literal['auto', 'given']
-    #: 1: the moves of each cycle are kept, for gusset_outline_get_history. 0: they are not.
-    history: bool
 
 
 class OffsetOptions(TypedDict, total=False):
@@ -479,15 +471,11 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "ends": ('choice', {'free': 0, 'perpendicular': 1, 'level': 2, 'upright': 3, 'level_or_upright': 4}, None),
         "alpha": ('float', {}, ('method', 'alpha')),
         "parameter_limit": ('float', {}, None),
-        "repeat_tolerance": ('float', {}, ('repeats', 'given')),
+        "repeat_tolerance": ('float', {}, None),
         "corner_angle": ('float', {}, None),
         "tolerance": ('float', {}, None),
-        "first_step": ('float', {}, None),
-        "step_divisor": ('float', {}, None),
         "max_sweeps": ('int', {}, None),
         "max_steps": ('int', {}, None),
-        "repeats": ('choice', {'auto': 0, 'given': 1}, None),
-        "history": ('flag', {}, None),
     },
     "gusset_offset_options": {
         "tolerance": ('float', {}, None),

@@ -20,7 +20,7 @@ _PLACES = (lambda s: (s.point_count,))
 #: The shapes of arrays that no field beside them counts, or whose elements have several numbers.
 _SHAPES: dict[str, dict[str, Callable[[Any], tuple[int, ...]]]] = {
     "gusset_curve_form_view": {"points": lambda s: (s.point_count, 3), "on_curve": _PLACES},
-    "gusset_curve_view": {"points": lambda s: (s.point_count, 3)},
+    "gusset_curve_view": {"controls": lambda s: (s.control_count, 3)},
     "gusset_develop_report": {"stretches": lambda s: (s.face_charts.count, 2), "points": lambda s: (s.vertex_map.count, 2)},
     "gusset_fill_report": {"weights": _THIRD},
     "gusset_net_mesh_report": {"texture_coordinates": lambda s: (s.texture_count, 2)},

@@ -15,14 +15,12 @@ from ._handles import Handle, create
 from ._keywords import options as structs
 from ._library import constants, ffi, holding, lib, one_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
-from ._records import dtype_of, filled, lent
-from .errors import error
+from ._records import Record, dtype_of, filled
 
 __all__ = ["Curve", "Outline", "Places"]
 
 _RULES = constants("GUSSET_SAMPLE_")
 _PLACE = dtype_of(ffi.typeof("struct gusset_place"))
-_CYCLE = dtype_of(ffi.typeof("struct gusset_cycle"))
 _NEAREST = dtype_of(ffi.typeof("struct gusset_curve_nearest_point"))
 
 
@@ -63,7 +61,7 @@ class Curve(Handle):
     @property
     def controls(self) -> NDArray[np.float64]:
         """(n, 3): the control points, segment after segment."""
-        found: NDArray[np.float64] = self.account.points
+        found: NDArray[np.float64] = self.account.controls
         return found
 
     @property
@@ -76,18 +74,22 @@ class Curve(Handle):
     def is_closed(self) -> bool:
         return bool(self.account.closed)
 
+    def measure(self, flags: int = 0) -> Record:
+        """Its length, box, centre, area, and in the plane moments; ``flags`` asks for some of them, 0 for all."""
+        made = ffi.new("struct gusset_curve_measures *")
+        made.struct_size = ffi.sizeof("struct gusset_curve_measures")
+        call(lib.gusset_curve_measure, self._handle, flags, made)
+        return Record(made[0], made)
+
     @cached_property
     def length(self) -> float:
-        out = ffi.new("double *")
-        call(lib.gusset_curve_length, self._handle, out)
-        return float(out[0])
+        return float(self.measure(lib.GUSSET_CURVE_MEASURE_LENGTH).length)
 
     @cached_property
     def area_vector(self) -> NDArray[np.float64]:
-        """Half the integral of p x dp: of a plane closed curve its area along the normal."""
-        out = np.zeros(3)
-        call(lib.gusset_curve_area_vector, self._handle, ffi.cast("double *", pointer(out)))
-        return out
+        """Half the integral of p x dp: a plane closed curve has its area along the normal."""
+        found: NDArray[np.float64] = self.measure(lib.GUSSET_CURVE_MEASURE_AREA).area_vector
+        return found
 
     def sample(self, amount: float, rule: Literal["count", "step", "chord"] = "count") -> Places:
         """Points: so many at equal arc lengths, one every so much of it, or so that chords are nowhere farther off."""
@@ -101,9 +103,9 @@ class Curve(Handle):
              ffi.cast("struct gusset_curve_nearest_point *", pointer(out)))
         return out
 
-    def intersect(self, other: Curve) -> Places:
-        """Where two curves meet."""
-        return Places(create("places", self._handle, other._handle, name="curve_intersect"))
+    def intersect(self, other: Curve, within: float = 0.0) -> Places:
+        """The places where two curves meet, or come as near to each other as ``within``."""
+        return Places(create("places", self._handle, other._handle, float(within), name="curve_intersect"))
 
     def offset(self, distance: float, **options: Unpack[OffsetOptions]) -> Curve:
         """The curve at a distance to the left."""
@@ -112,7 +114,7 @@ class Curve(Handle):
 
     def svg(self) -> str:
         """The path of SVG that it is."""
-        form = create("curve_form", self._handle, name="curve_svg")
+        form = create("curve_form", self._handle, lib.GUSSET_CURVE_FORMAT_SVG, 0.0, name="curve_export")
         return str(filled(lib.gusset_curve_form_get_view, "gusset_curve_form_view", form).text)
 
 
@@ -155,7 +157,7 @@ class Outline(Handle):
         given = ffi.new("struct gusset_constraint[]", max(len(demands), 1))
         for place, (k, direction_) in enumerate(sorted(demands.items())):
             given[place].point = k
-            given[place].demand = lib.GUSSET_CONSTRAINT_TANGENT if direction_ else lib.GUSSET_CONSTRAINT_CORNER
+            given[place].kind = lib.GUSSET_CONSTRAINT_TANGENT if direction_ else lib.GUSSET_CONSTRAINT_CORNER
             given[place].tangent = direction_
         outlines = ffi.new("struct gusset_outlines *")
         outlines.struct_size = ffi.sizeof("struct gusset_outlines")
@@ -169,16 +171,6 @@ class Outline(Handle):
     def curve(self) -> Curve:
         """The curve."""
         return Curve(create("curve", self._handle, 0, name="outline_curve"))
-
-    @property
-    def history(self) -> NDArray[Any]:
-        """With ``history=True`` a record for each cycle of what is iterated: how far it moved the control points."""
-        view = ffi.new("struct gusset_outline_history_view *")
-        view.struct_size = ffi.sizeof("struct gusset_outline_history_view")
-        status = lib.gusset_outline_get_history(self._handle, 0, view)
-        if status != 0:
-            raise error(status, "")
-        return lent(view.cycles, (view.cycle_count,), _CYCLE, self._handle)
 
     @property
     def statuses(self) -> NDArray[np.uint8]:

@@ -26,11 +26,15 @@ def test_outline_through_a_circle(method):
     assert curve.offset(-0.5).length == pytest.approx(3 * np.pi, rel=1e-3) or curve.offset(-0.5).length == pytest.approx(np.pi, rel=1e-3)
 
 
-def test_outline_keeps_its_history():
-    points = [[0, 0], [2, 1], [3, 3], [5, 2]]
-    asked = gm.Outline(points, history=True, lock="data_guide")
-    assert len(asked.history) > 1 and asked.history["moved"][-1] < asked.history["moved"][0]
-    assert len(gm.Outline(points, lock="data_guide").history) == 0
+def test_measures_of_a_curve():
+    round_, bent = gm.Outline(CIRCLE, closed=True).curve, gm.Curve.through([[0, 0, 0], [1, 0, 0], [1, 1, 1]])
+    found = round_.measure()
+    assert found.length == round_.length and np.array_equal(found.area_vector, round_.area_vector)
+    assert found.area == pytest.approx(np.pi, rel=1e-3) and np.allclose(found.high, [1, 1, 0], atol=1e-3)
+    assert np.allclose(found.centroid, 0, atol=1e-9) and np.allclose(found.centre, 0, atol=1e-9)
+    # A curve in space has no moments.
+    assert bent.measure().defined < found.defined
+    assert len(round_.intersect(gm.Curve.through([[-2, 0, 0.1], [0, 0, 0.1], [2, 0, 0.1]]), 0.2)) == 2
 
 
 def test_outline_with_demands():

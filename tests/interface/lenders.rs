@@ -71,15 +71,17 @@ fn the_parts_that_a_form_of_a_curve_does_not_have() {
             }
             [view.points.is_null(), view.on_curve.is_null(), view.knots.is_null()]
         };
-        let form =
-            |make: &dyn Fn(*mut *mut gusset_curve_form) -> gusset_status| parts(made(gusset_curve_form_destroy, make));
-        assert_eq!(form(&|out| gusset_curve_svg_create(DEFAULTS, curve.handle, out)), [true, true, true]);
-        assert_eq!(form(&|out| gusset_curve_contour_create(DEFAULTS, curve.handle, 0.0, out)), [false, false, true]);
-        assert_eq!(form(&|out| gusset_curve_spline_create(DEFAULTS, curve.handle, out)), [false, true, false]);
+        let form = |format| {
+            let export = |out| gusset_curve_export_create(DEFAULTS, curve.handle, format, 0.0, out);
+            parts(made(gusset_curve_form_destroy, export))
+        };
+        assert_eq!(form(GUSSET_CURVE_FORMAT_SVG), [true, true, true]);
+        assert_eq!(form(GUSSET_CURVE_FORMAT_CONTOUR), [false, false, true]);
+        assert_eq!(form(GUSSET_CURVE_FORMAT_SPLINE), [false, true, false]);
 
-        let (point, along) = ([0.0, 5.0], [1.0, 0.0]);
+        let (point, normal) = ([0.0, 5.0, 0.0], [0.0, 1.0, 0.0]);
         let none = made(gusset_places_destroy, |out| {
-            gusset_curve_intersect_line_create(DEFAULTS, curve.handle, point.as_ptr(), along.as_ptr(), out)
+            gusset_curve_intersect_plane_create(DEFAULTS, curve.handle, point.as_ptr(), normal.as_ptr(), out)
         });
         let view: gusset_places_view = lent(|out| gusset_places_get_view(none.handle, out));
         assert_eq!((view.count, view.overlap_count), (0, 0));

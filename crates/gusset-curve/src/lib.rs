@@ -23,5 +23,5 @@ pub use curve::{Curve, CurveView, MAX_DEGREE, Place};
 pub use identify::{
     Constraint, Cycle, Ends, Fit, FitStatus, JointParameter, Lock, MAX_POINTS, Method, Mode, Options, Outlines,
     PointConstraint, PointStatus, Points, Report, Section, Sections, Solver, fit, section_by_end_tangent,
-    section_by_start_tangent, section_by_tangent, sections, step_section,
+    section_by_start_tangent, section_by_tangent, sections, step_section, visit_sections,
 };

@@ -3,7 +3,7 @@
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, flag};
+use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::OffsetOptions;
 use crate::job::Job;
@@ -53,7 +53,8 @@ impl gusset_offset_options {
 
 /// The part of a curve from one place to another, open.
 ///
-/// On a closed curve it may run over the start, and from a place to itself it goes round once.
+/// On a closed curve the part may run over the start, and from a place to itself it goes round once. A
+/// curve of n segments ends at segment n - 1 and t = 1.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
@@ -80,31 +81,6 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     })
 }
 
-/// The part of a curve before a place, or the part after it; both are open.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param at the place.
-/// @param after 0 for the part before it, 1 for the part after it.
-/// @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_curve_part_create.
-/// @complexity O(points).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_split_create(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    at: gusset_place,
-    after: u32,
-    part: *mut *mut gusset_curve,
-) -> gusset_status {
-    create(context, part, "part", |job| {
-        let [first, second] = view(curve, "curve")?.split(at.checked()?, job)?;
-        Ok(gusset_curve(if flag(after, "after")? { second } else { first }))
-    })
-}
-
 /// The same curve run through from its end to its start.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -123,59 +99,36 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     create(context, reversed, "reversed", |job| Ok(gusset_curve(view(curve, "curve")?.reversed(job)?)))
 }
 
-/// The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below
-/// `to` raised to it.
+/// Changes the degrees of a curve's segments: lower degrees are raised, higher ones lowered.
+///
+/// A raised segment stays the same curve. A lowered segment is fitted by least squares with fixed ends.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param by how much each segment is raised, or 0.
-/// @param to if `by` is 0: the degree, 1 to 64.
-/// @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
-///     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(degree) for each new control point.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_elevate_create(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    by: u32,
-    to: u32,
-    elevated: *mut *mut gusset_curve,
-) -> gusset_status {
-    create(context, elevated, "elevated", |job| {
-        let view = view(curve, "curve")?;
-        Ok(gusset_curve(if by > 0 { view.elevated_by(by as usize, job)? } else { view.elevated_to(to as usize, job)? }))
-    })
-}
-
-/// The curve with segments of a lower degree, by least squares with fixed ends.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param degree of each at most, 1 to 64.
-/// @param tolerance segments that would deviate by more are kept; at least 0, in the unit of the
+/// @param lowest segments of a lower degree are raised to this, 1 to 64; 1 raises none.
+/// @param highest segments of a higher degree are lowered to this, lowest to 64; 64 lowers none.
+/// @param tolerance segments that would deviate by more are not lowered; at least 0, in the unit of the
 ///     points; infinity is allowed.
-/// @param[out] deviations receives a bound on the deviation of each segment from the original, of a
-///     kept one what it would have been; NULL if it is not wanted.
-/// @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
-///     tolerance), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(degree^3) a segment.
+/// @param[out] deviations receives for each segment a bound on its deviation from the original. A
+///     segment that was kept has the deviation that lowering would cost. NULL if it is not wanted.
+/// @param[out] changed receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree,
+///     tolerance), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(degree) for each new control point of a raised segment, O(degree^3) a lowered segment.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_reduce_create(
+pub unsafe extern "C" fn gusset_curve_change_degree_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
-    degree: u32,
+    lowest: u32,
+    highest: u32,
     tolerance: f64,
     deviations: *mut f64,
-    reduced: *mut *mut gusset_curve,
+    changed: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, reduced, "reduced", |job| {
-        let done = view(curve, "curve")?.reduced(degree as usize, tolerance, job)?;
+    create(context, changed, "changed", |job| {
+        let done = view(curve, "curve")?.with_degrees([lowest as usize, highest as usize], tolerance, job)?;
         if !deviations.is_null() {
             input::results(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
         }

@@ -5,10 +5,23 @@ use crate::capi::curve::{gusset_curve, view};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::lent;
-use crate::capi::status::gusset_status;
+use crate::capi::status::{Failure, gusset_status};
+use crate::curve::ops::{Contour, Spline};
 use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_char;
+
+/// A format that curves are exported to.
+pub type gusset_curve_format = u32;
+/// The data of an SVG path, of M, L, Q, C and Z, for plane curves of degrees up to 3. Numbers read back
+/// as the same bits, and y is not turned over.
+pub const GUSSET_CURVE_FORMAT_SVG: gusset_curve_format = 0;
+/// The contour of a TrueType font, for closed plane curves of degrees up to 2: control points, and those
+/// joints that are not in the middle between two of them.
+pub const GUSSET_CURVE_FORMAT_CONTOUR: gusset_curve_format = 1;
+/// A clamped B-spline, for curves whose segments have one degree n. A joint with one tangent becomes a
+/// knot of multiplicity n - 1, and is not a control point.
+pub const GUSSET_CURVE_FORMAT_SPLINE: gusset_curve_format = 2;
 
 /// A curve in another form. Opaque and immutable; it keeps nothing of the curve.
 #[derive(Default)]
@@ -50,80 +63,47 @@ pub struct gusset_curve_form_view {
 
 versioned! { gusset_curve_form_view: 72 }
 
-/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not
-/// turned over.
+/// Exports a curve to another format.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
-///     this group; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
-///     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(points).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_svg_create(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    form: *mut *mut gusset_curve_form,
-) -> gusset_status {
-    create(context, form, "form", |job| {
-        let mut text = view(curve, "curve")?.svg_path(job)?.into_bytes();
-        alloc::push(&mut text, 0)?;
-        Ok(gusset_curve_form { text, ..Default::default() })
-    })
-}
-
-/// The contour of a TrueType font: control points, and those joints that are not in the middle
-/// between two of them.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param tolerance how far from the middle still counts as there, at least 0, in the unit of the
-///     points; rounding always does.
+/// @param format GUSSET_CURVE_FORMAT_...
+/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: how far from the middle a joint still counts as
+///     there, at least 0, in the unit of the points; rounding always does. Other formats do not read it.
 /// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
-///     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY,
-///     CANCELLED.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (format),
+///     CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG),
+///     OUT_OF_RANGE (a degree that the format lacks: see gusset_curve_change_degree_create; tolerance),
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_contour_create(
+pub unsafe extern "C" fn gusset_curve_export_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
+    format: gusset_curve_format,
     tolerance: f64,
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
     create(context, form, "form", |job| {
-        let contour = view(curve, "curve")?.contour(tolerance, job)?;
-        Ok(gusset_curve_form { points: contour.points, on_curve: contour.on_curve, ..Default::default() })
-    })
-}
-
-/// The curve as a clamped B-spline, if all segments have one degree n.
-///
-/// Joints with one tangent become knots of multiplicity n - 1 and are no control points.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
-///     (other degrees), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(points).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_spline_create(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    form: *mut *mut gusset_curve_form,
-) -> gusset_status {
-    create(context, form, "form", |job| {
-        let spline = view(curve, "curve")?.spline(job)?;
-        let (points, knots, degree) = (spline.controls, spline.knots, spline.degree);
-        Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
+        let view = view(curve, "curve")?;
+        match format {
+            GUSSET_CURVE_FORMAT_SVG => {
+                let mut text = view.svg_path(job)?.into_bytes();
+                alloc::push(&mut text, 0)?;
+                Ok(gusset_curve_form { text, ..Default::default() })
+            }
+            GUSSET_CURVE_FORMAT_CONTOUR => {
+                let Contour { points, on_curve } = view.contour(tolerance, job)?;
+                Ok(gusset_curve_form { points, on_curve, ..Default::default() })
+            }
+            GUSSET_CURVE_FORMAT_SPLINE => {
+                let Spline { controls: points, knots, degree } = view.spline(job)?;
+                Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
+            }
+            other => Err(Failure::unknown("format", other.into())),
+        }
     })
 }
 
@@ -139,7 +119,7 @@ pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form)
 /// Lends the parts.
 ///
 /// @param form the form.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -147,9 +127,9 @@ pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form)
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_form_get_view(
     form: *const gusset_curve_form,
-    parts: *mut gusset_curve_form_view,
+    view: *mut gusset_curve_form_view,
 ) -> gusset_status {
-    lend!(form, parts, |form| gusset_curve_form_view {
+    lend!(form, view, |form| gusset_curve_form_view {
         struct_size: size_of::<gusset_curve_form_view>(),
         text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
         text_length: form.text.len().saturating_sub(1),

@@ -1,34 +1,33 @@
 //! C interface: frames of outlines.
 
-use crate::capi::context::{answer, create, guard, gusset_context, lend};
+use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::outline::{Given, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
-use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::Tagged;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lent};
 use crate::capi::mesh::{self, gusset_indices};
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::Options;
-use crate::curve::frame::{
-    Axis, Correspondence, Frame, FrameOptions, Measure, NodeGrid, OffsetDirection, frame, slice,
-};
+use crate::curve::frame::{Axis, Correspondence, Frame, FrameOptions, NodeGrid, OffsetDirection, frame, slice};
 use glam::DVec3;
 use gusset_base::alloc;
-use std::ptr;
 
+/// Which points of a section belong to which of the next.
+pub type gusset_correspondence = u32;
 /// The points of the sections by their places: all sections have equally many.
-pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
+pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence = 0;
 /// Equal parts of the arc length of each section, or of the lengths between corners that all sections
 /// have. Closed sections start where they are turned least against each other, wherever their first
 /// points are; one that runs the other way round than the first one is taken backwards. Open sections
 /// go from their first points to their last.
-pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: u32 = 1;
+pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence = 1;
 /// Where half-planes at equal angles round the axis, straight or bent, meet each section; the
 /// farthest place where there are several.
-pub const GUSSET_CORRESPONDENCE_ANGLE: u32 = 2;
+pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence = 2;
 /// Landmarks of each section, and equal parts of the arc length between them.
-pub const GUSSET_CORRESPONDENCE_LANDMARKS: u32 = 3;
+pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence = 3;
 
 /// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing
 /// of the points.
@@ -45,10 +44,12 @@ pub struct gusset_frame {
 
 handle! { gusset_frame }
 
+/// Where the nodes of a frame move.
+pub type gusset_offset_direction = u32;
 /// Nodes move along the normals of the body.
-pub const GUSSET_OFFSET_NORMAL: u32 = 0;
+pub const GUSSET_OFFSET_NORMAL: gusset_offset_direction = 0;
 /// Nodes move within the planes of their sections.
-pub const GUSSET_OFFSET_IN_SECTION: u32 = 1;
+pub const GUSSET_OFFSET_IN_SECTION: gusset_offset_direction = 1;
 
 c_enum! { direction: OffsetDirection {
     GUSSET_OFFSET_NORMAL => Normal, GUSSET_OFFSET_IN_SECTION => InSection
@@ -61,7 +62,7 @@ pub struct gusset_frame_options {
     /// sizeof(gusset_frame_options), set by the caller.
     pub struct_size: usize,
     /// GUSSET_CORRESPONDENCE_...
-    pub correspondence: u32,
+    pub correspondence: gusset_correspondence,
     /// The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
     /// parts from each landmark to the next.
     pub columns: u32,
@@ -103,7 +104,7 @@ pub struct gusset_frame_options {
     pub missing: gusset_indices,
 }
 
-/// The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
+/// The nodes of a frame, row by row, and its curves. Pointers are valid until the frame is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_frame_view {
@@ -120,6 +121,12 @@ pub struct gusset_frame_view {
     pub across: *const f64,
     /// The direction of the curve along.
     pub along: *const f64,
+    /// The curves across, one for each section: node i of row k is its point k columns + i. The frame
+    /// owns them.
+    pub curves_across: *const gusset_outline,
+    /// The curves along, one for each column: node i of row k is its point i rows + k. The frame owns
+    /// them.
+    pub curves_along: *const gusset_outline,
     /// For each section 1 if it was taken backwards.
     pub turned: *const u8,
     /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
@@ -138,20 +145,7 @@ pub struct gusset_frame_view {
     pub filled: gusset_indices,
 }
 
-/// What a section measures.
-#[repr(C)]
-#[derive(Clone, Copy, Default)]
-pub struct gusset_section_report {
-    /// Its length: of a closed section all round.
-    pub girth: f64,
-    /// The area within, never negative; that of an open section is closed by its chord.
-    pub area: f64,
-    /// The mean of its points by arc length.
-    pub centre: [f64; 3],
-}
-
-versioned! { gusset_frame_options: 152 reserved, gusset_frame_view: 112 }
-fixed! { gusset_section_report: 40 }
+versioned! { gusset_frame_options: 152 reserved, gusset_frame_view: 128 }
 
 impl gusset_frame_options {
     fn checked<'a>(
@@ -251,7 +245,7 @@ pub unsafe extern "C" fn gusset_frame_create(
 /// @param distances in the unit of the points, finite.
 /// @param distance_count 1: all nodes move by the same; the number of rows: each section by its own;
 ///     rows x columns: each node by its own, row by row.
-/// @param direction GUSSET_OFFSET_NORMAL or GUSSET_OFFSET_IN_SECTION.
+/// @param direction GUSSET_OFFSET_...
 /// @param[out] offset receives the result, for gusset_frame_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
 ///     COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), those of
@@ -266,7 +260,7 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
     frame: *const gusset_frame,
     distances: *const f64,
     distance_count: usize,
-    direction: u32,
+    direction: gusset_offset_direction,
     offset: *mut *mut gusset_frame,
 ) -> gusset_status {
     create(context, offset, "offset", |job| {
@@ -295,10 +289,10 @@ pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
     handle::destroy(frame);
 }
 
-/// Lends the nodes, valid until the frame is destroyed.
+/// Lends the nodes and the curves, valid until the frame is destroyed.
 ///
 /// @param frame the frame.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -306,9 +300,9 @@ pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_get_view(
     frame: *const gusset_frame,
-    parts: *mut gusset_frame_view,
+    view: *mut gusset_frame_view,
 ) -> gusset_status {
-    lend!(frame, parts, |frame| {
+    lend!(frame, view, |frame| {
         let grid = &frame.grid;
         gusset_frame_view {
             struct_size: size_of::<gusset_frame_view>(),
@@ -317,6 +311,8 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             nodes: lent(&grid.nodes).cast(),
             across: lent(&grid.across).cast(),
             along: lent(&grid.along).cast(),
+            curves_across: frame.across.lent(),
+            curves_along: frame.along.lent(),
             turned: lent(&grid.turned),
             ambiguous: gusset_indices::lend(&grid.ambiguous),
             corners: gusset_indices::lend(&grid.corners),
@@ -325,35 +321,6 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             min_sine: grid.min_sine,
             filled: gusset_indices::lend(&grid.filled),
         }
-    })
-}
-
-/// Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one
-/// for each column; node i of row k is point i H + k), for H rows of W columns.
-///
-/// Not to be destroyed: valid until the frame is. Either may be NULL.
-///
-/// @param frame the frame.
-/// @param[out] across receives the curves across; NULL on failure.
-/// @param[out] along receives the curves along; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_frame_get_curves(
-    frame: *const gusset_frame,
-    across: *mut *const gusset_outline,
-    along: *mut *const gusset_outline,
-) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let across = input::optional_output(across, ptr::null(), "across");
-        let along = input::optional_output(along, ptr::null(), "along");
-        let (across, along) = (across?, along?);
-        let frame = handle::get(frame, "frame")?;
-        input::set(across, frame.across.lent());
-        input::set(along, frame.along.lent());
-        Ok(())
     })
 }
 
@@ -384,27 +351,5 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
         let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
         let cut = slice(&frame.along.0, point, normal, frame.closed, &frame.options, job)?;
         Ok(gusset_outline(cut.curve))
-    })
-}
-
-/// Measures curve `index` of an outline: girth, area and centre.
-///
-/// @param outline the outline.
-/// @param index its number, from 0.
-/// @param[out] measure receives them.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
-///     OUT_OF_MEMORY.
-/// @complexity O(segments).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_outline_measure(
-    outline: *const gusset_outline,
-    index: usize,
-    measure: *mut gusset_section_report,
-) -> gusset_status {
-    answer(ptr::null(), (measure, "measure"), gusset_section_report::default(), |_| {
-        let Measure { girth, area, centre } = Measure::of(handle::get(outline, "outline")?.curve(index)?)?;
-        Ok(gusset_section_report { girth, area, centre: centre.to_array() })
     })
 }

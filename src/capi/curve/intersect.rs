@@ -1,13 +1,13 @@
 //! C interface: points, intersections and minima found on curves.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, gusset_place, points, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::lent;
+use crate::capi::input::{self, lent};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
-use crate::curve::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
+use crate::curve::ops::{NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
 use crate::curve::{CurveView, Place};
 use crate::error::Error;
 use crate::job::Job;
@@ -57,14 +57,15 @@ pub struct gusset_places_view {
 
 versioned! { gusset_places_view: 80 }
 
-/// gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
-pub const GUSSET_SAMPLE_COUNT: u32 = 0;
-/// gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always
-/// the last.
-pub const GUSSET_SAMPLE_STEP: u32 = 1;
-/// gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between
-/// the points; each segment is halved at most 20 times, which leaves 1e-12 of its size.
-pub const GUSSET_SAMPLE_CHORD: u32 = 2;
+/// The rule by which samples are spread along a curve.
+pub type gusset_sample_rule = u32;
+/// As many points as `amount` says, at equal arc lengths.
+pub const GUSSET_SAMPLE_COUNT: gusset_sample_rule = 0;
+/// A point every `amount` of arc length; an open curve's end is always the last.
+pub const GUSSET_SAMPLE_STEP: gusset_sample_rule = 1;
+/// The curve is nowhere farther than `amount` from the chords between the points. Each segment is halved
+/// at most 20 times, which leaves 1e-12 of its size.
+pub const GUSSET_SAMPLE_CHORD: gusset_sample_rule = 2;
 
 fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
     alloc::collect(places.map(gusset_place::from))
@@ -88,38 +89,25 @@ impl gusset_places {
         Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
     }
 
-    pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
-        let pairs = found.places.iter().map(|near| [near.a, near.b]);
-        Self::of_pairs(pairs, &found.overlaps, found.undecided, curve, job)
-    }
-
-    fn of_intersections(found: &Intersections, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
-        let pairs = found.points.iter().map(|common| [common.a, common.b]);
-        Self::of_pairs(pairs, &found.overlaps, found.undecided, curve, job)
-    }
-
     /// Places on `curve` and on another.
-    fn of_pairs(
-        pairs: impl ExactSizeIterator<Item = [Place; 2]> + Clone,
-        overlaps: &[Overlap],
-        undecided: bool,
-        curve: &CurveView<'_>,
-        job: &Job<'_>,
-    ) -> Result<Self, Failure> {
-        let at = alloc::collect(pairs.clone().map(|[place, _]| place))?;
+    pub(crate) fn of_meetings(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+        let NearMisses { places, overlaps, undecided } = found;
+        let at = alloc::collect(places.iter().map(|near| near.a))?;
         let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
         Ok(gusset_places {
             places: list(at.iter().copied())?,
-            others: list(pairs.map(|[_, other]| other))?,
+            others: list(places.iter().map(|near| near.b))?,
             points: curve.points_at(&at, job)?,
             overlaps: alloc::collect(overlaps.iter().map(ends))?,
             inside: Vec::new(),
-            undecided,
+            undecided: *undecided,
         })
     }
 }
 
-/// Where a curve crosses or touches a plane.
+/// Finds the places where a curve crosses or touches a plane.
+///
+/// A plane curve meets the line through `point` along (x, y) where it meets the plane across (-y, x, 0).
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
@@ -141,7 +129,8 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (view, point, normal) = (view(curve, "curve")?, points(point, 1, 3)?[0], points(normal, 1, 3)?[0]);
+        let (view, point, normal) =
+            (view(curve, "curve")?, input::vector(point, "point")?, input::vector(normal, "normal")?);
         gusset_places::of_plane_intersections(
             view.intersect_plane(point, normal, &job.part(0.0, 0.9))?,
             &view,
@@ -150,46 +139,24 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     })
 }
 
-/// Where a plane curve crosses or touches a line.
+/// Finds the places where two curves meet, or come as near to each other as `within`; or, if other is
+/// NULL, where a plane curve meets itself.
+///
+/// If within is 0 and both curves are plane, the places are crossings and touches. Otherwise they are the
+/// places where the distance of the curves is least, each once. Joints of neighbouring segments do not
+/// count where a curve meets itself.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param point x, y of a point of the line.
-/// @param direction x, y along it, not 0.
-/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
-///     gusset_curve_intersect_plane_create.
-/// @complexity O(points), and O(degree^2) a crossing.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_intersect_line_create(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    point: *const f64,
-    direction: *const f64,
-    places: *mut *mut gusset_places,
-) -> gusset_status {
-    create(context, places, "places", |job| {
-        let (view, point, along) = (view(curve, "curve")?, points(point, 1, 2)?[0], points(direction, 1, 2)?[0]);
-        gusset_places::of_plane_intersections(
-            view.intersect_line(point, along, &job.part(0.0, 0.9))?,
-            &view,
-            &job.part(0.9, 1.0),
-        )
-    })
-}
-
-/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then
-/// joints of neighbours do not count.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param other the other curve.
-/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
-///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity Bounded work for each pair of segments whose boxes meet.
+/// @param other the other curve; NULL for the curve itself.
+/// @param within a length, 0 or more and finite, 0 if other is NULL; in space at least 1e-12 of the curves'
+///     size is taken.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
+///     in common, parts that stay as near, and parts where no place can be told from the next.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
+///     CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0), OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity Bounded work for each pair of segments whose boxes meet or are as near as within.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
@@ -197,22 +164,14 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     other: *const gusset_curve,
+    within: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let one = view(curve, "curve")?;
-        if other.is_null() {
-            return gusset_places::of_intersections(
-                &one.self_intersections(&job.part(0.0, 0.9))?,
-                &one,
-                &job.part(0.9, 1.0),
-            );
-        }
-        gusset_places::of_intersections(
-            &one.intersections(&view(other, "other")?, &job.part(0.0, 0.9))?,
-            &one,
-            &job.part(0.9, 1.0),
-        )
+        let other = (!other.is_null()).then(|| view(other, "other")).transpose()?;
+        let found = one.meetings(other.as_ref(), within, &job.part(0.0, 0.9))?;
+        gusset_places::of_meetings(&found, &one, &job.part(0.9, 1.0))
     })
 }
 
@@ -244,7 +203,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (view, direction) = (view(curve, "curve")?, points(direction, 1, 3)?[0]);
+        let (view, direction) = (view(curve, "curve")?, input::vector(direction, "direction")?);
         gusset_places::of_tangent_angles(
             view.tangents_at_angle(direction, angle, &job.part(0.0, 0.9))?,
             &view,
@@ -269,7 +228,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
 pub unsafe extern "C" fn gusset_curve_sample_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
-    rule: u32,
+    rule: gusset_sample_rule,
     amount: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {

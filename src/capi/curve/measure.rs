@@ -1,10 +1,11 @@
-//! C interface: queries of curves whose answers have as many numbers as were asked for.
+//! C interface: queries of curves whose answers have a size that the caller knows.
 
-use crate::capi::context::{answer, answer_struct, guard, gusset_context};
+use crate::capi::context::{answer_struct, guard, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
+use crate::curve::ops::{MeasureSelection, Measures};
 use crate::curve::{CurveView, Place};
 use crate::job::Job;
 use glam::DVec3;
@@ -24,22 +25,50 @@ pub struct gusset_curve_nearest_point {
     pub distance: f64,
 }
 
-/// The moments of the region that a plane curve encloses; an open curve is closed by its chord.
-/// Regions that it runs round clockwise count negative.
+/// The measures of a curve, as flags.
+pub type gusset_curve_measure_flags = u32;
+/// The arc length: `length`.
+pub const GUSSET_CURVE_MEASURE_LENGTH: gusset_curve_measure_flags = 1;
+/// The smallest box with sides along the axes: `low` and `high`. A curve without points lacks it.
+pub const GUSSET_CURVE_MEASURE_BOUNDS: gusset_curve_measure_flags = 2;
+/// The mean of the points by arc length: `centre`. A curve without points lacks it.
+pub const GUSSET_CURVE_MEASURE_CENTRE: gusset_curve_measure_flags = 4;
+/// The area that the curve encloses: `area_vector` and `area`.
+pub const GUSSET_CURVE_MEASURE_AREA: gusset_curve_measure_flags = 8;
+/// The moments of the enclosed region: `centroid` and `second`. Only a curve in the plane z = 0 with
+/// points has them.
+pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
+
+/// The measures of a curve. A chord from its end to its start closes an open curve.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_curve_moment_report {
-    /// sizeof(gusset_curve_moment_report), set by the caller.
+pub struct gusset_curve_measures {
+    /// sizeof(gusset_curve_measures), set by the caller.
     pub struct_size: usize,
-    /// The signed area.
+    /// GUSSET_CURVE_MEASURE_... of the measures that this struct has; the fields of all others are 0.
+    pub defined: gusset_curve_measure_flags,
+    /// 0.
+    pub reserved: u32,
+    /// The arc length, without the chord.
+    pub length: f64,
+    /// The least x, y and z.
+    pub low: [f64; 3],
+    /// The greatest x, y and z.
+    pub high: [f64; 3],
+    /// The mean of the points by arc length.
+    pub centre: [f64; 3],
+    /// Half the integral of r x dr. A curve in the plane z = 0 has (0, 0, signed area): regions that it
+    /// runs round clockwise count negative.
+    pub area_vector: [f64; 3],
+    /// The length of `area_vector`: the area of the largest shadow, never negative.
     pub area: f64,
-    /// The centre of gravity; the curve's start if the area is 0.
+    /// The centre of gravity of the enclosed region; the curve's start if its area is 0.
     pub centroid: [f64; 2],
     /// The integrals of x x, x y and y y about the centroid, with the sign of the area.
     pub second: [f64; 3],
 }
 
-versioned! { gusset_curve_moment_report: 56 }
+versioned! { gusset_curve_measures: 168 }
 fixed! { gusset_curve_nearest_point: 48 }
 
 /// Answers a question about a curve at many places.
@@ -52,84 +81,64 @@ fn at_places(
     guard(context, |job| answer(&view(curve, "curve")?, &self::places(places, count, "places")?, job))
 }
 
-/// Writes points as x, y, z to the caller's buffer.
-fn write_points(points: &[DVec3], out: *mut f64, name: &'static str) -> Result<(), Failure> {
-    write(points, input::results(out, times(points.len(), 3, "results")?, name)?);
-    Ok(())
+/// Pairs a result with the caller's buffer for it.
+fn room<'a, T>(
+    out: *mut f64,
+    (count, each): (usize, usize),
+    name: &'static str,
+    made: T,
+) -> Result<(T, &'a mut [f64]), Failure> {
+    Ok((made, input::results(out, times(count, each, name)?, name)?))
 }
 
-/// Points and derivatives at many places.
+/// Computes points, derivatives, tangents and curvatures at many places: only those that the caller
+/// gives room for.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param places count of them, at least 0.
-/// @param count see places.
-/// @param order 0 for the points alone, at most 64.
-/// @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
-///     of the first derivative by t, and so on; 0 beyond the degree.
+/// @param places count of them, at any alignment.
+/// @param count the number of places, at least 0.
+/// @param order the highest derivative, 0 for the points alone, at most 64; read if derivatives is given.
+/// @param[out] derivatives receives 3 (order + 1) count numbers: for each place x, y, z of the point,
+///     then of the first derivative by t, and so on; 0 beyond the degree. NULL: not wanted.
+/// @param[out] tangents receives 3 count numbers: x, y, z of each direction, of length 1; 0 on a segment
+///     without extent. NULL: not wanted.
+/// @param[out] curvatures receives count numbers, 1 over the radius: on a plane segment positive where it
+///     turns from x to y; infinite where the first derivative is 0. NULL: not wanted.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
-///     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(degree^2) a place.
+///     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. Nothing is
+///     written then.
+/// @complexity O(degree^2) a place, for each of the outputs.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_derivatives(
+pub unsafe extern "C" fn gusset_curve_evaluate(
     context: *const gusset_context,
     curve: *const gusset_curve,
     places: *const gusset_place,
     count: usize,
     order: u32,
-    out: *mut f64,
+    derivatives: *mut f64,
+    tangents: *mut f64,
+    curvatures: *mut f64,
 ) -> gusset_status {
     at_places(context, curve, (places, count), |curve, places, job| {
-        write_points(&curve.derivatives_at(places, order as usize, job)?, out, "out")
-    })
-}
-
-/// The directions at many places, of length 1; 0 on a segment without extent.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param places count of them, at any alignment.
-/// @param count see places.
-/// @param[out] out receives 3 count numbers.
-/// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_tangents(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    places: *const gusset_place,
-    count: usize,
-    out: *mut f64,
-) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places, job| {
-        write_points(&curve.tangents_at(places, job)?, out, "out")
-    })
-}
-
-/// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
-/// from x to y; infinite where the first derivative is 0.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param places count of them, at any alignment.
-/// @param count see places.
-/// @param[out] out receives count numbers.
-/// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_curvatures(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    places: *const gusset_place,
-    count: usize,
-    out: *mut f64,
-) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places, job| {
-        input::results(out, count, "out")?.copy_from_slice(&curve.curvatures_at(places, job)?);
+        let asked = [derivatives, tangents, curvatures].map(|out| !out.is_null());
+        let parts = asked.iter().filter(|&&asked| asked).count();
+        let share = |k: usize| {
+            let before = asked[..k].iter().filter(|&&asked| asked).count();
+            asked[k].then(|| job.share(before, parts))
+        };
+        let points = share(0).map(|job| curve.derivatives_at(places, order as usize, &job)).transpose()?;
+        let directions = share(1).map(|job| curve.tangents_at(places, &job)).transpose()?;
+        let bends = share(2).map(|job| curve.curvatures_at(places, &job)).transpose()?;
+        // All outputs are checked before anything is written.
+        let points = points.map(|points| room(derivatives, (points.len(), 3), "derivatives", points)).transpose()?;
+        let directions = directions.map(|made| room(tangents, (count, 3), "tangents", made)).transpose()?;
+        if let Some((bends, out)) = bends.map(|made| room(curvatures, (count, 1), "curvatures", made)).transpose()? {
+            out.copy_from_slice(&bends);
+        }
+        points.into_iter().chain(directions).for_each(|(made, out)| write(&made, out));
         Ok(())
     })
 }
@@ -165,24 +174,6 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// The arc length of a curve.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param[out] length receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(points); to 1e-13, in closed form up to degree 2.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_length(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    length: *mut f64,
-) -> gusset_status {
-    answer(context, (length, "length"), 0.0, |job| Ok(view(curve, "curve")?.lengths(job)?.total()))
-}
-
 /// The arc lengths from the start to many places.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -190,7 +181,7 @@ pub unsafe extern "C" fn gusset_curve_length(
 /// @param places count of them, at any alignment.
 /// @param count see places.
 /// @param[out] out receives count numbers.
-/// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+/// @return GUSSET_OK, or an error: those of gusset_curve_evaluate, except OUT_OF_RANGE.
 /// @complexity O(points) in all.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -245,68 +236,68 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     })
 }
 
-/// The smallest box with sides along the axes.
+/// Measures a curve: only what the flags ask for is computed.
+///
+/// A measure that the curve lacks is not an error: `defined` of the measures lacks its flag.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param[out] bounds receives the least x, y, z and the greatest x, y, z.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, CANCELLED.
-/// @complexity O(points); exact but for rounding.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_bounds(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    bounds: *mut f64,
-) -> gusset_status {
-    answer(context, (bounds.cast::<[[f64; 3]; 2]>(), "bounds"), [[0.0; 3]; 2], |job| {
-        let found = view(curve, "curve")?.bounding_box(job)?;
-        Ok([found.low, found.high].map(|corner| corner.to_array()))
-    })
-}
-
-/// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
-///
-/// An open curve is closed by the chord from its end to its start.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param[out] area receives x, y, z.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CANCELLED.
-/// @complexity O(sum of degree^2); exact but for rounding.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_area_vector(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    area: *mut f64,
-) -> gusset_status {
-    answer(context, (area.cast::<[f64; 3]>(), "area"), [0.0; 3], |job| {
-        Ok(view(curve, "curve")?.area_vector(job)?.to_array())
-    })
-}
-
-/// Area, centroid and second moments of what a plane curve encloses.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param[out] moments receives the moments; struct_size is set by the caller.
+/// @param flags the sum of GUSSET_CURVE_MEASURE_...; 0 for all that the curve has.
+/// @param[out] measures receives the measures; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     CURVE_NOT_PLANE, EMPTY_CURVE, CANCELLED.
-/// @complexity O(sum of degree^2); exact but for rounding.
+///     UNKNOWN_VALUE (flags), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(points) for length and bounds, O(sum of degree^2) for all others. The length is right
+///     to 1e-13, and exact except for rounding up to degree 2; the centre is that of 16 chords a
+///     segment; all others are exact except for rounding.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_get_moments(
+pub unsafe extern "C" fn gusset_curve_measure(
     context: *const gusset_context,
     curve: *const gusset_curve,
-    moments: *mut gusset_curve_moment_report,
+    flags: gusset_curve_measure_flags,
+    measures: *mut gusset_curve_measures,
 ) -> gusset_status {
-    answer_struct(context, (moments, "moments"), |job| {
-        let found = view(curve, "curve")?.moments(job)?;
-        let centroid = [found.centroid.x, found.centroid.y];
-        Ok(gusset_curve_moment_report { struct_size: 0, area: found.area, centroid, second: found.second })
+    answer_struct(context, (measures, "measures"), |job| {
+        Ok(view(curve, "curve")?.measures(selection(flags)?, job)?.into())
     })
+}
+
+fn selection(flags: gusset_curve_measure_flags) -> Result<MeasureSelection, Failure> {
+    if flags > 2 * GUSSET_CURVE_MEASURE_MOMENTS - 1 {
+        return Err(Failure::unknown("flags", flags.into()));
+    }
+    let has = |flag| flags == 0 || flags & flag != 0;
+    Ok(MeasureSelection {
+        length: has(GUSSET_CURVE_MEASURE_LENGTH),
+        bounds: has(GUSSET_CURVE_MEASURE_BOUNDS),
+        centre: has(GUSSET_CURVE_MEASURE_CENTRE),
+        area: has(GUSSET_CURVE_MEASURE_AREA),
+        moments: has(GUSSET_CURVE_MEASURE_MOMENTS),
+    })
+}
+
+impl From<Measures> for gusset_curve_measures {
+    fn from(measures: Measures) -> Self {
+        let Measures { length, bounds, centre, area_vector, moments } = measures;
+        let has = |has: bool, flag| if has { flag } else { 0 };
+        let point = |point: Option<DVec3>| point.unwrap_or_default().to_array();
+        gusset_curve_measures {
+            struct_size: 0,
+            defined: has(length.is_some(), GUSSET_CURVE_MEASURE_LENGTH)
+                | has(bounds.is_some(), GUSSET_CURVE_MEASURE_BOUNDS)
+                | has(centre.is_some(), GUSSET_CURVE_MEASURE_CENTRE)
+                | has(area_vector.is_some(), GUSSET_CURVE_MEASURE_AREA)
+                | has(moments.is_some(), GUSSET_CURVE_MEASURE_MOMENTS),
+            reserved: 0,
+            length: length.unwrap_or_default(),
+            low: point(bounds.map(|bounds| bounds.low)),
+            high: point(bounds.map(|bounds| bounds.high)),
+            centre: point(centre),
+            area_vector: point(area_vector),
+            area: measures.area(),
+            centroid: moments.map_or([0.0; 2], |moments| [moments.centroid.x, moments.centroid.y]),
+            second: moments.map_or([0.0; 3], |moments| moments.second),
+        }
+    }
 }

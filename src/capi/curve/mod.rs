@@ -39,18 +39,18 @@ pub struct gusset_place {
     pub t: f64,
 }
 
-/// The parts of a curve. Pointers are valid until it is destroyed.
+/// The arrays of a curve. Pointers are valid until it is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_view {
     /// sizeof(gusset_curve_view), set by the caller.
     pub struct_size: usize,
     /// The control points: x, y, z of each; z is 0 for a plane curve.
-    pub points: *const f64,
+    pub controls: *const f64,
     /// How many.
-    pub point_count: usize,
-    /// 0, then the place of the last control point of each segment among the points: segment k has
-    /// the points ends[k] to ends[k + 1].
+    pub control_count: usize,
+    /// 0, then the index of the last control point of each segment: segment k has the control points
+    /// ends[k] to ends[k + 1].
     pub ends: gusset_indices,
     /// 1: the curve ends where it begins and goes on there.
     pub closed: u32,
@@ -85,8 +85,17 @@ pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str
 
 /// The caller's points: x, y, z of each, packed.
 pub(crate) fn points(data: *const f64, count: usize, dimension: usize) -> Result<Vec<DVec3>, Failure> {
+    named_points(data, (count, dimension), "points")
+}
+
+/// The caller's points of a dimension, packed.
+fn named_points(
+    data: *const f64,
+    (count, dimension): (usize, usize),
+    name: &'static str,
+) -> Result<Vec<DVec3>, Failure> {
     let needed = Points::bytes_needed(0, count, dimension)?;
-    let bytes = input::bytes(data.cast::<c_void>(), needed, 1, "points")?;
+    let bytes = input::bytes(data.cast::<c_void>(), needed, 1, name)?;
     let points = Points::strided(bytes, 0, count, dimension)?;
     Ok(alloc::collect((0..count).map(|i| points.get(i)))?)
 }
@@ -106,11 +115,11 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 /// Degrees are 1 to 64; coordinates any finite numbers.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param points x, y of each control point, or x, y, z, packed.
-/// @param point_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
+/// @param controls x, y of each control point, or x, y, z, packed.
+/// @param control_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
 /// @param dimension 2 or 3.
-/// @param ends 0, then the place of the last control point of each segment, rising; the last is
-///     point_count - 1.
+/// @param ends 0, then the index of the last control point of each segment, rising; the last is
+///     control_count - 1.
 /// @param end_count the number of segments and 1.
 /// @param closed 1 if the last control point is the first one again, else 0.
 /// @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
@@ -123,8 +132,8 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_create(
     context: *const gusset_context,
-    points: *const f64,
-    point_count: usize,
+    controls: *const f64,
+    control_count: usize,
     dimension: u32,
     ends: *const u32,
     end_count: usize,
@@ -132,13 +141,13 @@ pub unsafe extern "C" fn gusset_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        let points = self::points(points, point_count, dimension as usize)?;
-        if end_count == 0 || end_count > point_count.max(1) {
-            let message = format!("{point_count} points have 1 to as many ends, and not {end_count}");
+        let controls = named_points(controls, (control_count, dimension as usize), "controls")?;
+        if end_count == 0 || end_count > control_count.max(1) {
+            let message = format!("{control_count} control points have 1 to as many ends, and not {end_count}");
             return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
         }
         let ends = input::list(ends, end_count, "ends")?;
-        Ok(gusset_curve(CurveView::new(&points, &ends, flag(closed, "closed")?)?.to_owned_cancellable(job)?))
+        Ok(gusset_curve(CurveView::new(&controls, &ends, flag(closed, "closed")?)?.to_owned_cancellable(job)?))
     })
 }
 
@@ -154,7 +163,7 @@ pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
 /// Lends the control points, valid until the curve is destroyed.
 ///
 /// @param curve the curve.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -162,14 +171,14 @@ pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_get_view(
     curve: *const gusset_curve,
-    parts: *mut gusset_curve_view,
+    view: *mut gusset_curve_view,
 ) -> gusset_status {
-    lend!(curve, parts, |curve| {
+    lend!(curve, view, |curve| {
         let view = curve.0.view();
         gusset_curve_view {
             struct_size: size_of::<gusset_curve_view>(),
-            points: lent(view.points()).cast(),
-            point_count: view.points().len(),
+            controls: lent(view.points()).cast(),
+            control_count: view.points().len(),
             ends: gusset_indices::lend(view.ends()),
             closed: view.is_closed().into(),
             reserved: 0,

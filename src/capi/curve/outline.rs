@@ -1,28 +1,31 @@
 //! C interface: identification of outlines: input, and the resulting curves.
 
-use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::gusset_curve;
-use crate::capi::curve::outline_options::gusset_outline_options;
-use crate::capi::glue::{fixed, laid_out_like, versioned};
+use crate::capi::context::{create, guard, gusset_context, lend};
+use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
+use crate::capi::curve::{gusset_curve, times};
+use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, flag, lent};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{
-    Constraint, CurveView, Cycle, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections,
+    Constraint, CurveView, Fit, MAX_POINTS, Outlines, PointConstraint, PointStatus, Points, Section, fit,
+    visit_sections,
 };
 use crate::error::Error;
 use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_void;
 
+/// The demand of a constraint.
+pub type gusset_constraint_kind = u32;
 /// The curve passes the point in the direction of the tangent, of any length but 0.
-pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;
+pub const GUSSET_CONSTRAINT_TANGENT: gusset_constraint_kind = 0;
 /// The curve may turn sharply at the point.
-pub const GUSSET_CONSTRAINT_CORNER: u32 = 1;
+pub const GUSSET_CONSTRAINT_CORNER: gusset_constraint_kind = 1;
 /// The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
 /// x-axis, in the plane of x and y.
-pub const GUSSET_CONSTRAINT_TANGENT_ANGLE: u32 = 2;
+pub const GUSSET_CONSTRAINT_TANGENT_ANGLE: gusset_constraint_kind = 2;
 
 /// What is demanded of a curve at a point.
 #[repr(C)]
@@ -31,7 +34,7 @@ pub struct gusset_constraint {
     /// The point, counted over all outlines.
     pub point: u32,
     /// GUSSET_CONSTRAINT_...
-    pub demand: u32,
+    pub kind: gusset_constraint_kind,
     /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
     /// GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
     pub tangent: [f64; 3],
@@ -111,16 +114,16 @@ pub struct gusset_outline_view {
     pub statuses: *const u8,
 }
 
-/// What became of an outline. Lengths but size are relative to size.
+/// The outcome of an outline. All lengths except `size` are relative to `size`.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_report {
     /// sizeof(gusset_outline_report), set by the caller.
     pub struct_size: usize,
     /// GUSSET_FIT_...
-    pub fit: u32,
+    pub fit: gusset_fit_status,
     /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
-    /// max_sweeps of the options.
+    /// max_sweeps of the options: runs with 1, 2, 3, ... of them show how an iteration goes.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,
@@ -143,63 +146,12 @@ pub struct gusset_outline_report {
     pub reserved: u32,
 }
 
-/// One cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_cycle {
-    /// The farthest move of a control point, relative to the size of the outline.
-    pub moved: f64,
-    /// The steps of GUSSET_SOLVER_STEP up to its end, of all cycles of the outline so far.
-    pub steps: u64,
-}
-
-/// The cycles of an outline. Pointers are valid until the outline is destroyed.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_outline_history_view {
-    /// sizeof(gusset_outline_history_view), set by the caller.
-    pub struct_size: usize,
-    /// The cycles in their order, those of one part between corners after those of another; NULL
-    /// for none.
-    pub cycles: *const gusset_cycle,
-    /// How many.
-    pub cycle_count: usize,
-}
-
-/// The sections of outlines. Opaque and immutable.
-pub struct gusset_sections(Sections);
-
-handle! { gusset_sections }
-
-/// One section for each point: the quadratic from the point before over the control point to the
-/// point after. Pointers are valid until the sections are destroyed.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_sections_view {
-    /// sizeof(gusset_sections_view), set by the caller.
-    pub struct_size: usize,
-    /// The number of points.
-    pub count: usize,
-    /// x, y, z of the control points; the ends of open outlines, which have no section, have
-    /// themselves.
-    pub controls: *const f64,
-    /// The parameter of each point on its section; 0 and 1 at the ends of open outlines.
-    pub parameters: *const f64,
-    /// GUSSET_POINT_...
-    pub statuses: *const u8,
-    /// The steps of GUSSET_SOLVER_STEP, of all sections.
-    pub steps: u64,
-}
-
 versioned! {
     gusset_outlines: 72,
     gusset_outline_view: 96,
     gusset_outline_report: 72,
-    gusset_outline_history_view: 24,
-    gusset_sections_view: 48,
 }
-fixed! { gusset_constraint: 32, gusset_cycle: 16 }
-laid_out_like! { gusset_cycle: Cycle { moved, steps } }
+fixed! { gusset_constraint: 32 }
 
 /// The caller's outlines: the points where they are, the rest copied.
 pub(crate) struct Given<'a> {
@@ -237,14 +189,14 @@ impl Given<'_> {
 }
 
 fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
-    let [point, demand]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
-    let kind = match demand {
+    let [point, kind]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
+    let kind = match kind {
         GUSSET_CONSTRAINT_TANGENT => {
             PointConstraint::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32])))
         }
         GUSSET_CONSTRAINT_CORNER => PointConstraint::Corner,
         GUSSET_CONSTRAINT_TANGENT_ANGLE => PointConstraint::TangentAngle(bytemuck::pod_read_unaligned(&bytes[8..16])),
-        other => return Err(Failure::unknown("demand", other.into())),
+        other => return Err(Failure::unknown("kind", other.into())),
     };
     Ok(Constraint { point, kind })
 }
@@ -297,7 +249,7 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
 /// Lends the curves, valid until the outline is destroyed.
 ///
 /// @param outline the outline.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -305,9 +257,9 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_view(
     outline: *const gusset_outline,
-    parts: *mut gusset_outline_view,
+    view: *mut gusset_outline_view,
 ) -> gusset_status {
-    lend!(outline, parts, |gusset_outline(done)| gusset_outline_view {
+    lend!(outline, view, |gusset_outline(done)| gusset_outline_view {
         struct_size: size_of::<gusset_outline_view>(),
         outline_count: done.len(),
         point_count: done.parameters().len(),
@@ -341,7 +293,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
         let report = done.reports().get(index).ok_or_else(|| Failure::no_such("outline", index))?;
         gusset_outline_report {
             struct_size: size_of::<gusset_outline_report>(),
-            fit: report.status as u32,
+            fit: report.status as gusset_fit_status,
             iterations: report.iterations,
             steps: report.steps,
             size: report.size,
@@ -355,38 +307,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     })
 }
 
-/// Lends the history of outline `index`: how far each cycle moved the control points, if the
-/// options asked for it.
-///
-/// @param outline the outline.
-/// @param index its number, from 0.
-/// @param[out] history receives it; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NO_SUCH_ELEMENT.
-/// @complexity O(1).
-/// @source Nadopta, the second and following approximations.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_outline_get_history(
-    outline: *const gusset_outline,
-    index: usize,
-    history: *mut gusset_outline_history_view,
-) -> gusset_status {
-    lend!(outline, history, |gusset_outline(done)| {
-        if index >= done.len() {
-            return Err(Failure::no_such("outline", index));
-        }
-        let cycles = done.history(index);
-        gusset_outline_history_view {
-            struct_size: size_of::<gusset_outline_history_view>(),
-            cycles: lent(cycles).cast(),
-            cycle_count: cycles.len(),
-        }
-    })
-}
-
-/// Copies the curve of outline `index`, for what the gusset_curve functions do.
+/// Copies the curve of outline `index`. gusset_curve_measure of the copy has girth, area and centre.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param outline the outline.
@@ -419,56 +340,55 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param outlines the outlines.
 /// @param options NULL for the defaults; method, alpha and solver are read, and by
-///     GUSSET_SOLVER_STEP tolerance, first_step, step_divisor and max_steps; all must be valid.
-/// @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
+///     GUSSET_SOLVER_STEP tolerance and max_steps; all must be valid.
+/// @param[out] controls receives x, y, z of each point's control point; the ends of open outlines,
+///     which have no section, have themselves. NULL: not wanted. Unspecified on failure.
+/// @param[out] parameters receives the parameter of each point on its section; 0 and 1 at the ends of
+///     open outlines. NULL: not wanted. Unspecified on failure.
+/// @param[out] statuses receives GUSSET_POINT_... of each point. NULL: not wanted. Unspecified on
+///     failure.
+/// @param[out] steps receives the steps of GUSSET_SOLVER_STEP, of all sections. NULL: not wanted.
 /// @return GUSSET_OK, or an error: those of gusset_outline_create.
-/// @complexity O(n).
+/// @complexity O(n); no memory.
 /// @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
 ///     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sections_create(
+pub unsafe extern "C" fn gusset_outlines_find_sections(
     context: *const gusset_context,
     outlines: *const gusset_outlines,
     options: *const gusset_outline_options,
-    sections: *mut *mut gusset_sections,
+    controls: *mut f64,
+    parameters: *mut f64,
+    statuses: *mut u8,
+    steps: *mut u64,
 ) -> gusset_status {
-    create(context, sections, "sections", |job| {
+    let steps = input::optional_output(steps, 0, "steps");
+    guard(context, |job| {
+        let steps = steps?;
         let options = input::read(options, true, "options")?.checked()?;
         let given = Given::read(outlines)?;
-        Ok(gusset_sections(self::sections(&given.outlines(), &options, job)?))
+        let outlines = given.outlines();
+        let count = outlines.points.len();
+        let mut controls = room(controls, (count, 3), "controls")?.chunks_exact_mut(3);
+        let mut parameters = room(parameters, (count, 1), "parameters")?.iter_mut();
+        let mut statuses = room(statuses, (count, 1), "statuses")?.iter_mut();
+        let visit = |section: Section, status: PointStatus| {
+            controls.next().into_iter().for_each(|to| to.copy_from_slice(&section.control.to_array()));
+            parameters.next().into_iter().for_each(|to| *to = section.t);
+            statuses.next().into_iter().for_each(|to| *to = status as u8);
+        };
+        input::set(steps, visit_sections(&outlines, &options, visit, job)?);
+        Ok(())
     })
 }
 
-/// Destroys what gusset_sections_create made; NULL is allowed.
-///
-/// @param[in,out] sections the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_sections_destroy(sections: *mut gusset_sections) {
-    handle::destroy(sections);
-}
-
-/// Lends the sections, valid until they are destroyed.
-///
-/// @param sections the sections.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sections_get_view(
-    sections: *const gusset_sections,
-    parts: *mut gusset_sections_view,
-) -> gusset_status {
-    lend!(sections, parts, |gusset_sections(found)| gusset_sections_view {
-        struct_size: size_of::<gusset_sections_view>(),
-        count: found.controls.len(),
-        controls: lent(&found.controls).cast(),
-        parameters: lent(&found.parameters),
-        statuses: lent(&found.statuses).cast(),
-        steps: found.steps,
-    })
+/// The caller's buffer for `each` numbers a point; none if it is NULL.
+fn room<'a, T: bytemuck::Pod>(
+    out: *mut T,
+    (count, each): (usize, usize),
+    name: &'static str,
+) -> Result<&'a mut [T], Failure> {
+    input::results(out, if out.is_null() { 0 } else { times(count, each, name)? }, name)
 }

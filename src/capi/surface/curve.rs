@@ -1,5 +1,4 @@
-//! C interface: curves beside surfaces: through points, along a surface, and close to each other in
-//! space.
+//! C interface: curves beside surfaces: through points, along a surface, and where they meet a line.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
@@ -80,56 +79,25 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     })
 }
 
-/// Where two curves in space come as near to each other as `within`: each place where their
-/// distance is least, once.
+/// Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as
+/// `within`.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param other the other curve.
-/// @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
-/// @param[out] places receives the places on the first curve, those on the other, and the points of
-///     the first; overlaps are parts where the curves stay as near, or cannot be told apart;
-///     undecided is 1 if something was given up that may be near enough. For gusset_places_destroy;
-///     NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
-///     (within), OUT_OF_MEMORY, CANCELLED.
-/// @complexity Bounded work for each pair of segments whose boxes are near.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_curve_near_misses_create(
-    context: *const gusset_context,
-    curve: *const gusset_curve,
-    other: *const gusset_curve,
-    within: f64,
-    places: *mut *mut gusset_places,
-) -> gusset_status {
-    create(context, places, "places", |job| {
-        let (curve, other) = (view(curve, "curve")?, view(other, "other")?);
-        gusset_places::of_near_misses(
-            &curve.near_misses(&other, within, &job.part(0.0, 0.9))?,
-            &curve,
-            &job.part(0.9, 1.0),
-        )
-    })
-}
-
-/// Where a curve in space comes as near to a line, ray or segment as `within`.
-///
-/// The others among the places have segment 0, and the line's own parameter as t.
+/// The places are those where the distance is least, each once. The others among the places have segment
+/// 0, and the line's own parameter as t. gusset_curve_intersect_plane_create cuts a plane curve by a line.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
 /// @param line one, at any alignment.
-/// @param within a distance, at least 0.
-/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
-///     a line that is not finite or has no direction.
+/// @param within a length, 0 or more and finite; at least 1e-12 of the curve's size is taken.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
+///     that stay as near, and parts where no place can be told from the next.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+///     (within; a line that is not finite or has no direction), OUT_OF_MEMORY, CANCELLED.
 /// @complexity Bounded work for each segment whose box meets the line.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_line_near_misses_create(
+pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     line: *const gusset_line,
@@ -138,10 +106,7 @@ pub unsafe extern "C" fn gusset_curve_line_near_misses_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
-        gusset_places::of_near_misses(
-            &line.near_misses(&curve, within, &job.part(0.0, 0.9))?,
-            &curve,
-            &job.part(0.9, 1.0),
-        )
+        let found = line.near_misses(&curve, within, &job.part(0.0, 0.9))?;
+        gusset_places::of_meetings(&found, &curve, &job.part(0.9, 1.0))
     })
 }

@@ -40,5 +40,5 @@ pub use identify_options::{Ends, JointParameter, Lock, Mode, Options, Solver};
 pub use method::{Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent};
 pub use outlines::{Constraint, MAX_POINTS, Outlines, PointConstraint, Points};
 pub use report::{Cycle, FitStatus, PointStatus, Report};
-pub use sections::{Sections, sections};
+pub use sections::{Sections, sections, visit_sections};
 pub use stepping::step_section;

@@ -47,9 +47,6 @@ pub struct Sections {
 ///
 /// Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms.
 pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Sections> {
-    options.check()?;
-    let (count, method) = (outlines.check()?, options.method);
-    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)?, job };
     let total = outlines.points.len();
     let mut found = Sections {
         controls: alloc::with_capacity(total)?,
@@ -57,6 +54,26 @@ pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Re
         statuses: alloc::with_capacity(total)?,
         steps: 0,
     };
+    found.steps = visit_sections(outlines, options, |section, status| found.push(section, status), job)?;
+    Ok(found)
+}
+
+/// Hands the section and the outcome of each point to `visit`, in the order of the points; otherwise as
+/// [`sections`]. Returns the steps of the stepping solver. No memory.
+///
+/// # Errors
+/// Those of [`sections`]. Some points may have been visited then.
+pub fn visit_sections(
+    outlines: &Outlines<'_>,
+    options: &Options,
+    mut visit: impl FnMut(Section, PointStatus),
+    job: &Job<'_>,
+) -> Result<u64> {
+    options.check()?;
+    let (count, method) = (outlines.check()?, options.method);
+    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)?, job };
+    let total = outlines.points.len();
+    let mut steps = 0;
     let mut constraints = outlines.constraints;
     let mut reported = 0;
     job.step(0.0, STAGE)?;
@@ -72,24 +89,24 @@ pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Re
             }
             let some = from..span.end.min(from + POINTS_PER_REPORT);
             if let (true, [], Some(_), Solver::Fast) = (closed, own, method.alpha(), options.solver) {
-                finder.unconstrained(&span, some, &mut found);
+                finder.unconstrained(&span, some, &mut visit);
             } else {
                 for i in some {
-                    let section = finder.constrained(&span, own, closed, i, &mut found.steps)?;
-                    found.push(section);
+                    let (section, status) = finder.constrained(&span, own, closed, i, &mut steps)?;
+                    visit(section, status);
                 }
             }
         }
     }
     job.step(1.0, STAGE)?;
-    Ok(found)
+    Ok(steps)
 }
 
 const STAGE: &str = "finding sections";
 
 impl Sections {
     #[inline]
-    fn push(&mut self, (section, status): (Section, PointStatus)) {
+    fn push(&mut self, section: Section, status: PointStatus) {
         self.controls.push(section.control);
         self.parameters.push(section.t);
         self.statuses.push(status);
@@ -149,7 +166,7 @@ impl Finder<'_> {
 
     /// The sections of some points of a closed outline without constraints, by a method with an
     /// exponent: each chord is measured once.
-    fn unconstrained(&self, outline: &Range<usize>, some: Range<usize>, found: &mut Sections) {
+    fn unconstrained(&self, outline: &Range<usize>, some: Range<usize>, visit: &mut impl FnMut(Section, PointStatus)) {
         let alpha = self.method.alpha().unwrap_or(0.5);
         // Exact, as the scale is a power of two.
         let back = 1.0 / self.scale;
@@ -164,7 +181,7 @@ impl Finder<'_> {
                 Ok(section) => (section, PointStatus::Ok),
                 Err(_) => section_or_fallback([before, p, after], [None; 3], self.method),
             };
-            found.push((Section { control: section.control * back, ..section }, status));
+            visit(Section { control: section.control * back, ..section }, status);
             (before, p, arriving) = (p, after, leaving);
         }
     }
