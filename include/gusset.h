@@ -40,6 +40,358 @@
 
 
 /**
+ * The points of the sections by their places: all sections have equally many.
+ */
+#define GUSSET_CORRESPONDENCE_GIVEN 0
+
+/**
+ * Equal parts of the arc length of each section, or of the lengths between corners that all sections
+ * have. Closed sections start where they are turned least against each other, wherever their first
+ * points are; one that runs the other way round than the first one is taken backwards. Open sections
+ * go from their first points to their last.
+ */
+#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
+
+/**
+ * Where half-planes at equal angles round the axis, straight or bent, meet each section; the
+ * farthest place where there are several.
+ */
+#define GUSSET_CORRESPONDENCE_ANGLE 2
+
+/**
+ * Landmarks of each section, and equal parts of the arc length between them.
+ */
+#define GUSSET_CORRESPONDENCE_LANDMARKS 3
+
+/**
+ * Nodes move along the normals of the body.
+ */
+#define GUSSET_OFFSET_NORMAL 0
+
+/**
+ * Nodes move within the planes of their sections.
+ */
+#define GUSSET_OFFSET_IN_SECTION 1
+
+/**
+ * gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
+ */
+#define GUSSET_SAMPLE_COUNT 0
+
+/**
+ * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always
+ * the last.
+ */
+#define GUSSET_SAMPLE_STEP 1
+
+/**
+ * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between
+ * the points; each segment is halved at most 20 times, which leaves 1e-12 of its size.
+ */
+#define GUSSET_SAMPLE_CHORD 2
+
+/**
+ * The curve passes the point in the direction of the tangent, of any length but 0.
+ */
+#define GUSSET_CONSTRAINT_TANGENT 0
+
+/**
+ * The curve may turn sharply at the point.
+ */
+#define GUSSET_CONSTRAINT_CORNER 1
+
+/**
+ * The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
+ * x-axis, in the plane of x and y.
+ */
+#define GUSSET_CONSTRAINT_TANGENT_ANGLE 2
+
+/**
+ * Quadratic segments, one control point for each point; smooth (G1) everywhere.
+ */
+#define GUSSET_CURVE_COMPOSITE 0
+
+/**
+ * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end
+ * tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64 a
+ * composite curve takes its place. Good for up to some 20 points.
+ */
+#define GUSSET_CURVE_SINGLE 1
+
+/**
+ * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of
+ * the method's exponent (G1 with the normal). With the bisector the centripetal Catmull-Rom
+ * spline.
+ */
+#define GUSSET_CURVE_BLEND_C1 2
+
+/**
+ * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
+ * normal), but at inner points whose tangent is given: C1 (G1) there.
+ */
+#define GUSSET_CURVE_BLEND_C2 3
+
+/**
+ * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent,
+ * but at inner points whose tangent is given: C1 there.
+ */
+#define GUSSET_CURVE_CUBIC_C2 4
+
+/**
+ * The paper's chain: GUSSET_CURVE_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
+ * control point lies on the guide of its point, the bisector, median or normal that the method
+ * names.
+ */
+#define GUSSET_CURVE_CHAIN 5
+
+/**
+ * The bisector of the angle at the point. For all points. Sections by themselves and
+ * GUSSET_LOCK_DATA_GUIDE have their control points on the line that the method names; the other
+ * locks take from it the parameter of the point, and control points are near the line.
+ */
+#define GUSSET_METHOD_BISECTOR 0
+
+/**
+ * The median. For all points.
+ */
+#define GUSSET_METHOD_MEDIAN 1
+
+/**
+ * The normal of the chord; where its foot is outside the chord the bisector takes its place, but
+ * for GUSSET_LOCK_SELF_CONSISTENT, where the foot counts as the nearer end of the chord.
+ */
+#define GUSSET_METHOD_NORMAL 2
+
+/**
+ * The symmedian. For all points.
+ */
+#define GUSSET_METHOD_SYMMEDIAN 3
+
+/**
+ * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
+ * its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
+ */
+#define GUSSET_METHOD_ALPHA 4
+
+/**
+ * The parameter of a point is that of the method on the triangle of the data. Always solvable. The
+ * control point is near the guide of that triangle but not on it.
+ */
+#define GUSSET_LOCK_PARAMETER 0
+
+/**
+ * The parameter is that of the method on the section's own triangle. With the normal there may be
+ * several solutions; which one is found depends on the solver.
+ */
+#define GUSSET_LOCK_SELF_CONSISTENT 1
+
+/**
+ * The control point lies on the guide of the data's triangle, as the paper draws it, where that is
+ * possible. Outlines must lie in a plane, any plane; points of others get
+ * GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
+ */
+#define GUSSET_LOCK_DATA_GUIDE 2
+
+/**
+ * Sections join in the middle between their control points.
+ */
+#define GUSSET_JOINT_PARAMETER_HALF 0
+
+/**
+ * By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
+ */
+#define GUSSET_JOINT_PARAMETER_KNOT 1
+
+/**
+ * So that the curvature is continuous (G2): cubic segments in the triangles of the quadratics. 0
+ * where the control polygon turns the other way. Outlines in a plane; in space curvatures agree in
+ * magnitude, and points get GUSSET_POINT_OUT_OF_PLANE.
+ */
+#define GUSSET_JOINT_PARAMETER_G2 2
+
+/**
+ * Closed forms and Newton's method.
+ */
+#define GUSSET_SOLVER_FAST 0
+
+/**
+ * The paper's: steps along the guide, refined where the deviation changes its sign.
+ */
+#define GUSSET_SOLVER_STEP 1
+
+/**
+ * Open outlines begin and end as their first and last sections have it.
+ */
+#define GUSSET_ENDS_FREE 0
+
+/**
+ * Perpendicular to the first chord, from the first point to the third, and to the last one.
+ */
+#define GUSSET_ENDS_PERPENDICULAR 1
+
+/**
+ * Along the x-axis, in the sense of the first and the last leg.
+ */
+#define GUSSET_ENDS_LEVEL 2
+
+/**
+ * Along the y-axis, in the sense of the first and the last leg.
+ */
+#define GUSSET_ENDS_UPRIGHT 3
+
+/**
+ * Level or upright, whichever is nearer the perpendicular of the first or the last chord.
+ */
+#define GUSSET_ENDS_LEVEL_OR_UPRIGHT 4
+
+/**
+ * Repeats are neighbours nearer than 1e-12 times the size of the outline.
+ */
+#define GUSSET_REPEATS_AUTO 0
+
+/**
+ * repeat_tolerance is read.
+ */
+#define GUSSET_REPEATS_GIVEN 1
+
+/**
+ * As asked.
+ */
+#define GUSSET_POINT_OK 0
+
+/**
+ * Its parameter was brought within the limits.
+ */
+#define GUSSET_POINT_CLAMPED_PARAMETER 1
+
+/**
+ * It repeats a point before it (or the first one, at the end of a closed outline), and was left
+ * out: the curve passes that one, which is within the tolerance for repeats.
+ */
+#define GUSSET_POINT_MERGED 2
+
+/**
+ * It is so near the first or last point of its section that this has no control point by the
+ * method; the median took its place.
+ */
+#define GUSSET_POINT_REPEATED 3
+
+/**
+ * Its triangle is flat: it has no guide, or no perpendicular.
+ */
+#define GUSSET_POINT_COLLINEAR 4
+
+/**
+ * The foot of the normal is outside the chord; the bisector took its place.
+ */
+#define GUSSET_POINT_NORMAL_OUTSIDE 5
+
+/**
+ * The foot of the normal is an end of the chord; the bisector took its place.
+ */
+#define GUSSET_POINT_RIGHT_ANGLE 6
+
+/**
+ * The curve does not cross the guide.
+ */
+#define GUSSET_POINT_NO_CROSSING 7
+
+/**
+ * The tangent runs between points that should be on one side of it.
+ */
+#define GUSSET_POINT_TANGENT_SEPARATES 8
+
+/**
+ * The curve would have to run backwards along the tangent.
+ */
+#define GUSSET_POINT_TANGENT_BACKWARD 9
+
+/**
+ * The tangent cannot be reached by a quadratic: the point is farther from it than the section's
+ * end.
+ */
+#define GUSSET_POINT_TANGENT_BEYOND 10
+
+/**
+ * The tangent is not in the plane of the section; or GUSSET_LOCK_DATA_GUIDE or
+ * GUSSET_JOINT_PARAMETER_G2 is asked of an outline that is not plane.
+ */
+#define GUSSET_POINT_OUT_OF_PLANE 11
+
+/**
+ * The tangent has no direction, and was left out.
+ */
+#define GUSSET_POINT_NO_TANGENT 12
+
+/**
+ * The lock could not be kept: its parameter is that of GUSSET_LOCK_PARAMETER.
+ */
+#define GUSSET_POINT_FELL_BACK 13
+
+/**
+ * The iteration ended before it was still.
+ */
+#define GUSSET_POINT_NOT_CONVERGED 14
+
+/**
+ * The curve misses it: the outline has too few different points, or its equations have no
+ * solution.
+ */
+#define GUSSET_POINT_MISSED 15
+
+/**
+ * A joint beside it could not be where the option asks for it: it is in the middle between its
+ * control points, or, for GUSSET_JOINT_PARAMETER_G2, the curvature there is 0.
+ */
+#define GUSSET_POINT_JOINT_FELL_BACK 16
+
+/**
+ * It is on a composite curve, as the single one failed.
+ */
+#define GUSSET_POINT_COMPOSITE_INSTEAD 17
+
+/**
+ * A blended curve turns back at it: it stands still there, or leaves the way it came.
+ */
+#define GUSSET_POINT_CUSP 18
+
+/**
+ * As asked.
+ */
+#define GUSSET_FIT_OK 0
+
+/**
+ * Some points are not as asked, in other ways than merged or clamped: see their status.
+ */
+#define GUSSET_FIT_PARTIAL 1
+
+/**
+ * The iteration ended before it was still.
+ */
+#define GUSSET_FIT_NOT_CONVERGED 2
+
+/**
+ * The iteration ran away, or control points are beyond the largest number.
+ */
+#define GUSSET_FIT_DIVERGED 3
+
+/**
+ * The equations are so nearly singular that control points lie far outside the outline.
+ */
+#define GUSSET_FIT_ILL_CONDITIONED 4
+
+/**
+ * Fewer than two different points, or three of a closed outline: there is no curve, or what two
+ * points give.
+ */
+#define GUSSET_FIT_TOO_FEW_POINTS 5
+
+/**
+ * A single curve would have a degree above 64; a composite one took its place.
+ */
+#define GUSSET_FIT_DEGREE_TOO_HIGH 6
+
+/**
  * Coordinates are 32-bit floats.
  */
 #define GUSSET_F32 1
@@ -896,84 +1248,6 @@
 #define GUSSET_PYRAMID_LEVELS 32
 
 /**
- * Two surfaces touch in a point: all round it they are apart, or overlap by no more than the
- * tolerance.
- */
-#define GUSSET_CONTACT_POINT 1
-
-/**
- * Two branches of an intersection cross in a point, or pass it within the tolerance.
- */
-#define GUSSET_CONTACT_CROSSING 2
-
-/**
- * gusset_sheet_curve_create: u stays and v runs: along rows.
- */
-#define GUSSET_ALONG_ROWS 0
-
-/**
- * gusset_sheet_curve_create: v stays and u runs: along columns.
- */
-#define GUSSET_ALONG_COLUMNS 1
-
-/**
- * gusset_surface_distance: the distance is proved: bound is within the tolerance of it, or within
- * 2^-45 of the greatest coordinate. Not set: that would take too long, as it may where much of the
- * surface is equally near; bound is right nevertheless.
- */
-#define GUSSET_DISTANCE_PROVEN 1
-
-/**
- * gusset_surface_distance: the two meet at the points, but for rounding, and the distance is 0.
- */
-#define GUSSET_DISTANCE_MEETS 2
-
-/**
- * There is no normal: the tangents are 0, or parallel all along the lines to the point.
- */
-#define GUSSET_NORMAL_NONE 0
-
-/**
- * The normal of the plane that the tangents span.
- */
-#define GUSSET_NORMAL_REGULAR 1
-
-/**
- * The limit along the coordinate line, where the tangents do not span a plane: at poles.
- */
-#define GUSSET_NORMAL_LIMIT 2
-
-/**
- * gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers
- * are 0 and the distance is infinite.
- */
-#define GUSSET_NEAREST_FOUND 1
-
-/**
- * gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or
- * within the rounding of coordinates. Not set: that would take too long, as it may next to a
- * centre of curvature; bound is right nevertheless.
- */
-#define GUSSET_NEAREST_PROVEN 2
-
-/**
- * gusset_surface_nearest_point: another point, farther from this one than a hundredth of the
- * distance, is as near within the tolerance.
- */
-#define GUSSET_NEAREST_AMBIGUOUS 4
-
-/**
- * The surface through the nodes of a frame; that of its curves if some of them have corners, which
- * would be rounded.
- */
-#define GUSSET_FRAME_NODES 0
-
-/**
- * Gordon's surface of the curves of a frame, which contains them.
- */
-#define GUSSET_FRAME_CURVES 1
-
-/**
  * What a function returns; `GUSSET_OK` is 0.
  */
 enum gusset_status
@@ -1235,11 +1509,6 @@ typedef struct gusset_assembly gusset_assembly;
 typedef struct gusset_boundary gusset_boundary;
 
 /**
- * Pairs of cells. Opaque and immutable; it keeps nothing of the surfaces.
- */
-typedef struct gusset_cell_pairs gusset_cell_pairs;
-
-/**
  * What a check found. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_check gusset_check;
@@ -1357,6 +1626,11 @@ typedef struct gusset_places gusset_places;
 typedef struct gusset_scene gusset_scene;
 
 /**
+ * The sections of outlines. Opaque and immutable.
+ */
+typedef struct gusset_sections gusset_sections;
+
+/**
  * A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_sew gusset_sew;
@@ -1401,7 +1675,13 @@ typedef struct gusset_strip gusset_strip;
 typedef struct gusset_surface gusset_surface;
 
 /**
- * Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+ * Cells of a surface, or pairs of cells of two surfaces. Opaque and immutable; it keeps nothing of
+ * the surfaces.
+ */
+typedef struct gusset_surface_cells gusset_surface_cells;
+
+/**
+ * Where lines and a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_hits gusset_surface_hits;
 
@@ -1415,11 +1695,6 @@ typedef struct gusset_surface_paths gusset_surface_paths;
  * Points of a surface. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_points gusset_surface_points;
-
-/**
- * Cells of a surface. Opaque and immutable; it keeps nothing of the surface.
- */
-typedef struct gusset_surface_region gusset_surface_region;
 
 /**
  * What is left of pieces that overlap. Opaque and immutable; it keeps nothing of them.
@@ -1520,7 +1795,7 @@ typedef struct gusset_indices {
 } gusset_indices;
 
 /**
- * The arrays of a curve. Pointers are valid until it is destroyed.
+ * The parts of a curve. Pointers are valid until it is destroyed.
  */
 typedef struct gusset_curve_view {
     /**
@@ -1530,14 +1805,14 @@ typedef struct gusset_curve_view {
     /**
      * The control points: x, y, z of each; z is 0 for a plane curve.
      */
-    const double *controls;
+    const double *points;
     /**
      * How many.
      */
-    size_t control_count;
+    size_t point_count;
     /**
-     * 0, then the index of the last control point of each segment: segment k has the control points
-     * ends[k] to ends[k + 1].
+     * 0, then the place of the last control point of each segment among the points: segment k has
+     * the points ends[k] to ends[k + 1].
      */
     struct gusset_indices ends;
     /**
@@ -1622,11 +1897,6 @@ typedef struct gusset_offset_report {
 } gusset_offset_report;
 
 /**
- * A format that curves are exported to.
- */
-typedef uint32_t gusset_curve_format;
-
-/**
  * The parts of a form; those that it does not have are empty. Pointers are valid until it is
  * destroyed.
  */
@@ -1670,11 +1940,6 @@ typedef struct gusset_curve_form_view {
 } gusset_curve_form_view;
 
 /**
- * The demand of a constraint.
- */
-typedef uint32_t gusset_constraint_kind;
-
-/**
  * What is demanded of a curve at a point.
  */
 typedef struct gusset_constraint {
@@ -1685,7 +1950,7 @@ typedef struct gusset_constraint {
     /**
      * GUSSET_CONSTRAINT_...
      */
-    gusset_constraint_kind kind;
+    uint32_t demand;
     /**
      * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
      * GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
@@ -1745,41 +2010,6 @@ typedef struct gusset_outlines {
 } gusset_outlines;
 
 /**
- * Which points of a section belong to which of the next.
- */
-typedef uint32_t gusset_correspondence;
-
-/**
- * The kind of the curve of an outline.
- */
-typedef uint32_t gusset_curve_kind;
-
-/**
- * The guide of the control point of a section.
- */
-typedef uint32_t gusset_section_method;
-
-/**
- * The rule that fixes the parameters of points.
- */
-typedef uint32_t gusset_parameter_lock;
-
-/**
- * The parameters of the joints of composite curves.
- */
-typedef uint32_t gusset_joint_parameter;
-
-/**
- * The method that solves for a curve.
- */
-typedef uint32_t gusset_outline_solver;
-
-/**
- * The ends of open outlines.
- */
-typedef uint32_t gusset_outline_ends;
-
-/**
  * How outlines are identified; all zero is the default. Lengths are relative to the size of the
  * outline, the longest side of its box.
  */
@@ -1789,30 +2019,30 @@ typedef struct gusset_outline_options {
      */
     size_t struct_size;
     /**
-     * GUSSET_CURVE_KIND_...
+     * GUSSET_CURVE_...
      */
-    gusset_curve_kind curve;
+    uint32_t curve;
     /**
      * GUSSET_METHOD_...
      */
-    gusset_section_method method;
+    uint32_t method;
     /**
      * GUSSET_LOCK_..., for composite and single curves; a chain has its own.
      */
-    gusset_parameter_lock lock;
+    uint32_t lock;
     /**
      * GUSSET_JOINT_PARAMETER_..., for composite curves and chains.
      */
-    gusset_joint_parameter joint;
+    uint32_t joint;
     /**
      * GUSSET_SOLVER_...
      */
-    gusset_outline_solver solver;
+    uint32_t solver;
     /**
      * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent
      * demanded there comes first.
      */
-    gusset_outline_ends ends;
+    uint32_t ends;
     /**
      * Read for GUSSET_METHOD_ALPHA; 0 to 1.
      */
@@ -1823,8 +2053,8 @@ typedef struct gusset_outline_options {
      */
     double parameter_limit;
     /**
-     * Neighbours at most so far apart are one point; below 1. 0 for 1e-12. 1e-300 merges equal points
-     * only.
+     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0,
+     * below 1.
      */
     double repeat_tolerance;
     /**
@@ -1837,6 +2067,14 @@ typedef struct gusset_outline_options {
      */
     double tolerance;
     /**
+     * The first step of GUSSET_SOLVER_STEP, at most 1; 0 for 0.1.
+     */
+    double first_step;
+    /**
+     * What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
+     */
+    double step_divisor;
+    /**
      * The most sweeps or iterations between two corners; 0 for 200.
      */
     uint32_t max_sweeps;
@@ -1844,6 +2082,14 @@ typedef struct gusset_outline_options {
      * The most steps at a point in a sweep; 0 for 20,000.
      */
     uint32_t max_steps;
+    /**
+     * GUSSET_REPEATS_...
+     */
+    uint32_t repeats;
+    /**
+     * 1: the moves of each cycle are kept, for gusset_outline_get_history. 0: they are not.
+     */
+    uint32_t history;
 } gusset_outline_options;
 
 /**
@@ -1857,7 +2103,7 @@ typedef struct gusset_frame_options {
     /**
      * GUSSET_CORRESPONDENCE_...
      */
-    gusset_correspondence correspondence;
+    uint32_t correspondence;
     /**
      * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
      * parts from each landmark to the next.
@@ -1928,12 +2174,7 @@ typedef struct gusset_frame_options {
 } gusset_frame_options;
 
 /**
- * Where the nodes of a frame move.
- */
-typedef uint32_t gusset_offset_direction;
-
-/**
- * The nodes of a frame, row by row, and its curves. Pointers are valid until the frame is destroyed.
+ * The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
  */
 typedef struct gusset_frame_view {
     /**
@@ -1961,16 +2202,6 @@ typedef struct gusset_frame_view {
      * The direction of the curve along.
      */
     const double *along;
-    /**
-     * The curves across, one for each section: node i of row k is its point k columns + i. The frame
-     * owns them.
-     */
-    const struct gusset_outline *curves_across;
-    /**
-     * The curves along, one for each column: node i of row k is its point i rows + k. The frame owns
-     * them.
-     */
-    const struct gusset_outline *curves_along;
     /**
      * For each section 1 if it was taken backwards.
      */
@@ -2004,9 +2235,22 @@ typedef struct gusset_frame_view {
 } gusset_frame_view;
 
 /**
- * The rule by which samples are spread along a curve.
+ * What a section measures.
  */
-typedef uint32_t gusset_sample_rule;
+typedef struct gusset_section_report {
+    /**
+     * Its length: of a closed section all round.
+     */
+    double girth;
+    /**
+     * The area within, never negative; that of an open section is closed by its chord.
+     */
+    double area;
+    /**
+     * The mean of its points by arc length.
+     */
+    double centre[3];
+} gusset_section_report;
 
 /**
  * What was found. Pointers are valid until the handle is destroyed.
@@ -2075,60 +2319,27 @@ typedef struct gusset_curve_nearest_point {
 } gusset_curve_nearest_point;
 
 /**
- * The measures of a curve, as flags.
+ * The moments of the region that a plane curve encloses; an open curve is closed by its chord.
+ * Regions that it runs round clockwise count negative.
  */
-typedef uint32_t gusset_curve_measure_flags;
-
-/**
- * The measures of a curve. A chord from its end to its start closes an open curve.
- */
-typedef struct gusset_curve_measures {
+typedef struct gusset_curve_moment_report {
     /**
-     * sizeof(gusset_curve_measures), set by the caller.
+     * sizeof(gusset_curve_moment_report), set by the caller.
      */
     size_t struct_size;
     /**
-     * GUSSET_CURVE_MEASURE_... of the measures that this struct has; the fields of all others are 0.
-     */
-    gusset_curve_measure_flags defined;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The arc length, without the chord.
-     */
-    double length;
-    /**
-     * The least x, y and z.
-     */
-    double low[3];
-    /**
-     * The greatest x, y and z.
-     */
-    double high[3];
-    /**
-     * The mean of the points by arc length.
-     */
-    double centre[3];
-    /**
-     * Half the integral of r x dr. A curve in the plane z = 0 has (0, 0, signed area): regions that it
-     * runs round clockwise count negative.
-     */
-    double area_vector[3];
-    /**
-     * The length of `area_vector`: the area of the largest shadow, never negative.
+     * The signed area.
      */
     double area;
     /**
-     * The centre of gravity of the enclosed region; the curve's start if its area is 0.
+     * The centre of gravity; the curve's start if the area is 0.
      */
     double centroid[2];
     /**
      * The integrals of x x, x y and y y about the centroid, with the sign of the area.
      */
     double second[3];
-} gusset_curve_measures;
+} gusset_curve_moment_report;
 
 /**
  * All curves in one. Pointers are valid until the outline is destroyed.
@@ -2182,12 +2393,7 @@ typedef struct gusset_outline_view {
 } gusset_outline_view;
 
 /**
- * The outcome of an outline.
- */
-typedef uint32_t gusset_fit_status;
-
-/**
- * The outcome of an outline. All lengths except `size` are relative to `size`.
+ * What became of an outline. Lengths but size are relative to size.
  */
 typedef struct gusset_outline_report {
     /**
@@ -2197,10 +2403,10 @@ typedef struct gusset_outline_report {
     /**
      * GUSSET_FIT_...
      */
-    gusset_fit_status fit;
+    uint32_t fit;
     /**
      * Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
-     * max_sweeps of the options: runs with 1, 2, 3, ... of them show how an iteration goes.
+     * max_sweeps of the options.
      */
     uint32_t iterations;
     /**
@@ -2239,6 +2445,71 @@ typedef struct gusset_outline_report {
      */
     uint32_t reserved;
 } gusset_outline_report;
+
+/**
+ * One cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
+ */
+typedef struct gusset_cycle {
+    /**
+     * The farthest move of a control point, relative to the size of the outline.
+     */
+    double moved;
+    /**
+     * The steps of GUSSET_SOLVER_STEP up to its end, of all cycles of the outline so far.
+     */
+    uint64_t steps;
+} gusset_cycle;
+
+/**
+ * The cycles of an outline. Pointers are valid until the outline is destroyed.
+ */
+typedef struct gusset_outline_history_view {
+    /**
+     * sizeof(gusset_outline_history_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cycles in their order, those of one part between corners after those of another; NULL
+     * for none.
+     */
+    const struct gusset_cycle *cycles;
+    /**
+     * How many.
+     */
+    size_t cycle_count;
+} gusset_outline_history_view;
+
+/**
+ * One section for each point: the quadratic from the point before over the control point to the
+ * point after. Pointers are valid until the sections are destroyed.
+ */
+typedef struct gusset_sections_view {
+    /**
+     * sizeof(gusset_sections_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of points.
+     */
+    size_t count;
+    /**
+     * x, y, z of the control points; the ends of open outlines, which have no section, have
+     * themselves.
+     */
+    const double *controls;
+    /**
+     * The parameter of each point on its section; 0 and 1 at the ends of open outlines.
+     */
+    const double *parameters;
+    /**
+     * GUSSET_POINT_...
+     */
+    const uint8_t *statuses;
+    /**
+     * The steps of GUSSET_SOLVER_STEP, of all sections.
+     */
+    uint64_t steps;
+} gusset_sections_view;
 
 /**
  * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing
@@ -5596,7 +5867,7 @@ typedef struct gusset_surface_options {
      */
     double tolerance;
     /**
-     * 1: with the cones of normals that gusset_surface_isophotes_create and
+     * 1: with the cones of normals that isophotes (GUSSET_CONTOUR_ANGLE) and
      * gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first such question
      * builds them.
      */
@@ -5638,6 +5909,11 @@ typedef struct gusset_surface_place {
 } gusset_surface_place;
 
 /**
+ * How two surfaces touch.
+ */
+typedef uint32_t gusset_contact_kind;
+
+/**
  * A point where two surfaces touch, to the tolerance: their normals there are parallel.
  */
 typedef struct gusset_surface_contact {
@@ -5659,9 +5935,9 @@ typedef struct gusset_surface_contact {
      */
     double radius;
     /**
-     * A GUSSET_CONTACT_ constant.
+     * GUSSET_CONTACT_...
      */
-    uint32_t kind;
+    gusset_contact_kind kind;
     /**
      * 0.
      */
@@ -5711,7 +5987,7 @@ typedef struct gusset_surface_paths_view {
      */
     const struct gusset_surface_place *places;
     /**
-     * Of intersections of two surfaces: where they are on the second; else NULL.
+     * For intersections: where they are on the second; else NULL.
      */
     const struct gusset_surface_place *others;
     /**
@@ -5724,7 +6000,7 @@ typedef struct gusset_surface_paths_view {
      */
     size_t unresolved_count;
     /**
-     * Of intersections of two surfaces: points where they touch.
+     * For intersections: points where they touch.
      */
     const struct gusset_surface_contact *contacts;
     /**
@@ -5734,7 +6010,111 @@ typedef struct gusset_surface_paths_view {
 } gusset_surface_paths_view;
 
 /**
- * What is between the points where a curve crosses the lines of the surface.
+ * A cell of a surface.
+ */
+typedef struct gusset_surface_cell {
+    /**
+     * The sheet.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+} gusset_surface_cell;
+
+/**
+ * The cells. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_cells_view {
+    /**
+     * sizeof(gusset_surface_cells_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cells, rising by sheet, row, column. For pairs: the cell of the first surface, by the
+     * sheets of both, then rising by row, column.
+     */
+    const struct gusset_surface_cell *cells;
+    /**
+     * How many cells or pairs.
+     */
+    size_t cell_count;
+    /**
+     * For pairs: the cell of the second surface; else NULL.
+     */
+    const struct gusset_surface_cell *others;
+    /**
+     * For a region, by cell: 1 if all of the cell is within the radius; else NULL.
+     */
+    const uint32_t *whole;
+    /**
+     * For a region: a bit for each cell of all sheets, 1 for those of the region; else NULL. The bit
+     * of cell (i, j) of sheet k, which has c columns, is b = first[k] + i * c + j: mask[b / 64] >>
+     * (b % 64) & 1.
+     */
+    const uint64_t *mask;
+    /**
+     * The number of words of the mask.
+     */
+    size_t word_count;
+    /**
+     * For a region, by sheet: its first bit; then the number of bits. Else NULL.
+     */
+    const uint64_t *first;
+    /**
+     * For a region: the number of sheets; else 0.
+     */
+    size_t sheet_count;
+} gusset_surface_cells_view;
+
+/**
+ * The function on a surface whose contours are drawn.
+ */
+typedef uint32_t gusset_contour_kind;
+
+/**
+ * A function on a surface. Only the fields of its kind are read.
+ */
+typedef struct gusset_contour_function {
+    /**
+     * sizeof(gusset_contour_function), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_CONTOUR_...
+     */
+    gusset_contour_kind kind;
+    /**
+     * For GUSSET_CONTOUR_ANGLE. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * For GUSSET_CONTOUR_HEIGHT: x, y, z of a point where the height is 0.
+     */
+    double point[3];
+    /**
+     * For GUSSET_CONTOUR_HEIGHT and GUSSET_CONTOUR_ANGLE: x, y, z, of any length but 0.
+     */
+    double direction[3];
+    /**
+     * For GUSSET_CONTOUR_VALUES: finite numbers, at any alignment. Sheet follows sheet and row
+     * follows row; each sheet has one more row and one more column than cells. The last line of a
+     * closed direction repeats the first and is not read.
+     */
+    const double *values;
+    /**
+     * The number of values.
+     */
+    size_t value_count;
+} gusset_contour_function;
+
+/**
+ * The points of a curve between those where it crosses the lines of the surface.
  */
 typedef uint32_t gusset_point_spacing;
 
@@ -5748,9 +6128,7 @@ typedef struct gusset_contour_options {
     size_t struct_size;
     /**
      * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the
-     * tolerance of the surface. Otherwise not read. (In gusset_intersection_options, which has no
-     * `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for
-     * GUSSET_POINT_SPACING_CELL_EDGES.)
+     * tolerance of the surface. Otherwise not read.
      */
     double chord;
     /**
@@ -5761,14 +6139,6 @@ typedef struct gusset_contour_options {
      * With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
      */
     uint32_t points;
-    /**
-     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
 } gusset_contour_options;
 
 /**
@@ -5813,6 +6183,11 @@ typedef struct gusset_nearest_angle_report {
 typedef uint32_t gusset_scheme;
 
 /**
+ * The way in which a coordinate curve of a sheet runs.
+ */
+typedef uint32_t gusset_sheet_direction;
+
+/**
  * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
  */
 typedef struct gusset_line {
@@ -5836,11 +6211,59 @@ typedef struct gusset_line {
 } gusset_line;
 
 /**
- * The nearest points of a surface and something else.
+ * The object from which a distance is measured.
  */
-typedef struct gusset_surface_distance {
+typedef uint32_t gusset_target_kind;
+
+/**
+ * An object in space. The function reads only the fields of its kind.
+ */
+typedef struct gusset_target {
     /**
-     * sizeof(gusset_surface_distance), set by the caller.
+     * sizeof(gusset_target), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_TARGET_...
+     */
+    gusset_target_kind kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * For GUSSET_TARGET_LINE.
+     */
+    struct gusset_line line;
+    /**
+     * For GUSSET_TARGET_PLANE: x, y, z of a point of the plane, from -1e150 to 1e150.
+     */
+    double point[3];
+    /**
+     * For GUSSET_TARGET_PLANE: x, y, z across the plane, of any length but 0.
+     */
+    double normal[3];
+    /**
+     * For GUSSET_TARGET_CURVE: a curve of any degrees; coordinates from -1e150 to 1e150.
+     */
+    const struct gusset_curve *curve;
+    /**
+     * For GUSSET_TARGET_SURFACE.
+     */
+    const struct gusset_surface *surface;
+} gusset_target;
+
+/**
+ * Bits of gusset_distance_report.
+ */
+typedef uint32_t gusset_distance_flags;
+
+/**
+ * The nearest points of a surface and a target.
+ */
+typedef struct gusset_distance_report {
+    /**
+     * sizeof(gusset_distance_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -5856,7 +6279,7 @@ typedef struct gusset_surface_distance {
      */
     double normal[3];
     /**
-     * x, y, z of the nearest point of the other.
+     * x, y, z of the nearest point of the target.
      */
     double other_point[3];
     /**
@@ -5868,30 +6291,35 @@ typedef struct gusset_surface_distance {
      */
     double bound;
     /**
-     * Of another surface: where its nearest point is; else 0.
+     * For a surface: where its nearest point is; else 0.
      */
     struct gusset_surface_place other_place;
     /**
-     * Of a curve: where its nearest point is; else 0.
+     * For a curve: where its nearest point is; else 0.
      */
     struct gusset_place curve_place;
     /**
-     * Of a line: its parameter at the nearest point. Of a plane: the distance, negative if the
+     * For a line: its parameter at the nearest point. For a plane: the distance, negative if the
      * surface's point is not on the side that the normal points to. Else 0.
      */
     double parameter;
     /**
      * GUSSET_DISTANCE_...
      */
-    uint32_t flags;
+    gusset_distance_flags flags;
     /**
      * 0.
      */
     uint32_t reserved;
-} gusset_surface_distance;
+} gusset_distance_report;
 
 /**
- * What there is to know of a point of a surface. Derivatives are by the parameters within the
+ * The kind of a normal.
+ */
+typedef uint32_t gusset_normal_kind;
+
+/**
+ * A point of a surface, with derivatives, normal and curvatures. Derivatives are by the parameters within the
  * cell.
  */
 typedef struct gusset_surface_point {
@@ -5924,7 +6352,7 @@ typedef struct gusset_surface_point {
      */
     double normal[3];
     /**
-     * Of limits: the largest angle, in radians, to limits along other lines to the same point.
+     * For limits: the largest angle, in radians, to limits along other lines to the same point.
      * Small at the pole of a smooth surface, large at the tip of a cone, which has no normal.
      */
     double spread;
@@ -5948,7 +6376,7 @@ typedef struct gusset_surface_point {
     /**
      * GUSSET_NORMAL_...
      */
-    uint32_t normal_kind;
+    gusset_normal_kind normal_kind;
     /**
      * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
      */
@@ -5961,7 +6389,7 @@ typedef struct gusset_surface_point {
 typedef uint32_t gusset_hit_selection;
 
 /**
- * What a hit is.
+ * The kind of a hit.
  */
 typedef uint32_t gusset_hit_kind;
 
@@ -6009,31 +6437,35 @@ typedef struct gusset_surface_hits_view {
      */
     size_t struct_size;
     /**
-     * How many lines were asked for; 1 for a curve.
+     * How many were asked about: the lines, and after them the curve, if there is one.
      */
-    size_t line_count;
+    size_t query_count;
     /**
      * How many hits there are in all.
      */
     size_t hit_count;
     /**
-     * 0, then the end of each line's hits among all: line k has the hits from ends[k] until
-     * ends[k + 1]. line_count + 1 numbers.
+     * 0, then the end of each query's hits among all: query k has the hits from ends[k] until
+     * ends[k + 1]. query_count + 1 numbers.
      */
     const uint64_t *ends;
     /**
-     * The hits, those of a line by rising t.
+     * The hits, those of a query by rising t.
      */
     const struct gusset_surface_hit *hits;
     /**
-     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends.
-     * Else NULL.
+     * For each hit of the curve three places on the curve: the hit, and where its span begins and
+     * ends. NULL without a curve.
      */
     const struct gusset_place *on_curve;
+    /**
+     * The number of places on the curve.
+     */
+    size_t on_curve_count;
 } gusset_surface_hits_view;
 
 /**
- * What a cell region is like.
+ * Measures of a region of cells.
  */
 typedef struct gusset_mask_report {
     /**
@@ -6061,7 +6493,7 @@ typedef struct gusset_mask_report {
 } gusset_mask_report;
 
 /**
- * What is looked for.
+ * The points that are looked for.
  */
 typedef struct gusset_nearest_options {
     /**
@@ -6069,23 +6501,19 @@ typedef struct gusset_nearest_options {
      */
     size_t struct_size;
     /**
-     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY:
-     * no limit.
+     * No point farther than this is looked for; a length, at least 0; 0 or INFINITY: no limit.
      */
     double limit;
     /**
-     * Of minima: as many of the nearest; 0: all.
+     * For minima: the number of the nearest that are wanted; 0: all.
      */
     size_t max_count;
-    /**
-     * 1: limit is read.
-     */
-    uint32_t limited;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
 } gusset_nearest_options;
+
+/**
+ * Bits of gusset_surface_nearest_point.
+ */
+typedef uint32_t gusset_nearest_flags;
 
 /**
  * A point of a surface that was found for a query.
@@ -6116,7 +6544,7 @@ typedef struct gusset_surface_nearest_point {
     /**
      * GUSSET_NEAREST_...
      */
-    uint32_t flags;
+    gusset_nearest_flags flags;
     /**
      * 0.
      */
@@ -6124,7 +6552,7 @@ typedef struct gusset_surface_nearest_point {
 } gusset_surface_nearest_point;
 
 /**
- * What was found. Pointers are valid until the handle is destroyed.
+ * The points that were found. Pointers are valid until the handle is destroyed.
  */
 typedef struct gusset_surface_points_view {
     /**
@@ -6155,69 +6583,12 @@ typedef struct gusset_surface_points_view {
 } gusset_surface_points_view;
 
 /**
- * A cell of a region.
- */
-typedef struct gusset_surface_cell {
-    /**
-     * The sheet.
-     */
-    uint32_t sheet;
-    /**
-     * The row of the cell.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-    /**
-     * 1 if all of the cell is within the radius.
-     */
-    uint32_t whole;
-} gusset_surface_cell;
-
-/**
- * The cells. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_region_view {
-    /**
-     * sizeof(gusset_surface_region_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The cells, rising by sheet, row, column.
-     */
-    const struct gusset_surface_cell *cells;
-    /**
-     * How many.
-     */
-    size_t cell_count;
-    /**
-     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet
-     * k, which has c columns, is b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
-     */
-    const uint64_t *mask;
-    /**
-     * How many words.
-     */
-    size_t word_count;
-    /**
-     * By sheet: its first bit; then the number of bits.
-     */
-    const uint64_t *first;
-    /**
-     * How many sheets.
-     */
-    size_t sheet_count;
-} gusset_surface_region_view;
-
-/**
- * What distances are measured from, or angles.
+ * The object from which distances or angles are measured.
  */
 typedef uint32_t gusset_reference_object;
 
 /**
- * What the paper's search looks for, and how.
+ * The task of the paper's search, and its method.
  */
 typedef struct gusset_reference_task {
     /**
@@ -6246,17 +6617,17 @@ typedef struct gusset_reference_task {
      */
     double within;
     /**
-     * Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
+     * For GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
      */
     double angle;
     /**
-     * Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
-     * paper's K d, see gusset_sheet_curvature_bound; 0: cones of normals instead, which are
+     * For GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
+     * paper's K d, see gusset_sheet_measure; 0: cones of normals instead, which are
      * tighter.
      */
     double curvature;
     /**
-     * Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
+     * For GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
      */
     uint32_t unsigned_normals;
     /**
@@ -6272,17 +6643,17 @@ typedef struct gusset_reference_task {
      */
     uint32_t keep_lines;
     /**
-     * Of GUSSET_REFERENCE_CURVE: the curve; else not read.
+     * For GUSSET_REFERENCE_CURVE: the curve; else not read.
      */
     const struct gusset_curve *curve;
     /**
-     * Of GUSSET_REFERENCE_SURFACE: the surface; else not read.
+     * For GUSSET_REFERENCE_SURFACE: the surface; else not read.
      */
     const struct gusset_surface *surface;
 } gusset_reference_task;
 
 /**
- * What the search did.
+ * A report on the search.
  */
 typedef struct gusset_reference_report {
     /**
@@ -6320,7 +6691,40 @@ typedef struct gusset_reference_report {
 } gusset_reference_report;
 
 /**
- * What a surface is.
+ * A sheet of a surface.
+ */
+typedef struct gusset_surface_sheet {
+    /**
+     * Cells in u: u runs from 0 to this. There is one more row of corners.
+     */
+    size_t rows;
+    /**
+     * Cells in v.
+     */
+    size_t columns;
+    /**
+     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
+     * row after row. Cell (i, j) has the number first_cell + i * columns + j, which is its bit in
+     * masks of gusset_surface_cells_view.
+     */
+    uint64_t first_cell;
+    /**
+     * The number of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1
+     * each: where its values begin for GUSSET_CONTOUR_VALUES.
+     */
+    uint64_t first_node;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+} gusset_surface_sheet;
+
+/**
+ * Facts about a surface.
  */
 typedef struct gusset_surface_report {
     /**
@@ -6360,44 +6764,11 @@ typedef struct gusset_surface_report {
      * Bytes of the cones of normals; 0 as long as there are none: see gusset_surface_options.
      */
     size_t cone_bytes;
+    /**
+     * The sheets, sheet_count of them, valid as long as the surface.
+     */
+    const struct gusset_surface_sheet *sheets;
 } gusset_surface_report;
-
-/**
- * What a sheet of a surface is.
- */
-typedef struct gusset_surface_sheet_report {
-    /**
-     * sizeof(gusset_surface_sheet_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Cells in u: u runs from 0 to this. There is one more row of corners.
-     */
-    size_t rows;
-    /**
-     * Cells in v.
-     */
-    size_t columns;
-    /**
-     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
-     * row after row: of cell (i, j) it is first_cell + i * columns + j, the bit of masks of
-     * gusset_surface_region_view.
-     */
-    uint64_t first_cell;
-    /**
-     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each:
-     * where its values begin for gusset_surface_contours_create.
-     */
-    uint64_t first_node;
-    /**
-     * 1: closed in u.
-     */
-    uint32_t closed_u;
-    /**
-     * 1: closed in v.
-     */
-    uint32_t closed_v;
-} gusset_surface_sheet_report;
 
 /**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
@@ -6606,6 +6977,11 @@ typedef struct gusset_curve_net {
 } gusset_curve_net;
 
 /**
+ * The surface that is made of a frame.
+ */
+typedef uint32_t gusset_frame_surface;
+
+/**
  * How a sheet becomes a mesh. All zeros: quads, one a cell.
  */
 typedef struct gusset_sheet_mesh_options {
@@ -6663,7 +7039,7 @@ typedef struct gusset_sheet_mesh_view {
 } gusset_sheet_mesh_view;
 
 /**
- * What a sheet is.
+ * Facts about a sheet.
  */
 typedef struct gusset_sheet_report {
     /**
@@ -6711,12 +7087,12 @@ typedef struct gusset_sheet_report {
      */
     uint32_t pole_v1;
     /**
-     * Of a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
+     * For a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
      * included; 0 of any other sheet.
      */
     double deviation;
     /**
-     * Of a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
+     * For a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
      * parameter runs evenly; NULL of any other sheet. Valid as long as the sheet.
      */
     const double *knots_u;
@@ -6727,6 +7103,77 @@ typedef struct gusset_sheet_report {
 } gusset_sheet_report;
 
 /**
+ * The numbers of a whole sheet that are wanted.
+ */
+typedef uint32_t gusset_sheet_measure_flags;
+
+/**
+ * Arrays that receive a number for each cell, row after row: number i * columns + j is that of cell
+ * (i, j). NULL: the number is not computed.
+ */
+typedef struct gusset_cell_arrays {
+    /**
+     * sizeof(gusset_cell_arrays), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many numbers each array has room for, at least the cells of the sheet.
+     */
+    size_t capacity;
+    /**
+     * Bounds of the distance between any two points of the cell, from its control net.
+     */
+    double *diameters;
+    /**
+     * Bounds of the length of the shortest curve within the cell between any two of its points.
+     */
+    double *intrinsic_diameters;
+    /**
+     * Estimates of how far a surface through nodes is from the smooth one that they were taken
+     * from, at equal parameters: C h^4 times the fourth derivatives, from differences of nodes. No
+     * bound; infinite for fewer than 5 nodes in a direction; 0 if the patches were given.
+     */
+    double *errors;
+    /**
+     * Bounds of how far the surface is from the bilinear patch through the cell's corners.
+     */
+    double *bilinear;
+    /**
+     * Bounds of how far the surface is from the two triangles that either diagonal makes.
+     */
+    double *triangles;
+} gusset_cell_arrays;
+
+/**
+ * Numbers of a whole sheet; 0 if they were not asked for.
+ */
+typedef struct gusset_sheet_measures {
+    /**
+     * sizeof(gusset_sheet_measures), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The greatest of the diameters of cells, the paper's d: a bound of the distance between any two
+     * points of a cell.
+     */
+    double diameter;
+    /**
+     * The greatest of the intrinsic diameters of cells.
+     */
+    double intrinsic_diameter;
+    /**
+     * A bound of the principal curvatures in absolute terms, from control nets: the paper's K.
+     * Infinite where the surface is not regular, as at poles.
+     */
+    double curvature_bound;
+    /**
+     * The largest angle between the normals on both sides of borders between cells, in radians: 0,
+     * or rounding, where the surface is smooth.
+     */
+    double crease;
+} gusset_sheet_measures;
+
+/**
  * How intersections are wanted.
  */
 typedef struct gusset_intersection_options {
@@ -6735,12 +7182,10 @@ typedef struct gusset_intersection_options {
      */
     size_t struct_size;
     /**
-     * A length, the greatest distance of the curve from the chords between its points, as their
-     * tangents and middles show it (1.14 times as much was seen at one chord in 10,000); 0: 1e-4 of
-     * the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
-     * of cells of either surface; one that is smaller than `tolerance` and than the surfaces' own
-     * counts as the smaller one of these. (In gusset_contour_options `spacing` says which of these
-     * is meant.)
+     * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite, the greatest distance of the
+     * curve from the chords between its points, as their tangents and middles show it. (1.14 times
+     * as much was seen at one chord in 10,000.) A chord that is smaller than `tolerance` and than
+     * the surfaces' own tolerances counts as the smaller one of these. Otherwise not read.
      */
     double chord;
     /**
@@ -6750,445 +7195,16 @@ typedef struct gusset_intersection_options {
      * intersections with itself take a greater one for the surface's own.
      */
     double tolerance;
+    /**
+     * GUSSET_POINT_SPACING_...: all but GUSSET_POINT_SPACING_LEUS; for
+     * GUSSET_POINT_SPACING_AUTO the smaller surface's box counts.
+     */
+    gusset_point_spacing spacing;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_intersection_options;
-
-/**
- * A cell of one surface and a cell of another.
- */
-typedef struct gusset_cell_pair {
-    /**
-     * The sheet of the first surface.
-     */
-    uint32_t sheet_a;
-    /**
-     * The row of its cell.
-     */
-    uint32_t row_a;
-    /**
-     * The column of its cell.
-     */
-    uint32_t column_a;
-    /**
-     * The sheet of the second surface.
-     */
-    uint32_t sheet_b;
-    /**
-     * The row of its cell.
-     */
-    uint32_t row_b;
-    /**
-     * The column of its cell.
-     */
-    uint32_t column_b;
-} gusset_cell_pair;
-
-/**
- * The pairs. The pointer is valid until the handle is destroyed.
- */
-typedef struct gusset_cell_pairs_view {
-    /**
-     * sizeof(gusset_cell_pairs_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The pairs, by sheets, then by the first surface's cells.
-     */
-    const struct gusset_cell_pair *pairs;
-    /**
-     * How many.
-     */
-    size_t count;
-} gusset_cell_pairs_view;
-
-/**
- * The outcome at a point of an outline.
- */
-typedef uint32_t gusset_point_status;
-
-/**
- * The data of an SVG path, of M, L, Q, C and Z, for plane curves of degrees up to 3. Numbers read back
- * as the same bits, and y is not turned over.
- */
-#define GUSSET_CURVE_FORMAT_SVG 0
-
-/**
- * The contour of a TrueType font, for closed plane curves of degrees up to 2: control points, and those
- * joints that are not in the middle between two of them.
- */
-#define GUSSET_CURVE_FORMAT_CONTOUR 1
-
-/**
- * A clamped B-spline, for curves whose segments have one degree n. A joint with one tangent becomes a
- * knot of multiplicity n - 1, and is not a control point.
- */
-#define GUSSET_CURVE_FORMAT_SPLINE 2
-
-/**
- * The points of the sections by their places: all sections have equally many.
- */
-#define GUSSET_CORRESPONDENCE_GIVEN 0
-
-/**
- * Equal parts of the arc length of each section, or of the lengths between corners that all sections
- * have. Closed sections start where they are turned least against each other, wherever their first
- * points are; one that runs the other way round than the first one is taken backwards. Open sections
- * go from their first points to their last.
- */
-#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
-
-/**
- * Where half-planes at equal angles round the axis, straight or bent, meet each section; the
- * farthest place where there are several.
- */
-#define GUSSET_CORRESPONDENCE_ANGLE 2
-
-/**
- * Landmarks of each section, and equal parts of the arc length between them.
- */
-#define GUSSET_CORRESPONDENCE_LANDMARKS 3
-
-/**
- * Nodes move along the normals of the body.
- */
-#define GUSSET_OFFSET_NORMAL 0
-
-/**
- * Nodes move within the planes of their sections.
- */
-#define GUSSET_OFFSET_IN_SECTION 1
-
-/**
- * As many points as `amount` says, at equal arc lengths.
- */
-#define GUSSET_SAMPLE_COUNT 0
-
-/**
- * A point every `amount` of arc length; an open curve's end is always the last.
- */
-#define GUSSET_SAMPLE_STEP 1
-
-/**
- * The curve is nowhere farther than `amount` from the chords between the points. Each segment is halved
- * at most 20 times, which leaves 1e-12 of its size.
- */
-#define GUSSET_SAMPLE_CHORD 2
-
-/**
- * The arc length: `length`.
- */
-#define GUSSET_CURVE_MEASURE_LENGTH 1
-
-/**
- * The smallest box with sides along the axes: `low` and `high`. A curve without points lacks it.
- */
-#define GUSSET_CURVE_MEASURE_BOUNDS 2
-
-/**
- * The mean of the points by arc length: `centre`. A curve without points lacks it.
- */
-#define GUSSET_CURVE_MEASURE_CENTRE 4
-
-/**
- * The area that the curve encloses: `area_vector` and `area`.
- */
-#define GUSSET_CURVE_MEASURE_AREA 8
-
-/**
- * The moments of the enclosed region: `centroid` and `second`. Only a curve in the plane z = 0 with
- * points has them.
- */
-#define GUSSET_CURVE_MEASURE_MOMENTS 16
-
-/**
- * The curve passes the point in the direction of the tangent, of any length but 0.
- */
-#define GUSSET_CONSTRAINT_TANGENT 0
-
-/**
- * The curve may turn sharply at the point.
- */
-#define GUSSET_CONSTRAINT_CORNER 1
-
-/**
- * The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
- * x-axis, in the plane of x and y.
- */
-#define GUSSET_CONSTRAINT_TANGENT_ANGLE 2
-
-/**
- * Quadratic segments, one control point for each point; smooth (G1) everywhere.
- */
-#define GUSSET_CURVE_KIND_COMPOSITE 0
-
-/**
- * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end
- * tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64 a
- * composite curve takes its place. Good for up to some 20 points.
- */
-#define GUSSET_CURVE_KIND_SINGLE 1
-
-/**
- * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of
- * the method's exponent (G1 with the normal). With the bisector the centripetal Catmull-Rom
- * spline.
- */
-#define GUSSET_CURVE_KIND_BLEND_C1 2
-
-/**
- * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
- * normal), but at inner points whose tangent is given: C1 (G1) there.
- */
-#define GUSSET_CURVE_KIND_BLEND_C2 3
-
-/**
- * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent,
- * but at inner points whose tangent is given: C1 there.
- */
-#define GUSSET_CURVE_KIND_CUBIC_C2 4
-
-/**
- * The paper's chain: GUSSET_CURVE_KIND_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
- * control point lies on the guide of its point, the bisector, median or normal that the method
- * names.
- */
-#define GUSSET_CURVE_KIND_CHAIN 5
-
-/**
- * The bisector of the angle at the point. For all points. Sections by themselves and
- * GUSSET_LOCK_DATA_GUIDE have their control points on the line that the method names; the other
- * locks take from it the parameter of the point, and control points are near the line.
- */
-#define GUSSET_METHOD_BISECTOR 0
-
-/**
- * The median. For all points.
- */
-#define GUSSET_METHOD_MEDIAN 1
-
-/**
- * The normal of the chord; where its foot is outside the chord the bisector takes its place, but
- * for GUSSET_LOCK_SELF_CONSISTENT, where the foot counts as the nearer end of the chord.
- */
-#define GUSSET_METHOD_NORMAL 2
-
-/**
- * The symmedian. For all points.
- */
-#define GUSSET_METHOD_SYMMEDIAN 3
-
-/**
- * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
- * its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
- */
-#define GUSSET_METHOD_ALPHA 4
-
-/**
- * The parameter of a point is that of the method on the triangle of the data. Always solvable. The
- * control point is near the guide of that triangle but not on it.
- */
-#define GUSSET_LOCK_PARAMETER 0
-
-/**
- * The parameter is that of the method on the section's own triangle. With the normal there may be
- * several solutions; which one is found depends on the solver.
- */
-#define GUSSET_LOCK_SELF_CONSISTENT 1
-
-/**
- * The control point lies on the guide of the data's triangle, as the paper draws it, where that is
- * possible. Outlines must lie in a plane, any plane; points of others get
- * GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
- */
-#define GUSSET_LOCK_DATA_GUIDE 2
-
-/**
- * Sections join in the middle between their control points.
- */
-#define GUSSET_JOINT_PARAMETER_HALF 0
-
-/**
- * By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
- */
-#define GUSSET_JOINT_PARAMETER_KNOT 1
-
-/**
- * So that the curvature is continuous (G2): cubic segments in the triangles of the quadratics. 0
- * where the control polygon turns the other way. Outlines in a plane; in space curvatures agree in
- * magnitude, and points get GUSSET_POINT_OUT_OF_PLANE.
- */
-#define GUSSET_JOINT_PARAMETER_G2 2
-
-/**
- * Closed forms and Newton's method.
- */
-#define GUSSET_SOLVER_FAST 0
-
-/**
- * The paper's: steps along the guide, refined where the deviation changes its sign.
- */
-#define GUSSET_SOLVER_STEP 1
-
-/**
- * Open outlines begin and end as their first and last sections have it.
- */
-#define GUSSET_ENDS_FREE 0
-
-/**
- * Perpendicular to the first chord, from the first point to the third, and to the last one.
- */
-#define GUSSET_ENDS_PERPENDICULAR 1
-
-/**
- * Along the x-axis, in the sense of the first and the last leg.
- */
-#define GUSSET_ENDS_LEVEL 2
-
-/**
- * Along the y-axis, in the sense of the first and the last leg.
- */
-#define GUSSET_ENDS_UPRIGHT 3
-
-/**
- * Level or upright, whichever is nearer the perpendicular of the first or the last chord.
- */
-#define GUSSET_ENDS_LEVEL_OR_UPRIGHT 4
-
-/**
- * As asked.
- */
-#define GUSSET_POINT_OK 0
-
-/**
- * Its parameter was brought within the limits.
- */
-#define GUSSET_POINT_CLAMPED_PARAMETER 1
-
-/**
- * It repeats a point before it (or the first one, at the end of a closed outline), and was left
- * out: the curve passes that one, which is within the tolerance for repeats.
- */
-#define GUSSET_POINT_MERGED 2
-
-/**
- * It is so near the first or last point of its section that this has no control point by the
- * method; the median took its place.
- */
-#define GUSSET_POINT_REPEATED 3
-
-/**
- * Its triangle is flat: it has no guide, or no perpendicular.
- */
-#define GUSSET_POINT_COLLINEAR 4
-
-/**
- * The foot of the normal is outside the chord; the bisector took its place.
- */
-#define GUSSET_POINT_NORMAL_OUTSIDE 5
-
-/**
- * The foot of the normal is an end of the chord; the bisector took its place.
- */
-#define GUSSET_POINT_RIGHT_ANGLE 6
-
-/**
- * The curve does not cross the guide.
- */
-#define GUSSET_POINT_NO_CROSSING 7
-
-/**
- * The tangent runs between points that should be on one side of it.
- */
-#define GUSSET_POINT_TANGENT_SEPARATES 8
-
-/**
- * The curve would have to run backwards along the tangent.
- */
-#define GUSSET_POINT_TANGENT_BACKWARD 9
-
-/**
- * The tangent cannot be reached by a quadratic: the point is farther from it than the section's
- * end.
- */
-#define GUSSET_POINT_TANGENT_BEYOND 10
-
-/**
- * The tangent is not in the plane of the section; or GUSSET_LOCK_DATA_GUIDE or
- * GUSSET_JOINT_PARAMETER_G2 is asked of an outline that is not plane.
- */
-#define GUSSET_POINT_OUT_OF_PLANE 11
-
-/**
- * The tangent has no direction, and was left out.
- */
-#define GUSSET_POINT_NO_TANGENT 12
-
-/**
- * The lock could not be kept: its parameter is that of GUSSET_LOCK_PARAMETER.
- */
-#define GUSSET_POINT_FELL_BACK 13
-
-/**
- * The iteration ended before it was still.
- */
-#define GUSSET_POINT_NOT_CONVERGED 14
-
-/**
- * The curve misses it: the outline has too few different points, or its equations have no
- * solution.
- */
-#define GUSSET_POINT_MISSED 15
-
-/**
- * A joint beside it could not be where the option asks for it: it is in the middle between its
- * control points, or, for GUSSET_JOINT_PARAMETER_G2, the curvature there is 0.
- */
-#define GUSSET_POINT_JOINT_FELL_BACK 16
-
-/**
- * It is on a composite curve, as the single one failed.
- */
-#define GUSSET_POINT_COMPOSITE_INSTEAD 17
-
-/**
- * A blended curve turns back at it: it stands still there, or leaves the way it came.
- */
-#define GUSSET_POINT_CUSP 18
-
-/**
- * As asked.
- */
-#define GUSSET_FIT_OK 0
-
-/**
- * Some points are not as asked, in other ways than merged or clamped: see their status.
- */
-#define GUSSET_FIT_PARTIAL 1
-
-/**
- * The iteration ended before it was still.
- */
-#define GUSSET_FIT_NOT_CONVERGED 2
-
-/**
- * The iteration ran away, or control points are beyond the largest number.
- */
-#define GUSSET_FIT_DIVERGED 3
-
-/**
- * The equations are so nearly singular that control points lie far outside the outline.
- */
-#define GUSSET_FIT_ILL_CONDITIONED 4
-
-/**
- * Fewer than two different points, or three of a closed outline: there is no curve, or what two
- * points give.
- */
-#define GUSSET_FIT_TOO_FEW_POINTS 5
-
-/**
- * A single curve would have a degree above 64; a composite one took its place.
- */
-#define GUSSET_FIT_DEGREE_TOO_HIGH 6
 
 /**
  * 32-bit floats.
@@ -8007,6 +8023,17 @@ typedef uint32_t gusset_point_status;
 #define GUSSET_ELEMENT_EDGE 32
 
 /**
+ * Two surfaces touch in a point: all round it they are apart, or overlap by no more than the
+ * tolerance.
+ */
+#define GUSSET_CONTACT_POINT 1
+
+/**
+ * Two branches of an intersection cross in a point, or pass it within the tolerance.
+ */
+#define GUSSET_CONTACT_CROSSING 2
+
+/**
  * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
  * box.
  */
@@ -8029,6 +8056,80 @@ typedef uint32_t gusset_point_status;
  * crossings are evenly spaced.
  */
 #define GUSSET_POINT_SPACING_LEUS 3
+
+/**
+ * The distance from the plane through `point` across `direction`, negative below it. Its contours
+ * are sections of the surface by parallel planes.
+ */
+#define GUSSET_CONTOUR_HEIGHT 0
+
+/**
+ * The values at the corners of the cells, interpolated as the surface is.
+ */
+#define GUSSET_CONTOUR_VALUES 1
+
+/**
+ * The angle between the normal and `direction`, in radians. Its contours are isophotes; at pi / 2
+ * they are the silhouettes of the surface seen along the direction.
+ */
+#define GUSSET_CONTOUR_ANGLE 2
+
+/**
+ * Along rows: u stays and v runs.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * Along columns: v stays and u runs.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
+ * The line, ray or segment `line`.
+ */
+#define GUSSET_TARGET_LINE 0
+
+/**
+ * The plane through `point` across `normal`.
+ */
+#define GUSSET_TARGET_PLANE 1
+
+/**
+ * The curve in space `curve`.
+ */
+#define GUSSET_TARGET_CURVE 2
+
+/**
+ * The surface `surface`.
+ */
+#define GUSSET_TARGET_SURFACE 3
+
+/**
+ * The distance is proved: bound is within the tolerance of it, or within 2^-45 of the greatest
+ * coordinate. Not set: the proof would take too long, as where much of the surface is equally near.
+ * `bound` is right nevertheless.
+ */
+#define GUSSET_DISTANCE_PROVEN 1
+
+/**
+ * The two meet at the points, except for rounding, and the distance is 0.
+ */
+#define GUSSET_DISTANCE_MEETS 2
+
+/**
+ * There is no normal: the tangents are 0, or parallel all along the lines to the point.
+ */
+#define GUSSET_NORMAL_NONE 0
+
+/**
+ * The normal of the plane that the tangents span.
+ */
+#define GUSSET_NORMAL_REGULAR 1
+
+/**
+ * The limit along the coordinate line, where the tangents do not span a plane: at poles.
+ */
+#define GUSSET_NORMAL_LIMIT 2
 
 /**
  * All, in the order of the line.
@@ -8064,6 +8165,25 @@ typedef uint32_t gusset_point_status;
  * It runs in the surface, within the tolerance, all over the span.
  */
 #define GUSSET_HIT_INSIDE 3
+
+/**
+ * There is a point; else nothing is within the limit, all numbers are 0 and the distance is
+ * infinite.
+ */
+#define GUSSET_NEAREST_FOUND 1
+
+/**
+ * The distance is proved: bound is within the tolerance of it, or within the rounding of
+ * coordinates. Not set: the proof would take too long, as it may next to a centre of curvature.
+ * `bound` is right nevertheless.
+ */
+#define GUSSET_NEAREST_PROVEN 2
+
+/**
+ * Another point, farther from this one than a hundredth of the distance, is as near within the
+ * tolerance.
+ */
+#define GUSSET_NEAREST_AMBIGUOUS 4
 
 /**
  * The point.
@@ -8136,6 +8256,32 @@ typedef uint32_t gusset_point_status;
  * They are given.
  */
 #define GUSSET_TWISTS_GIVEN 3
+
+/**
+ * The surface through the nodes of a frame; the surface of its curves if some of them have corners,
+ * which would be rounded.
+ */
+#define GUSSET_FRAME_NODES 0
+
+/**
+ * Gordon's surface of the curves of a frame, which contains them.
+ */
+#define GUSSET_FRAME_CURVES 1
+
+/**
+ * `diameter` and `intrinsic_diameter`.
+ */
+#define GUSSET_SHEET_MEASURE_DIAMETERS 1
+
+/**
+ * `curvature_bound`.
+ */
+#define GUSSET_SHEET_MEASURE_CURVATURE 2
+
+/**
+ * `crease`.
+ */
+#define GUSSET_SHEET_MEASURE_CREASE 4
 
 #ifdef __cplusplus
 extern "C" {
@@ -8265,11 +8411,11 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
  * Degrees are 1 to 64; coordinates any finite numbers.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param controls x, y of each control point, or x, y, z, packed.
- * @param control_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
+ * @param points x, y of each control point, or x, y, z, packed.
+ * @param point_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
  * @param dimension 2 or 3.
- * @param ends 0, then the index of the last control point of each segment, rising; the last is
- *     control_count - 1.
+ * @param ends 0, then the place of the last control point of each segment, rising; the last is
+ *     point_count - 1.
  * @param end_count the number of segments and 1.
  * @param closed 1 if the last control point is the first one again, else 0.
  * @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
@@ -8282,8 +8428,8 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_create(const struct gusset_context *context,
-                                  const double *controls,
-                                  size_t control_count,
+                                  const double *points,
+                                  size_t point_count,
                                   uint32_t dimension,
                                   const uint32_t *ends,
                                   size_t end_count,
@@ -8302,7 +8448,7 @@ GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
  * Lends the control points, valid until the curve is destroyed.
  *
  * @param curve the curve.
- * @param[out] view receives the view; struct_size is set by the caller.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8310,13 +8456,12 @@ GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
-                                    struct gusset_curve_view *view);
+                                    struct gusset_curve_view *parts);
 
 /**
  * The part of a curve from one place to another, open.
  *
- * On a closed curve the part may run over the start, and from a place to itself it goes round once. A
- * curve of n segments ends at segment n - 1 and t = 1.
+ * On a closed curve it may run over the start, and from a place to itself it goes round once.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
@@ -8339,6 +8484,26 @@ gusset_status gusset_curve_part_create(const struct gusset_context *context,
                                        struct gusset_curve **part);
 
 /**
+ * The part of a curve before a place, or the part after it; both are open.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param at the place.
+ * @param after 0 for the part before it, 1 for the part after it.
+ * @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_curve_part_create.
+ * @complexity O(points).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_split_create(const struct gusset_context *context,
+                                        const struct gusset_curve *curve,
+                                        struct gusset_place at,
+                                        uint32_t after,
+                                        struct gusset_curve **part);
+
+/**
  * The same curve run through from its end to its start.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -8355,33 +8520,51 @@ gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
                                           struct gusset_curve **reversed);
 
 /**
- * Changes the degrees of a curve's segments: lower degrees are raised, higher ones lowered.
- *
- * A raised segment stays the same curve. A lowered segment is fitted by least squares with fixed ends.
+ * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below
+ * `to` raised to it.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param lowest segments of a lower degree are raised to this, 1 to 64; 1 raises none.
- * @param highest segments of a higher degree are lowered to this, lowest to 64; 64 lowers none.
- * @param tolerance segments that would deviate by more are not lowered; at least 0, in the unit of the
- *     points; infinity is allowed.
- * @param[out] deviations receives for each segment a bound on its deviation from the original. A
- *     segment that was kept has the deviation that lowering would cost. NULL if it is not wanted.
- * @param[out] changed receives the result, for gusset_curve_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree,
- *     tolerance), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(degree) for each new control point of a raised segment, O(degree^3) a lowered segment.
+ * @param by how much each segment is raised, or 0.
+ * @param to if `by` is 0: the degree, 1 to 64.
+ * @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
+ *     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(degree) for each new control point.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_change_degree_create(const struct gusset_context *context,
-                                                const struct gusset_curve *curve,
-                                                uint32_t lowest,
-                                                uint32_t highest,
-                                                double tolerance,
-                                                double *deviations,
-                                                struct gusset_curve **changed);
+gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          uint32_t by,
+                                          uint32_t to,
+                                          struct gusset_curve **elevated);
+
+/**
+ * The curve with segments of a lower degree, by least squares with fixed ends.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param degree of each at most, 1 to 64.
+ * @param tolerance segments that would deviate by more are kept; at least 0, in the unit of the
+ *     points; infinity is allowed.
+ * @param[out] deviations receives a bound on the deviation of each segment from the original, of a
+ *     kept one what it would have been; NULL if it is not wanted.
+ * @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
+ *     tolerance), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(degree^3) a segment.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         uint32_t degree,
+                                         double tolerance,
+                                         double *deviations,
+                                         struct gusset_curve **reduced);
 
 /**
  * The curve beside a plane curve, re-fitted by segments with common tangents.
@@ -8411,27 +8594,63 @@ gusset_status gusset_curve_offset_create(const struct gusset_context *context,
                                          struct gusset_curve **offset);
 
 /**
- * Exports a curve to another format.
+ * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not
+ * turned over.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param format GUSSET_CURVE_FORMAT_...
- * @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: how far from the middle a joint still counts as
- *     there, at least 0, in the unit of the points; rounding always does. Other formats do not read it.
- * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (format),
- *     CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG),
- *     OUT_OF_RANGE (a degree that the format lacks: see gusset_curve_change_degree_create; tolerance),
- *     OUT_OF_MEMORY, CANCELLED.
+ * @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
+ *     this group; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+ *     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_export_create(const struct gusset_context *context,
+gusset_status gusset_curve_svg_create(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      struct gusset_curve_form **form);
+
+/**
+ * The contour of a TrueType font: control points, and those joints that are not in the middle
+ * between two of them.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param tolerance how far from the middle still counts as there, at least 0, in the unit of the
+ *     points; rounding always does.
+ * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+ *     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(points).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_contour_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          double tolerance,
+                                          struct gusset_curve_form **form);
+
+/**
+ * The curve as a clamped B-spline, if all segments have one degree n.
+ *
+ * Joints with one tangent become knots of multiplicity n - 1 and are no control points.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+ *     (other degrees), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(points).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_spline_create(const struct gusset_context *context,
                                          const struct gusset_curve *curve,
-                                         gusset_curve_format format,
-                                         double tolerance,
                                          struct gusset_curve_form **form);
 
 /**
@@ -8446,7 +8665,7 @@ GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
  * Lends the parts.
  *
  * @param form the form.
- * @param[out] view receives the view; struct_size is set by the caller.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8454,7 +8673,7 @@ GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
-                                         struct gusset_curve_form_view *view);
+                                         struct gusset_curve_form_view *parts);
 
 /**
  * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve
@@ -8498,7 +8717,7 @@ gusset_status gusset_frame_create(const struct gusset_context *context,
  * @param distances in the unit of the points, finite.
  * @param distance_count 1: all nodes move by the same; the number of rows: each section by its own;
  *     rows x columns: each node by its own, row by row.
- * @param direction GUSSET_OFFSET_...
+ * @param direction GUSSET_OFFSET_NORMAL or GUSSET_OFFSET_IN_SECTION.
  * @param[out] offset receives the result, for gusset_frame_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
  *     COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), those of
@@ -8513,7 +8732,7 @@ gusset_status gusset_frame_offset_create(const struct gusset_context *context,
                                          const struct gusset_frame *frame,
                                          const double *distances,
                                          size_t distance_count,
-                                         gusset_offset_direction direction,
+                                         uint32_t direction,
                                          struct gusset_frame **offset);
 
 /**
@@ -8525,10 +8744,10 @@ gusset_status gusset_frame_offset_create(const struct gusset_context *context,
 GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 
 /**
- * Lends the nodes and the curves, valid until the frame is destroyed.
+ * Lends the nodes, valid until the frame is destroyed.
  *
  * @param frame the frame.
- * @param[out] view receives the view; struct_size is set by the caller.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8536,7 +8755,26 @@ GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
-                                    struct gusset_frame_view *view);
+                                    struct gusset_frame_view *parts);
+
+/**
+ * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one
+ * for each column; node i of row k is point i H + k), for H rows of W columns.
+ *
+ * Not to be destroyed: valid until the frame is. Either may be NULL.
+ *
+ * @param frame the frame.
+ * @param[out] across receives the curves across; NULL on failure.
+ * @param[out] along receives the curves along; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_get_curves(const struct gusset_frame *frame,
+                                      const struct gusset_outline **across,
+                                      const struct gusset_outline **along);
 
 /**
  * Cuts the curves along by the plane through a point across a normal, and draws a curve through
@@ -8562,9 +8800,24 @@ gusset_status gusset_frame_slice_create(const struct gusset_context *context,
                                         struct gusset_outline **section);
 
 /**
- * Finds the places where a curve crosses or touches a plane.
+ * Measures curve `index` of an outline: girth, area and centre.
  *
- * A plane curve meets the line through `point` along (x, y) where it meets the plane across (-y, x, 0).
+ * @param outline the outline.
+ * @param index its number, from 0.
+ * @param[out] measure receives them.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ *     OUT_OF_MEMORY.
+ * @complexity O(segments).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_measure(const struct gusset_outline *outline,
+                                     size_t index,
+                                     struct gusset_section_report *measure);
+
+/**
+ * Where a curve crosses or touches a plane.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
@@ -8586,24 +8839,37 @@ gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *c
                                                   struct gusset_places **places);
 
 /**
- * Finds the places where two curves meet, or come as near to each other as `within`; or, if other is
- * NULL, where a plane curve meets itself.
- *
- * If within is 0 and both curves are plane, the places are crossings and touches. Otherwise they are the
- * places where the distance of the curves is least, each once. Joints of neighbouring segments do not
- * count where a curve meets itself.
+ * Where a plane curve crosses or touches a line.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param other the other curve; NULL for the curve itself.
- * @param within a length, 0 or more and finite, 0 if other is NULL; in space at least 1e-12 of the curves'
- *     size is taken.
- * @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
- *     in common, parts that stay as near, and parts where no place can be told from the next.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
- *     CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0), OUT_OF_MEMORY,
- *     CANCELLED.
- * @complexity Bounded work for each pair of segments whose boxes meet or are as near as within.
+ * @param point x, y of a point of the line.
+ * @param direction x, y along it, not 0.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
+ *     gusset_curve_intersect_plane_create.
+ * @complexity O(points), and O(degree^2) a crossing.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
+                                                 const struct gusset_curve *curve,
+                                                 const double *point,
+                                                 const double *direction,
+                                                 struct gusset_places **places);
+
+/**
+ * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then
+ * joints of neighbours do not count.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param other the other curve.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity Bounded work for each pair of segments whose boxes meet.
  * @since 0.1
  */
 GUSSET_API
@@ -8611,7 +8877,6 @@ GUSSET_MUST_USE
 gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
                                             const struct gusset_curve *curve,
                                             const struct gusset_curve *other,
-                                            double within,
                                             struct gusset_places **places);
 
 /**
@@ -8659,7 +8924,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_curve_sample_create(const struct gusset_context *context,
                                          const struct gusset_curve *curve,
-                                         gusset_sample_rule rule,
+                                         uint32_t rule,
                                          double amount,
                                          struct gusset_places **places);
 
@@ -8686,36 +8951,67 @@ gusset_status gusset_places_get_view(const struct gusset_places *places,
                                      struct gusset_places_view *view);
 
 /**
- * Computes points, derivatives, tangents and curvatures at many places: only those that the caller
- * gives room for.
+ * Points and derivatives at many places.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param places count of them, at any alignment.
- * @param count the number of places, at least 0.
- * @param order the highest derivative, 0 for the points alone, at most 64; read if derivatives is given.
- * @param[out] derivatives receives 3 (order + 1) count numbers: for each place x, y, z of the point,
- *     then of the first derivative by t, and so on; 0 beyond the degree. NULL: not wanted.
- * @param[out] tangents receives 3 count numbers: x, y, z of each direction, of length 1; 0 on a segment
- *     without extent. NULL: not wanted.
- * @param[out] curvatures receives count numbers, 1 over the radius: on a plane segment positive where it
- *     turns from x to y; infinite where the first derivative is 0. NULL: not wanted.
+ * @param places count of them, at least 0.
+ * @param count see places.
+ * @param order 0 for the points alone, at most 64.
+ * @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
+ *     of the first derivative by t, and so on; 0 beyond the degree.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
- *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. Nothing is
- *     written then.
- * @complexity O(degree^2) a place, for each of the outputs.
+ *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(degree^2) a place.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_evaluate(const struct gusset_context *context,
+gusset_status gusset_curve_derivatives(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       const struct gusset_place *places,
+                                       size_t count,
+                                       uint32_t order,
+                                       double *out);
+
+/**
+ * The directions at many places, of length 1; 0 on a segment without extent.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param places count of them, at any alignment.
+ * @param count see places.
+ * @param[out] out receives 3 count numbers.
+ * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_tangents(const struct gusset_context *context,
                                     const struct gusset_curve *curve,
                                     const struct gusset_place *places,
                                     size_t count,
-                                    uint32_t order,
-                                    double *derivatives,
-                                    double *tangents,
-                                    double *curvatures);
+                                    double *out);
+
+/**
+ * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
+ * from x to y; infinite where the first derivative is 0.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param places count of them, at any alignment.
+ * @param count see places.
+ * @param[out] out receives count numbers.
+ * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_curvatures(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      const struct gusset_place *places,
+                                      size_t count,
+                                      double *out);
 
 /**
  * The nearest points of a curve to many points.
@@ -8740,6 +9036,22 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
                                    struct gusset_curve_nearest_point *out);
 
 /**
+ * The arc length of a curve.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] length receives it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(points); to 1e-13, in closed form up to degree 2.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_length(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double *length);
+
+/**
  * The arc lengths from the start to many places.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -8747,7 +9059,7 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
  * @param places count of them, at any alignment.
  * @param count see places.
  * @param[out] out receives count numbers.
- * @return GUSSET_OK, or an error: those of gusset_curve_evaluate, except OUT_OF_RANGE.
+ * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
  * @complexity O(points) in all.
  * @since 0.1
  */
@@ -8781,27 +9093,55 @@ gusset_status gusset_curve_places_at(const struct gusset_context *context,
                                      struct gusset_place *out);
 
 /**
- * Measures a curve: only what the flags ask for is computed.
- *
- * A measure that the curve lacks is not an error: `defined` of the measures lacks its flag.
+ * The smallest box with sides along the axes.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param flags the sum of GUSSET_CURVE_MEASURE_...; 0 for all that the curve has.
- * @param[out] measures receives the measures; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     UNKNOWN_VALUE (flags), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(points) for length and bounds, O(sum of degree^2) for all others. The length is right
- *     to 1e-13, and exact except for rounding up to degree 2; the centre is that of 16 chords a
- *     segment; all others are exact except for rounding.
+ * @param[out] bounds receives the least x, y, z and the greatest x, y, z.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, CANCELLED.
+ * @complexity O(points); exact but for rounding.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_measure(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   gusset_curve_measure_flags flags,
-                                   struct gusset_curve_measures *measures);
+gusset_status gusset_curve_bounds(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double *bounds);
+
+/**
+ * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
+ *
+ * An open curve is closed by the chord from its end to its start.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] area receives x, y, z.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CANCELLED.
+ * @complexity O(sum of degree^2); exact but for rounding.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_area_vector(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       double *area);
+
+/**
+ * Area, centroid and second moments of what a plane curve encloses.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] moments receives the moments; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     CURVE_NOT_PLANE, EMPTY_CURVE, CANCELLED.
+ * @complexity O(sum of degree^2); exact but for rounding.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_get_moments(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       struct gusset_curve_moment_report *moments);
 
 /**
  * Finds the curves through the points of outlines: control points are sought such that each curve
@@ -8845,7 +9185,7 @@ GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
  * Lends the curves, valid until the outline is destroyed.
  *
  * @param outline the outline.
- * @param[out] view receives the view; struct_size is set by the caller.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -8853,7 +9193,7 @@ GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
-                                      struct gusset_outline_view *view);
+                                      struct gusset_outline_view *parts);
 
 /**
  * The account of outline `index`.
@@ -8873,7 +9213,26 @@ gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
                                         struct gusset_outline_report *report);
 
 /**
- * Copies the curve of outline `index`. gusset_curve_measure of the copy has girth, area and centre.
+ * Lends the history of outline `index`: how far each cycle moved the control points, if the
+ * options asked for it.
+ *
+ * @param outline the outline.
+ * @param index its number, from 0.
+ * @param[out] history receives it; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT.
+ * @complexity O(1).
+ * @source Nadopta, the second and following approximations.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_get_history(const struct gusset_outline *outline,
+                                         size_t index,
+                                         struct gusset_outline_history_view *history);
+
+/**
+ * Copies the curve of outline `index`, for what the gusset_curve functions do.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param outline the outline.
@@ -8902,29 +9261,42 @@ gusset_status gusset_outline_curve_create(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param outlines the outlines.
  * @param options NULL for the defaults; method, alpha and solver are read, and by
- *     GUSSET_SOLVER_STEP tolerance and max_steps; all must be valid.
- * @param[out] controls receives x, y, z of each point's control point; the ends of open outlines,
- *     which have no section, have themselves. NULL: not wanted. Unspecified on failure.
- * @param[out] parameters receives the parameter of each point on its section; 0 and 1 at the ends of
- *     open outlines. NULL: not wanted. Unspecified on failure.
- * @param[out] statuses receives GUSSET_POINT_... of each point. NULL: not wanted. Unspecified on
- *     failure.
- * @param[out] steps receives the steps of GUSSET_SOLVER_STEP, of all sections. NULL: not wanted.
+ *     GUSSET_SOLVER_STEP tolerance, first_step, step_divisor and max_steps; all must be valid.
+ * @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_outline_create.
- * @complexity O(n); no memory.
+ * @complexity O(n).
  * @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
  *     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outlines_find_sections(const struct gusset_context *context,
-                                            const struct gusset_outlines *outlines,
-                                            const struct gusset_outline_options *options,
-                                            double *controls,
-                                            double *parameters,
-                                            uint8_t *statuses,
-                                            uint64_t *steps);
+gusset_status gusset_sections_create(const struct gusset_context *context,
+                                     const struct gusset_outlines *outlines,
+                                     const struct gusset_outline_options *options,
+                                     struct gusset_sections **sections);
+
+/**
+ * Destroys what gusset_sections_create made; NULL is allowed.
+ *
+ * @param[in,out] sections the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
+
+/**
+ * Lends the sections, valid until they are destroyed.
+ *
+ * @param sections the sections.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
+                                       struct gusset_sections_view *parts);
 
 /**
  * Finds where pieces that overlap belong: rigid motions after which they fit, all at once, so that
@@ -12304,7 +12676,7 @@ gusset_status gusset_surface_create(const struct gusset_context *context,
 /**
  * Frees a surface; NULL is allowed.
  *
- * What was found with it stays.
+ * Results that were found with it stay.
  *
  * @param[in,out] surface the handle; NULL is allowed.
  * @since 0.1
@@ -12315,7 +12687,7 @@ GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
  * The curves, lent until they are destroyed.
  *
  * @param paths the paths.
- * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @param[out] view struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -12323,7 +12695,7 @@ GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *paths,
-                                            struct gusset_surface_paths_view *parts);
+                                            struct gusset_surface_paths_view *view);
 
 /**
  * Frees curves; NULL is allowed.
@@ -12334,121 +12706,132 @@ gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *p
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
- * Where parallel planes cut a surface: curves in the order of the planes and of their lowest
- * cells, along the cross product of the planes' normal and the surface's.
- *
- * Every curve is found, also one within a cell, and on a closed surface all are closed; a corner
- * on a plane counts as above it. So a plane that touches the surface in corners of cells from
- * below, by its normal, gives no curve there and nothing unresolved, and one that touches it from
- * above closed curves round the contact, however narrow: along a row of corners, a curve there and
- * back. Cells where a plane touches or contains the surface elsewhere, so that curves cannot be
- * told within rounding, are listed as unresolved, and curves no larger than the tolerance too.
+ * Finds the cells that have a point within a radius of a query: the paper's region, with its
+ * logical scale.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
- * @param point x, y, z of a point of the plane of offset 0, at any alignment, as normal and
- *     offsets are.
- * @param normal x, y, z, not 0, of any length.
- * @param offsets count of them, rising, distances of the planes from the point along the normal.
- * @param count see offsets.
- * @param options NULL for the defaults.
- * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a normal of 0, offsets that do not rise,
- *     chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity About O(count + cells that are cut); threads.
- * @source Leus, "Carcasses on smooth surfaces", task d.
+ * @param query x, y, z, up to 1e150, at any alignment.
+ * @param radius at least 0; INFINITY: all cells.
+ * @param[out] cells receives all cells that have such a point, and no others but such as come
+ *     within the tolerance of the radius or could not be decided in bounded work; for
+ *     gusset_surface_cells_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+ *     (radius; a coordinate beyond 1e150), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells found, and one bit a cell).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_surface_section_create(const struct gusset_context *context,
-                                            const struct gusset_surface *surface,
-                                            const double *point,
-                                            const double *normal,
-                                            const double *offsets,
-                                            size_t count,
-                                            const struct gusset_contour_options *options,
-                                            struct gusset_surface_paths **paths);
+gusset_status gusset_surface_region_create(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *query,
+                                           double radius,
+                                           struct gusset_surface_cells **cells);
 
 /**
- * The contours of a scalar field that is given at the corners of the cells: where it takes the
- * values of levels.
- *
- * It is interpolated as the surface is; greater values are to the left, seen from where the
- * normals point to.
+ * Finds the pairs of cells of two surfaces that may be as near to each other as `within`: all that
+ * are, and few others.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
- * @param values value_count of them, finite, at any alignment, as levels are: of all sheets, one
- *     after the other, each row after row, one more row and column than there are cells; the last
- *     line of a closed direction repeats the first and is not used.
- * @param value_count see values.
- * @param levels level_count of them, rising.
- * @param level_count see levels.
+ * @param other the other surface.
+ * @param within a length, finite; 0: cells that may meet.
+ * @param[out] cells receives the pairs, for gusset_surface_cells_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
+ *     TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED.
+ * @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_cell_pairs_create(const struct gusset_context *context,
+                                               const struct gusset_surface *surface,
+                                               const struct gusset_surface *other,
+                                               double within,
+                                               struct gusset_surface_cells **cells);
+
+/**
+ * Lends the cells until they are destroyed.
+ *
+ * @param cells the cells.
+ * @param[out] view struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_cells_get_view(const struct gusset_surface_cells *cells,
+                                            struct gusset_surface_cells_view *view);
+
+/**
+ * Frees cells; NULL is allowed.
+ *
+ * @param[in,out] cells the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_surface_cells_destroy(struct gusset_surface_cells *cells);
+
+/**
+ * Draws the contours of a function on a surface: sections by planes, contours of values at nodes,
+ * or isophotes. The curves come in the order of the levels and of their lowest cells.
+ *
+ * The function increases to the left of a curve, seen from where the normals point to; angles
+ * decrease to the left. A section runs along the cross product of the direction and the normal.
+ *
+ * Every curve is found, also one within a cell. On a closed surface all curves are closed. Curves
+ * no larger than the tolerance are listed as unresolved.
+ *
+ * Sections: a corner on a plane counts as above it. So a plane that touches the surface in corners
+ * of cells from below, by its direction, gives no curve there and nothing unresolved. A plane that
+ * touches the surface from above gives closed curves round the contact, however narrow: along a row
+ * of corners, a curve there and back. If a plane touches or contains the surface elsewhere, so that
+ * curves cannot be told within rounding, the cells are listed as unresolved.
+ *
+ * Isophotes: at the angles 0 and pi there are points in place of curves, each a path of one point.
+ * Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side
+ * between them. Poles that may have the angle are listed as unresolved. Angles are of order three,
+ * as normals are; contours of the cosines at the nodes are of order four.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param function the function; struct_size set by the caller.
+ * @param levels count of them, rising, at any alignment: the values of the function on the curves.
+ *     Angles are from 0 to pi, or to pi / 2 if normals are unsigned.
+ * @param count see levels.
  * @param options NULL for the defaults.
- * @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_surface_section_create;
- *     SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number
- *     of the value.
- * @complexity O(values + cells that are crossed); threads.
+ * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (numbers that are not finite, a direction of 0, levels that do
+ *     not rise, angles, chord, points), SIZE_OVERFLOW, also if there are too few values, TOO_LARGE,
+ *     also if there are too many, NOT_FINITE with the number of the value, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity About O(count + cells that are crossed); O(values) for values, and O(cells) once for
+ *     angles, for the cones of normals; threads.
+ * @source Leus, "Carcasses on smooth surfaces", tasks b and d.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_surface_contours_create(const struct gusset_context *context,
                                              const struct gusset_surface *surface,
-                                             const double *values,
-                                             size_t value_count,
+                                             const struct gusset_contour_function *function,
                                              const double *levels,
-                                             size_t level_count,
+                                             size_t count,
                                              const struct gusset_contour_options *options,
                                              struct gusset_surface_paths **paths);
 
 /**
- * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of
- * the surface seen along the direction; at 0 and pi points in place of curves, each a path of one
- * point.
- *
- * Angles are smaller to the left, seen from where the normals point to.
- *
- * Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side
- * between them; poles that may have the angle are listed as unresolved. Angles are of order three,
- * as normals are; contours of the cosines at the nodes are of order four.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param direction x, y, z, not 0, at any alignment, as angles are.
- * @param angles count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are
- *     unsigned.
- * @param count see angles.
- * @param options NULL for the defaults.
- * @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_surface_section_create.
- * @complexity About O(cells that are crossed), and O(cells) once, for the cones of normals;
- *     threads.
- * @source Leus, task b.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_isophotes_create(const struct gusset_context *context,
-                                              const struct gusset_surface *surface,
-                                              const double *direction,
-                                              const double *angles,
-                                              size_t count,
-                                              const struct gusset_contour_options *options,
-                                              struct gusset_surface_paths **paths);
-
-/**
- * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ * Finds the place whose normal makes the angle with a direction that is nearest to a given one,
+ * proved to 1e-9.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
  * @param direction x, y, z, not 0, at any alignment.
  * @param angle in radians, 0 to pi, or to pi / 2 if normals are unsigned.
- * @param options NULL for the defaults; what is between crossings is not used.
- * @param[out] nearest struct_size set by the caller; all else is overwritten.
+ * @param unsigned_normals 1: a normal and its opposite are the same; else 0.
+ * @param[out] report struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity About O(cells that come near to the angle), and O(cells) once, for the cones of
@@ -12462,8 +12845,8 @@ gusset_status gusset_surface_nearest_angle(const struct gusset_context *context,
                                            const struct gusset_surface *surface,
                                            const double *direction,
                                            double angle,
-                                           const struct gusset_contour_options *options,
-                                           struct gusset_nearest_angle_report *nearest);
+                                           uint32_t unsigned_normals,
+                                           struct gusset_nearest_angle_report *report);
 
 /**
  * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the
@@ -12498,8 +12881,7 @@ gusset_status gusset_curve_through_create(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param sheet the sheet.
- * @param along GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs;
- *     GUSSET_ALONG_COLUMNS: the other way round.
+ * @param along GUSSET_ALONG_...; along rows u is the parameter, along columns v is.
  * @param parameter 0 to the number of cells that way; whole numbers are lines of nodes.
  * @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
@@ -12511,128 +12893,86 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
                                         const struct gusset_sheet *sheet,
-                                        uint32_t along,
+                                        gusset_sheet_direction along,
                                         double parameter,
                                         struct gusset_curve **curve);
 
 /**
- * Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as
- * `within`.
+ * Where two curves in space come as near to each other as `within`: each place where their
+ * distance is least, once.
  *
- * The places are those where the distance is least, each once. The others among the places have segment
- * 0, and the line's own parameter as t. gusset_curve_intersect_plane_create cuts a plane curve by a line.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param other the other curve.
+ * @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
+ * @param[out] places receives the places on the first curve, those on the other, and the points of
+ *     the first; overlaps are parts where the curves stay as near, or cannot be told apart;
+ *     undecided is 1 if something was given up that may be near enough. For gusset_places_destroy;
+ *     NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+ *     (within), OUT_OF_MEMORY, CANCELLED.
+ * @complexity Bounded work for each pair of segments whose boxes are near.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_near_misses_create(const struct gusset_context *context,
+                                              const struct gusset_curve *curve,
+                                              const struct gusset_curve *other,
+                                              double within,
+                                              struct gusset_places **places);
+
+/**
+ * Where a curve in space comes as near to a line, ray or segment as `within`.
+ *
+ * The others among the places have segment 0, and the line's own parameter as t.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param line one, at any alignment.
- * @param within a length, 0 or more and finite; at least 1e-12 of the curve's size is taken.
- * @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
- *     that stay as near, and parts where no place can be told from the next.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
- *     (within; a line that is not finite or has no direction), OUT_OF_MEMORY, CANCELLED.
+ * @param within a distance, at least 0.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
+ *     a line that is not finite or has no direction.
  * @complexity Bounded work for each segment whose box meets the line.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
-                                                 const struct gusset_curve *curve,
-                                                 const struct gusset_line *line,
-                                                 double within,
-                                                 struct gusset_places **places);
+gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *context,
+                                                   const struct gusset_curve *curve,
+                                                   const struct gusset_line *line,
+                                                   double within,
+                                                   struct gusset_places **places);
 
 /**
- * The nearest points of a surface and a line, ray or segment.
+ * Finds the nearest points of a surface and a line, a plane, a curve or another surface.
  *
- * Of several pairs of points that are equally near it is always the same one. Where much of the
- * surface is equally near, as a tube is to its axis, the search ends without a proof, and says so.
+ * If several pairs of points are equally near, the result is always the same pair. Where much of
+ * the surface is equally near, as a tube is to its axis, the search ends without a proof and says
+ * so. Where a plane meets the surface, the result is a point of the section.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
- * @param line one, at any alignment.
- * @param tolerance a length, to which the distance is proved, finite; 0: that of the surface.
- * @param[out] distance struct_size set by the caller; all else is overwritten.
+ * @param target the object; struct_size set by the caller.
+ * @param tolerance a length, to which the distance is proved, finite; 0: the tolerance of the
+ *     surface, or the greater one of two surfaces.
+ * @param[out] report struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     OUT_OF_RANGE for a line that is not finite, has no direction or ends before it begins, and
- *     for the tolerance; OUT_OF_MEMORY, CANCELLED.
+ *     UNKNOWN_VALUE (kind, reserved), OUT_OF_RANGE for a line that is not finite, has no direction
+ *     or ends before it begins, for a plane that is not finite, too large or without a direction,
+ *     for a curve that is too large, and for the tolerance; EMPTY_CURVE, OUT_OF_MEMORY, CANCELLED.
  * @complexity About O(log cells), and at most 50,000 pairs of pieces.
- * @source Ours; Leus, "Carcasses on smooth surfaces", task c, where there is no intersection.
+ * @source Ours; Leus, "Carcasses on smooth surfaces", tasks c to e, where there is no intersection.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_surface_line_distance(const struct gusset_context *context,
-                                           const struct gusset_surface *surface,
-                                           const struct gusset_line *line,
-                                           double tolerance,
-                                           struct gusset_surface_distance *distance);
-
-/**
- * The point of a surface that is nearest to a plane; where they meet, a point of the section.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param point x, y, z of a point of the plane, up to 1e150, at any alignment.
- * @param normal x, y, z across it, of any length but 0, at any alignment.
- * @param tolerance a length, to which the distance is proved, finite; 0: that of the surface.
- * @param[out] distance struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: those of gusset_surface_line_distance, OUT_OF_RANGE for what is
- *     not finite, too large, or has no direction.
- * @complexity As for gusset_surface_line_distance.
- * @source Ours; Leus, "Carcasses on smooth surfaces", task d, where there is no section.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_plane_distance(const struct gusset_context *context,
-                                            const struct gusset_surface *surface,
-                                            const double *point,
-                                            const double *normal,
-                                            double tolerance,
-                                            struct gusset_surface_distance *distance);
-
-/**
- * The nearest points of a surface and a curve in space.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param curve the curve, of coordinates up to 1e150; of any degrees.
- * @param tolerance a length, to which the distance is proved, finite; 0: that of the surface.
- * @param[out] distance struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: those of gusset_surface_line_distance, EMPTY_CURVE.
- * @complexity As for gusset_surface_line_distance.
- * @source Ours; Leus, "Carcasses on smooth surfaces", task c, where there is no intersection.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_curve_distance(const struct gusset_context *context,
-                                            const struct gusset_surface *surface,
-                                            const struct gusset_curve *curve,
-                                            double tolerance,
-                                            struct gusset_surface_distance *distance);
-
-/**
- * The nearest points of two surfaces.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param other the other one; of both only what is needed is looked at.
- * @param tolerance a length, to which the distance is proved, finite; 0: the greater one of both
- *     surfaces.
- * @param[out] distance struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: those of gusset_surface_line_distance.
- * @complexity As for gusset_surface_line_distance.
- * @source Ours; Leus, "Carcasses on smooth surfaces", task e, where there is no intersection.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_surface_distance(const struct gusset_context *context,
-                                              const struct gusset_surface *surface,
-                                              const struct gusset_surface *other,
-                                              double tolerance,
-                                              struct gusset_surface_distance *distance);
+gusset_status gusset_surface_distance(const struct gusset_context *context,
+                                      const struct gusset_surface *surface,
+                                      const struct gusset_target *target,
+                                      double tolerance,
+                                      struct gusset_distance_report *report);
 
 /**
  * Points, derivatives, normals and curvatures at places.
@@ -12684,37 +13024,43 @@ gusset_status gusset_surface_locate(const struct gusset_context *context,
                                     struct gusset_surface_place *places);
 
 /**
- * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ * Finds where lines, rays, segments and a curve in space meet a surface; for each line what a call
+ * with it alone gives.
  *
- * A point on a side between cells, on one that sheets share, or at a pole is found once, and none
- * is missed: where a line touches the surface or runs in it, a hit says from where to where.
+ * A point on a side between cells, on one that sheets share, at a joint of the curve's segments, or
+ * at a pole is found once, and none is missed: where a line or the curve touches the surface or runs
+ * in it, a hit says from where to where.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
  * @param lines count of them, at any alignment; NULL for none.
  * @param count see lines.
+ * @param curve of degree 7 at most; NULL for none. Its hits come after those of the lines, in the
+ *     order of the curve.
  * @param selection GUSSET_HITS_...
  * @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
- *     with the line that is not finite, has no direction, or ends before it begins; SIZE_OVERFLOW,
- *     OUT_OF_MEMORY, CANCELLED.
- * @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
- *     threads.
+ *     with the line that is not finite, has no direction, or ends before it begins, or for a degree;
+ *     EMPTY_CURVE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in.
+ *     About O(log cells) for each cell that the curve comes near to; bounded for each segment and
+ *     cell that run in each other. Threads.
  * @source Leus, "Carcasses on smooth surfaces", task c.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_surface_line_hits_create(const struct gusset_context *context,
-                                              const struct gusset_surface *surface,
-                                              const struct gusset_line *lines,
-                                              size_t count,
-                                              gusset_hit_selection selection,
-                                              struct gusset_surface_hits **hits);
+gusset_status gusset_surface_hits_create(const struct gusset_context *context,
+                                         const struct gusset_surface *surface,
+                                         const struct gusset_line *lines,
+                                         size_t count,
+                                         const struct gusset_curve *curve,
+                                         gusset_hit_selection selection,
+                                         struct gusset_surface_hits **hits);
 
 /**
- * The first hit of each of many lines, rays or segments: that of least t, which
- * gusset_surface_line_hits_create gives first.
+ * Finds the first hit of each of many lines, rays or segments: the hit of least t, which
+ * gusset_surface_hits_create gives first.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
@@ -12722,8 +13068,7 @@ gusset_status gusset_surface_line_hits_create(const struct gusset_context *conte
  * @param count see lines.
  * @param[out] hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
  *     where there is none, and everywhere on failure.
- * @return GUSSET_OK, or an error: those of gusset_surface_line_hits_create, MISALIGNED_ARGUMENT
- *     (hits).
+ * @return GUSSET_OK, or an error: those of gusset_surface_hits_create, MISALIGNED_ARGUMENT (hits).
  * @complexity About O(log cells) a line; threads.
  * @since 0.1
  */
@@ -12736,35 +13081,10 @@ gusset_status gusset_surface_first_hits(const struct gusset_context *context,
                                         struct gusset_surface_hit *hits);
 
 /**
- * Where a curve in space meets a surface, in the order of the curve.
- *
- * As for lines; a point at a joint of segments is found once too.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param curve of degree 7 at most.
- * @param selection GUSSET_HITS_...
- * @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
- *     OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED.
- * @complexity About O(log cells) for each cell that the curve comes near to; bounded for each
- *     segment and cell that run in each other; threads.
- * @source Leus, task c.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_curve_hits_create(const struct gusset_context *context,
-                                               const struct gusset_surface *surface,
-                                               const struct gusset_curve *curve,
-                                               gusset_hit_selection selection,
-                                               struct gusset_surface_hits **hits);
-
-/**
  * The hits, lent until they are destroyed.
  *
  * @param hits the hits.
- * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @param[out] view struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -12772,7 +13092,7 @@ gusset_status gusset_surface_curve_hits_create(const struct gusset_context *cont
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
-                                           struct gusset_surface_hits_view *parts);
+                                           struct gusset_surface_hits_view *view);
 
 /**
  * Frees hits; NULL is allowed.
@@ -12841,74 +13161,50 @@ gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
                                         struct gusset_mask_report *report);
 
 /**
- * The cells of a mask, row after row: those that a search leaves.
+ * Lists the cells or the nodes of a mask, row after row. Its nodes are the corners of its cells, each
+ * once; lines that close the sheet count as the first ones.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param sheet the sheet.
  * @param words the mask, as for gusset_sheet_mask_chain.
  * @param count the mask, as for gusset_sheet_mask_chain.
- * @param[out] cells receives row and column of each cell, two numbers each; NULL with capacity 0 to
+ * @param domain GUSSET_DOMAIN_...: faces are the cells, vertices and corners the nodes.
+ * @param[out] elements receives row and column of each, two numbers each; NULL with capacity 0 to
  *     ask for the size.
- * @param capacity how many cells it has room for.
- * @param[out] written receives the number of cells.
+ * @param capacity how many elements it has room for.
+ * @param[out] written receives the number of elements.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
- *     words), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells / 64), and the cells of the mask.
+ *     words), UNKNOWN_VALUE, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells / 64), and the cells of the mask; O(nodes) for nodes.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_mask_cells(const struct gusset_context *context,
-                                      const struct gusset_sheet *sheet,
-                                      const uint64_t *words,
-                                      size_t count,
-                                      uint32_t *cells,
-                                      size_t capacity,
-                                      size_t *written);
-
-/**
- * The nodes of a mask, row after row: the corners of its cells, each once. Lines that close the
- * sheet count as the first ones.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param sheet the sheet.
- * @param words the mask, as for gusset_sheet_mask_chain.
- * @param count the mask, as for gusset_sheet_mask_chain.
- * @param[out] nodes receives row and column of each node, two numbers each; NULL with capacity 0 to
- *     ask for the size.
- * @param capacity how many nodes it has room for.
- * @param[out] written receives the number of nodes.
- * @return GUSSET_OK, or an error: those of gusset_sheet_mask_cells.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask_nodes(const struct gusset_context *context,
-                                      const struct gusset_sheet *sheet,
-                                      const uint64_t *words,
-                                      size_t count,
-                                      uint32_t *nodes,
-                                      size_t capacity,
-                                      size_t *written);
+gusset_status gusset_sheet_mask_elements(const struct gusset_context *context,
+                                         const struct gusset_sheet *sheet,
+                                         const uint64_t *words,
+                                         size_t count,
+                                         gusset_domain domain,
+                                         uint32_t *elements,
+                                         size_t capacity,
+                                         size_t *written);
 
 /**
  * The nearest points of a surface to queries, one or many.
  *
  * Each answer is the same to the bit whether it is asked for alone or among others, in any order,
  * on any number of threads; of several nearest points it is that of the first sheet, row and
- * column. What is proved is relative to the surface as declared: no point of it is nearer than
+ * column. Proofs are relative to the surface as declared: no point of it is nearer than
  * bound.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
- * @param queries x, y, z of each, at any alignment, `stride` bytes apart (0: packed).
+ * @param queries x, y, z of each, packed, at any alignment.
  * @param count see queries.
- * @param stride see queries.
  * @param options NULL for the defaults: no limit.
  * @param[out] points room for count answers, in the order of the queries; none is found on
  *     failure: no flags, and infinite distances.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE,
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit; a query with a
  *     coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
@@ -12922,7 +13218,6 @@ gusset_status gusset_surface_nearest(const struct gusset_context *context,
                                      const struct gusset_surface *surface,
                                      const double *queries,
                                      size_t count,
-                                     size_t stride,
                                      const struct gusset_nearest_options *options,
                                      struct gusset_surface_nearest_point *points);
 
@@ -12958,7 +13253,7 @@ gusset_status gusset_surface_minima_create(const struct gusset_context *context,
  * The points, lent until they are destroyed.
  *
  * @param points the points.
- * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @param[out] view struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -12966,7 +13261,7 @@ gusset_status gusset_surface_minima_create(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
-                                             struct gusset_surface_points_view *parts);
+                                             struct gusset_surface_points_view *view);
 
 /**
  * Frees points; NULL is allowed.
@@ -12975,97 +13270,6 @@ gusset_status gusset_surface_points_get_view(const struct gusset_surface_points 
  * @since 0.1
  */
 GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
-
-/**
- * The cells that have a point within a radius of a query: the paper's region, with its logical
- * scale.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param query x, y, z, up to 1e150, at any alignment.
- * @param radius at least 0; INFINITY: all cells.
- * @param[out] region receives all cells that have such a point, and no others but such as come
- *     within the tolerance of the radius or could not be decided in bounded work; for
- *     gusset_surface_region_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
- *     (radius; a coordinate beyond 1e150), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells found, and one bit a cell).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_region_create(const struct gusset_context *context,
-                                           const struct gusset_surface *surface,
-                                           const double *query,
-                                           double radius,
-                                           struct gusset_surface_region **region);
-
-/**
- * The cells, lent until they are destroyed.
- *
- * @param region the region.
- * @param[out] parts struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_region_get_view(const struct gusset_surface_region *region,
-                                             struct gusset_surface_region_view *parts);
-
-/**
- * Frees a region; NULL is allowed.
- *
- * @param[in,out] region the handle; NULL is allowed.
- * @since 0.1
- */
-GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
-
-/**
- * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param sheet the sheet.
- * @param[out] euclidean receives for each cell, row after row, a bound of the distance between any
- *     two of its points.
- * @param[out] intrinsic of the length of the shortest curve within the cell between them.
- * @param capacity how many numbers each of the two has room for; either may be NULL, both with
- *     capacity 0.
- * @param[out] written receives the number of cells.
- * @param[out] max receives two numbers, the greatest of the first and of the second kind, the
- *     paper's d; may be NULL.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL,
- *     OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells), 16 bytes a cell; threads; the same bits for any number of them.
- * @source Leus, eqs. (1) and (7); the bounds are ours.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_diameters(const struct gusset_context *context,
-                                     const struct gusset_sheet *sheet,
-                                     double *euclidean,
-                                     double *intrinsic,
-                                     size_t capacity,
-                                     size_t *written,
-                                     double *max);
-
-/**
- * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param sheet the sheet.
- * @param[out] bound receives the bound; infinite where the surface is not regular, as at poles.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells); threads.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
-                                           const struct gusset_sheet *sheet,
-                                           double *bound);
 
 /**
  * The paper's search with its logical scale, corrected: which cells of a sheet may have a point
@@ -13143,7 +13347,7 @@ gusset_status gusset_curve_reference_mask(const struct gusset_context *context,
  * the normals at the cell's corners, cut the lines of the net; cubics through four crossings each
  * have tangents that span the tangent plane.
  *
- * Of third order in the size of cells; the exact normals of the surface are had from a surface.
+ * They are of third order in the size of cells; the exact normals of the surface are had from a surface.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param sheet the sheet.
@@ -13167,10 +13371,10 @@ gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *cont
                                                double *normals);
 
 /**
- * What a surface is.
+ * Reports on a surface and its sheets.
  *
  * @param surface the surface.
- * @param[out] facts struct_size set by the caller; all else is overwritten.
+ * @param[out] report struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(sheets).
  * @since 0.1
@@ -13178,97 +13382,53 @@ gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *cont
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_surface_get_report(const struct gusset_surface *surface,
-                                        struct gusset_surface_report *facts);
+                                        struct gusset_surface_report *report);
 
 /**
- * What a sheet of a surface is.
+ * Makes a surface through nodes: through a copy of them, through the caller's own memory, or the
+ * bicubic Hermite surface with given tangents, which is C1.
  *
- * @param surface the surface.
- * @param sheet its number, as in places.
- * @param[out] facts struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     NO_SUCH_ELEMENT (sheet).
- * @complexity O(sheets).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_get_sheet(const struct gusset_surface *surface,
-                                       size_t sheet,
-                                       struct gusset_surface_sheet_report *facts);
-
-/**
- * Makes a surface through a copy of nodes.
+ * Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are
+ * destroyed. They are f64, aligned to 8 bytes, and their strides are multiples of 8.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param nodes at any alignment, finite; of sheets for a surface the greatest coordinate in
- *     absolute terms is from 1e-30 to 1e37, or 0, however the sheet is made; repeated nodes and
- *     rows that are one point (poles) are allowed.
+ * @param nodes at any alignment, unless borrowed; finite. Repeated nodes and rows that are one point
+ *     (poles) are allowed. For a surface the greatest coordinate in absolute terms is from
+ *     1e-30 to 1e37, or 0; so it is for every kind of sheet.
+ * @param tangents NULL: the scheme of the nodes draws the surface. Else rows x columns vectors each,
+ *     at any alignment, and the scheme is not read. The vectors of the repeated line of a closed
+ *     direction are not read as tangents, but must be there.
+ * @param borrow 1: the sheet reads the caller's memory; 0: it copies the nodes. With tangents the
+ *     sheet keeps patches in place of nodes, either way.
  * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet),
- *     BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE,
- *     NOT_FINITE with the node, SIDES_DIFFER if a closed direction does not end where it begins,
- *     with the place of the largest gap, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes); 24 bytes a node.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the structs, sheet, borrowed
+ *     nodes), BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, also for borrowed nodes that
+ *     are f32 or have strides that are not multiples of 8, SIZE_OVERFLOW, UNKNOWN_VALUE (also twist,
+ *     reserved, borrow), NOT_FINITE with the node, of a node, a tangent or a twist, SIDES_DIFFER if a
+ *     closed direction does not end where it begins, with the place of the largest gap,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes); 24 bytes a node, none if they are borrowed, and with tangents 384 bytes a
+ *     cell.
  * @source Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_nodes_create(const struct gusset_context *context,
-                                             const struct gusset_nodes *nodes,
-                                             struct gusset_sheet **sheet);
-
-/**
- * Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged
- * until the sheet and all that was made of it are destroyed.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param nodes as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides
- *     multiples of 8.
- * @param[out] sheet receives the result, for gusset_sheet_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: as there; MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32
- *     and for strides that are no multiples of 8; CANCELLED.
- * @complexity O(nodes); no memory a node.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_borrow_create(const struct gusset_context *context,
-                                         const struct gusset_nodes *nodes,
-                                         struct gusset_sheet **sheet);
+gusset_status gusset_sheet_create(const struct gusset_context *context,
+                                  const struct gusset_nodes *nodes,
+                                  const struct gusset_tangents *tangents,
+                                  uint32_t borrow,
+                                  struct gusset_sheet **sheet);
 
 /**
  * Frees a sheet; NULL is allowed.
  *
- * What was made of it keeps what it needs.
+ * Results that were made of it keep what they need.
  *
  * @param[in,out] sheet the handle; NULL is allowed.
  * @since 0.1
  */
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
-
-/**
- * Makes the bicubic Hermite surface through nodes with given tangents: C1.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param nodes as for gusset_sheet_from_nodes_create; the scheme is not used.
- * @param tangents rows x columns vectors each; those of the repeated line of a closed direction
- *     are not read as tangents, but must be there; at any alignment.
- * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_sheet_from_nodes_create, among them
- *     NULL_ARGUMENT, BAD_STRUCT_SIZE and UNKNOWN_VALUE (twist, reserved) for the tangents, and
- *     NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW, OUT_OF_MEMORY,
- *     CANCELLED.
- * @complexity O(nodes); 384 bytes a cell.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_from_tangents_create(const struct gusset_context *context,
-                                                const struct gusset_nodes *nodes,
-                                                const struct gusset_tangents *tangents,
-                                                struct gusset_sheet **sheet);
 
 /**
  * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their
@@ -13342,7 +13502,7 @@ gusset_status gusset_sheet_from_spline_create(const struct gusset_context *conte
  * Between two nodes rows of equally many segments are matched segment by segment; else all of them
  * are cut where any one has a joint: there may be more cells than meshes of the net. The surface
  * is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
- * (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a
+ * (gusset_sheet_measure tells). Polylines, segments of degree 1, are kept with their creases; for a
  * smooth surface draw curves through their points first, with gusset_outline_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -13403,7 +13563,7 @@ gusset_status gusset_sheet_offset_create(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param frame may be destroyed afterwards.
- * @param kind GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES.
+ * @param kind GUSSET_FRAME_...
  * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
  *     NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or
@@ -13415,7 +13575,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_sheet_from_frame_create(const struct gusset_context *context,
                                              const struct gusset_frame *frame,
-                                             uint32_t kind,
+                                             gusset_frame_surface kind,
                                              struct gusset_sheet **sheet);
 
 /**
@@ -13500,10 +13660,10 @@ gusset_status gusset_sheet_mesh_origins_create(const struct gusset_context *cont
                                                struct gusset_origins **origins);
 
 /**
- * Tells what a sheet is.
+ * Reports what a sheet is.
  *
  * @param sheet the sheet.
- * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @param[out] report struct_size set by the caller; all else is overwritten.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(cells at the sides).
  * @since 0.1
@@ -13511,190 +13671,107 @@ gusset_status gusset_sheet_mesh_origins_create(const struct gusset_context *cont
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_sheet_get_report(const struct gusset_sheet *sheet,
-                                      struct gusset_sheet_report *parts);
+                                      struct gusset_sheet_report *report);
 
 /**
- * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i,
- * j).
+ * Measures a sheet and its cells: diameters, estimates and bounds of their error, curvature, creases.
+ * Computes only what is asked for.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param sheet the sheet.
- * @param[out] errors an estimate of how far a surface through nodes is from the smooth one that
- *     they were taken from, at equal parameters: C h^4 times the fourth derivatives, from
- *     differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the
- *     patches were given.
- * @param[out] bilinear a bound of how far the surface is from the bilinear patch through the
- *     cell's corners.
- * @param[out] triangles from the two triangles that either diagonal makes. Each may be NULL.
- * @param capacity how many numbers each has room for.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value
- *     is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then.
- * @complexity O(cells); threads.
+ * @param parts GUSSET_SHEET_MEASURE_..., added: what measures receives; 0: everything.
+ * @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is written
+ *     to them on failure.
+ * @param[out] measures struct_size set by the caller; all else is overwritten; NULL if only cells
+ *     are wanted.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE (parts), BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(cells), 16 bytes a cell for each of diameters, errors and distances; threads; the
+ *     same bits for any number of them.
+ * @source Leus, eqs. (1) and (7); the bounds are ours.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_estimates(const struct gusset_context *context,
-                                     const struct gusset_sheet *sheet,
-                                     double *errors,
-                                     double *bilinear,
-                                     double *triangles,
-                                     size_t capacity);
+gusset_status gusset_sheet_measure(const struct gusset_context *context,
+                                   const struct gusset_sheet *sheet,
+                                   gusset_sheet_measure_flags parts,
+                                   const struct gusset_cell_arrays *cells,
+                                   struct gusset_sheet_measures *measures);
 
 /**
- * The largest angle between the normals on both sides of borders between cells, in radians: 0, or
- * rounding, where the surface is smooth.
+ * Finds the curves in which two surfaces meet, or in which a surface meets itself, with the places
+ * of their points on both.
  *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param sheet the sheet.
- * @param[out] crease receives it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells); threads.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_crease(const struct gusset_context *context,
-                                  const struct gusset_sheet *sheet,
-                                  double *crease);
-
-/**
- * The curves in which two surfaces meet, with the places of their points on both: ordered along
- * N_A x N_B, closed ones marked so.
+ * Curves run along N x N', where N is the normal at `places` and N' the normal at `others`. Closed
+ * ones are marked so. Points and normals are those of the first surface; the points at `others` are
+ * the same but for rounding, and at crossings to the tolerance. Each curve is given once.
  *
- * Points and normals are those of a; the points of b at `others` are the same but for rounding,
- * and at crossings to the tolerance. Every branch is found, relative to the surfaces as declared,
- * that is longer than the tolerance, or the surfaces' own if that is smaller, or, next to a pole,
- * than four times that; farther than four times that from others; and not part of a contact or of
- * a cell that is listed as unresolved. A path that is not closed ends at the border of a sheet, or
- * in such a cell.
+ * Two surfaces: every branch is found, relative to the surfaces as declared, that is longer than
+ * the tolerance, or the surfaces' own if that is smaller, or, next to a pole, than four times that;
+ * farther than four times that from others; and not part of a contact or of a cell that is listed
+ * as unresolved. A path that is not closed ends at the border of a sheet, or in such a cell.
  *
  * A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
  * be alone: near it both are graphs over a plane, and the second derivatives of their difference
  * are a definite form (GUSSET_CONTACT_POINT) or an indefinite one (GUSSET_CONTACT_CROSSING), and
  * the gap is within the tolerance; if it is larger, there is a loop, or nothing, or two branches
- * that pass each other. What is within a contact's radius, at most some four times the root of
+ * that pass each other. All within a contact's radius, at most some four times the root of
  * twice the tolerance over the least curvature of that difference, is left out: loops, and how
  * branches run that come nearer to each other than that; a path goes straight to the contact's
- * point from where it comes to it. A path that comes to a crossing turns there, as N_A x N_B
- * points to it and away from it in turn, and goes back the way that closes it if there is one: a
- * figure of eight is two closed paths that have one point in common.
+ * point from where it comes to it. A path that comes to a crossing turns there, as N x N' points to
+ * it and away from it in turn, and goes back the way that closes it if there is one: a figure of
+ * eight is two closed paths that have one point in common.
  *
- * Cells of a where the surfaces touch in another way (along a curve, at a pole, at a border, to a
- * higher order) or coincide are listed as unresolved, and curves may end there, or be in parts or
- * missing within such cells. So are cells that take more work than the limit, as where two branches
- * run beside each other at 1e-4 of a cell and not along its sides, or one runs nearly along the
- * sides of cells of both surfaces, as where coaxial surfaces of revolution meet. Curves are joined
- * across such a place where a chord is as near to both surfaces as elsewhere. For where one
- * surface meets itself see gusset_surface_self_intersection_create.
+ * Cells of the first surface where the surfaces touch in another way (along a curve, at a pole, at
+ * a border, to a higher order) or coincide are listed as unresolved, and curves may end there, or
+ * be in parts or missing within such cells. So are cells that take more work than the limit, as
+ * where two branches run beside each other at 1e-4 of a cell and not along its sides, or one runs
+ * nearly along the sides of cells of both surfaces, as where coaxial surfaces of revolution meet.
+ * Curves are joined across such a place where a chord is as near to both surfaces as elsewhere.
+ *
+ * A surface with itself: along a closed curve the two pieces may change places, as on a Klein
+ * bottle. The curve then ends where it begins in space, with `places` and `others` exchanged. Where
+ * a sheet is turned over at a seam, as a Möbius band is, the direction turns too.
+ *
+ * Cells of a sheet with a side or a corner in common, across a seam too, opposite borders of a sheet
+ * whose control points are the same to 64 units of rounding of the largest coordinate, in either
+ * order, and cells round a pole are joined: what they have in common so is no intersection, and
+ * that they have nothing else is proved, or they are divided. Every branch longer than the
+ * tolerance is found, but for cells that are listed as unresolved: where tangents are dependent, as
+ * where a curve ends in a pinch (Whitney's umbrella), at creases and singular poles, and where
+ * pieces touch or coincide. A curve that ends in a pinch ends where its pieces are as near to each
+ * other as the tolerance, some tens of tolerances from the pinch where the surface is rough; the
+ * unresolved place is there. A curve that runs along sides of cells all its way may come in many
+ * parts. No contacts are looked for. A common part of borders of different sheets is an
+ * intersection.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param a the one surface.
- * @param b the other; of the same handle all is reported as coincident.
- * @param options NULL for the defaults.
+ * @param surface the surface.
+ * @param other the other surface; NULL: the surface with itself. For the handle of the surface
+ *     everything is reported as coincident.
+ * @param options NULL for the defaults. For one surface they are those of two with it twice.
  * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
- *     CANCELLED.
+ *     UNKNOWN_VALUE (spacing, reserved), OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26
+ *     pairs of cells, OUT_OF_MEMORY, CANCELLED.
  * @complexity In proportion to the pairs of cells that may be within the tolerance of each other,
  *     with a limit for each, and to the points, as 1 / sqrt(chord); more where cells are within
- *     the tolerance of hundreds of others. Threads; the same bits for any number of them. With a
- *     and b exchanged bits may differ, and which contacts are proved.
+ *     the tolerance of hundreds of others. For one surface also in proportion to its cells; of n
+ *     cells round a pole n^2 / 2 pairs are looked at, and held only where the sheet is not proved
+ *     to be regular there. Threads; the same bits for any number of them. With the surfaces
+ *     exchanged bits may differ, and which contacts are proved.
  * @source Leus, "Carcasses on smooth surfaces", task e; the proofs are ours.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_surface_intersection_create(const struct gusset_context *context,
-                                                 const struct gusset_surface *a,
-                                                 const struct gusset_surface *b,
+                                                 const struct gusset_surface *surface,
+                                                 const struct gusset_surface *other,
                                                  const struct gusset_intersection_options *options,
                                                  struct gusset_surface_paths **paths);
-
-/**
- * The curves in which a surface meets itself, with the places of their points on both pieces:
- * ordered along N x N', where N is the normal at `places` and N' that at `others`; closed ones
- * marked so. Each curve is given once.
- *
- * Along a closed curve the two pieces may change places, as on a Klein bottle: it then ends where
- * it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a
- * seam, as a Möbius band is, the direction turns too.
- *
- * Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
- * control points are the same to 64 units of rounding of the largest coordinate, in either order,
- * and cells round a pole are joined: what they have in common so is no intersection, and that they
- * have nothing else is proved, or they are divided. Every branch longer than the tolerance is
- * found, but for cells that are listed as unresolved: where tangents are dependent, as where a
- * curve ends in a pinch (Whitney's umbrella), at creases and singular poles, and where pieces
- * touch or coincide. A curve that ends in a pinch ends where its pieces are as near to each other
- * as the tolerance, some tens of tolerances from the pinch where the surface is rough; the
- * unresolved place is there. A curve that runs along sides of cells all its way may come in many
- * parts. No contacts are looked for. What borders of different sheets have in common is an
- * intersection.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param surface the surface.
- * @param options NULL for the defaults; those of one surface are those of two with it twice.
- * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
- *     CANCELLED.
- * @complexity In proportion to the cells and to the pairs of cells that may meet, with a limit for
- *     each; of n cells round a pole n^2 / 2 pairs are looked at, and held only where the sheet is
- *     not proved to be regular there; threads; the same bits for any number of them.
- * @source After gusset_surface_intersection_create; the proofs for joined cells are ours.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_self_intersection_create(const struct gusset_context *context,
-                                                      const struct gusset_surface *surface,
-                                                      const struct gusset_intersection_options *options,
-                                                      struct gusset_surface_paths **paths);
-
-/**
- * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and
- * few others.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param a the one surface.
- * @param b the other surface.
- * @param within a length, finite; 0: cells that may meet.
- * @param[out] pairs receives them, for gusset_cell_pairs_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
- *     TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED.
- * @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_cell_pairs_create(const struct gusset_context *context,
-                                               const struct gusset_surface *a,
-                                               const struct gusset_surface *b,
-                                               double within,
-                                               struct gusset_cell_pairs **pairs);
-
-/**
- * The pairs, lent until they are destroyed.
- *
- * @param pairs the pairs.
- * @param[out] parts struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_cell_pairs_get_view(const struct gusset_cell_pairs *pairs,
-                                         struct gusset_cell_pairs_view *parts);
-
-/**
- * Frees pairs of cells; NULL is allowed.
- *
- * @param[in,out] pairs the handle; NULL is allowed.
- * @since 0.1
- */
-GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
 
 /**
  * The library's version, "major.minor.patch".

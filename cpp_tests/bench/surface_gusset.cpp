@@ -26,7 +26,7 @@ public:
     }
     void closest(const Points &queries, Points &feet) override {
         found_.resize(queries.size());
-        check(gusset_surface_nearest(context_, surface_, queries.data()->data(), queries.size(), 0, nullptr, found_.data()));
+        check(gusset_surface_nearest(context_, surface_, queries.data()->data(), queries.size(), nullptr, found_.data()));
         feet.clear();
         for (const gusset_surface_nearest_point &one : found_) {
             feet.push_back({one.point[0], one.point[1], one.point[2]});
@@ -44,13 +44,13 @@ public:
     void lines(const std::vector<Line> &lines, Hits &hits) override {
         const std::vector<gusset_line> asked = given(lines, -std::numeric_limits<double>::infinity());
         gusset_surface_hits *found = nullptr;
-        check(gusset_surface_line_hits_create(context_, surface_, asked.data(), asked.size(), GUSSET_HITS_ALL, &found));
+        check(gusset_surface_hits_create(context_, surface_, asked.data(), asked.size(), nullptr, GUSSET_HITS_ALL, &found));
         const std::unique_ptr<gusset_surface_hits, decltype(&gusset_surface_hits_destroy)> owner(found, &gusset_surface_hits_destroy);
         gusset_surface_hits_view parts{};
         parts.struct_size = sizeof parts;
         check(gusset_surface_hits_get_view(found, &parts));
         hits.clear();
-        hits.ends.assign(parts.ends + 1, parts.ends + 1 + parts.line_count);
+        hits.ends.assign(parts.ends + 1, parts.ends + 1 + parts.query_count);
         for (const gusset_surface_hit *hit = parts.hits; hit != parts.hits + parts.hit_count; ++hit) {
             hits.points.push_back({hit->point[0], hit->point[1], hit->point[2]});
         }
@@ -72,15 +72,20 @@ public:
         options.struct_size = sizeof options;
         options.spacing = chord_ > 0 ? GUSSET_POINT_SPACING_CHORD : GUSSET_POINT_SPACING_CELL_EDGES;
         options.chord = chord_;
-        const double offset = 0;
+        gusset_contour_function height{};
+        height.struct_size = sizeof height;
+        std::copy(plane.origin.begin(), plane.origin.end(), height.point);
+        std::copy(plane.normal.begin(), plane.normal.end(), height.direction);
+        const double level = 0;
         gusset_surface_paths *found = nullptr;
-        check(gusset_surface_section_create(context_, surface_, plane.origin.data(), plane.normal.data(), &offset, 1, &options, &found));
+        check(gusset_surface_contours_create(context_, surface_, &height, &level, 1, &options, &found));
         take(found, curves);
     }
     void meet(Solver &other, Polylines &curves) override {
         gusset_intersection_options options{};
         options.struct_size = sizeof options;
-        options.chord = chord_ > 0 ? chord_ : std::numeric_limits<double>::infinity();
+        options.spacing = chord_ > 0 ? GUSSET_POINT_SPACING_CHORD : GUSSET_POINT_SPACING_CELL_EDGES;
+        options.chord = chord_;
         gusset_surface_paths *found = nullptr;
         check(gusset_surface_intersection_create(context_, surface_, dynamic_cast<Gusset &>(other).surface_, &options, &found));
         take(found, curves);
@@ -154,7 +159,7 @@ private:
         given.columns = nodes_.columns;
         given.scalar = GUSSET_F64;
         given.closed_u = given.closed_v = nodes_.closed ? 1 : 0;
-        check(gusset_sheet_borrow_create(context_, &given, &sheet_));
+        check(gusset_sheet_create(context_, &given, nullptr, 1, &sheet_));
     }
 
     const Nodes &nodes_;

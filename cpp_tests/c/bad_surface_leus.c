@@ -22,35 +22,48 @@ static gusset_sheet *plane(void) {
     nodes.rows = ROWS;
     nodes.columns = COLUMNS;
     nodes.scalar = GUSSET_F64;
-    EXPECT(GUSSET_OK, gusset_sheet_from_nodes_create(context, &nodes, &sheet));
+    EXPECT(GUSSET_OK, gusset_sheet_create(context, &nodes, NULL, 0, &sheet));
     return sheet;
 }
 
 static void diameters(gusset_sheet *sheet) {
-    double euclidean[CELLS], intrinsic[CELLS], greatest[2], bound = 7.0;
-    size_t written = 99;
+    double euclidean[CELLS], intrinsic[CELLS];
+    gusset_cell_arrays arrays = {sizeof arrays, CELLS, euclidean, intrinsic, NULL, NULL, NULL};
+    gusset_sheet_measures found;
+    gusset_error_report report;
 
-    EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, NULL, NULL, 0, &written, NULL));
-    CHECK(written == CELLS);
-    EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, euclidean, intrinsic, CELLS, &written, greatest));
+    memset(&found, 0, sizeof found), memset(&report, 0, sizeof report);
+    found.struct_size = sizeof found, report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, 0, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, GUSSET_SHEET_MEASURE_DIAMETERS, &arrays, &found));
     CHECK(fabs(euclidean[7] - sqrt(2.0)) < 1e-12 && fabs(intrinsic[CELLS - 1] - sqrt(2.0)) < 1e-12);
-    CHECK(greatest[0] >= euclidean[3] && greatest[1] >= intrinsic[3]);
-    EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, NULL, intrinsic, CELLS, &written, NULL));
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL,
-           gusset_sheet_diameters(context, sheet, euclidean, NULL, CELLS - 1, &written, greatest));
-    CHECK(written == CELLS && greatest[0] == 0.0);
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_sheet_diameters(context, sheet, (double *)misaligned(), NULL, CELLS, &written, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_diameters(context, NULL, NULL, NULL, 0, &written, NULL));
-    CHECK(written == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_diameters(context, sheet, NULL, NULL, 0, NULL, NULL));
+    CHECK(found.diameter >= euclidean[3] && found.intrinsic_diameter >= intrinsic[3] && found.crease == 0.0);
+    arrays.diameters = NULL, intrinsic[3] = 7.0;
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, 0, &arrays, NULL));
+    CHECK(fabs(intrinsic[3] - sqrt(2.0)) < 1e-12);
+    arrays.capacity = CELLS - 1, intrinsic[3] = 7.0;
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_measure(context, sheet, 0, &arrays, &found));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    CHECK(report.value == CELLS && found.diameter == 0.0 && intrinsic[3] == 7.0);
+    arrays.capacity = CELLS, arrays.diameters = (double *)misaligned();
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_measure(context, sheet, 0, &arrays, NULL));
+    arrays.diameters = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_measure(context, NULL, 0, &arrays, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_measure(context, sheet, 0, misaligned(), NULL));
+    arrays.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_measure(context, sheet, 0, &arrays, NULL));
 
-    EXPECT(GUSSET_OK, gusset_sheet_curvature_bound(context, sheet, &bound));
-    CHECK(bound < 1e-9);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_curvature_bound(context, sheet, NULL));
-    bound = 7.0;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_curvature_bound(context, NULL, &bound));
-    CHECK(bound == 0.0);
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, 0, NULL, &found));
+    CHECK(found.diameter >= sqrt(2.0) && found.curvature_bound < 1e-9 && found.crease < 1e-9);
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, GUSSET_SHEET_MEASURE_CURVATURE, NULL, &found));
+    CHECK(found.diameter == 0.0 && found.curvature_bound < 1e-9);
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_measure(context, sheet, 8, NULL, &found));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_measure(context, sheet, 0, NULL, misaligned()));
+    found.curvature_bound = 7.0;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_measure(context, NULL, 0, NULL, &found));
+    CHECK(found.curvature_bound == 0.0);
+    found.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_measure(context, sheet, 0, NULL, &found));
 }
 
 static void regions(gusset_sheet *sheet) {
@@ -197,23 +210,27 @@ static void figures(gusset_sheet *sheet) {
     task.curve = curve;
     EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     CHECK((words[0] & 0x7f) == 0x7f && report.cells < CELLS);
-    EXPECT(GUSSET_OK, gusset_sheet_mask_cells(context, sheet, words, 1, NULL, 0, &written));
+    EXPECT(GUSSET_OK, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, NULL, 0, &written));
     CHECK(written == report.cells);
-    EXPECT(GUSSET_OK, gusset_sheet_mask_cells(context, sheet, words, 1, cells, CELLS, &written));
+    EXPECT(GUSSET_OK, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
     CHECK(written == report.cells && cells[0] == 0 && cells[2] == 0 && cells[3] == 1);
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_cells(context, sheet, words, 1, cells, 1, &written));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_cells(context, sheet, words, 0, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, NULL, words, 1, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, sheet, NULL, 1, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, sheet, words, 1, NULL, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, sheet, words, 1, cells, CELLS, NULL));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, cells, 1, &written));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_elements(context, sheet, words, 0, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, NULL, words, 1, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, NULL, 1, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, NULL, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, cells, CELLS, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_mask_elements(context, sheet, words, 1, 3, cells, CELLS, &written));
+    CHECK(written == 0);
     words[0] = 1;
-    EXPECT(GUSSET_OK, gusset_sheet_mask_nodes(context, sheet, words, 1, cells, 4, &written));
+    EXPECT(GUSSET_OK, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_CORNERS, NULL, 0, &written));
+    CHECK(written == 4);
+    EXPECT(GUSSET_OK, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
     CHECK(written == 4 && cells[0] == 0 && cells[3] == 1 && cells[4] == 1 && cells[7] == 1);
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_nodes(context, sheet, words, 1, cells, 3, &written));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_nodes(context, sheet, words, 0, cells, 4, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_nodes(context, NULL, words, 1, cells, 4, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_nodes(context, sheet, words, 1, cells, 4, NULL));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_VERTICES, cells, 3, &written));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_elements(context, sheet, words, 0, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, NULL, words, 1, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_VERTICES, cells, 4, NULL));
 
     task.object = GUSSET_REFERENCE_SURFACE;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));

@@ -55,7 +55,7 @@ static gusset_surface *torus(void) {
     given.columns = COLUMNS;
     given.scalar = GUSSET_F64;
     given.closed_u = given.closed_v = 1;
-    EXPECT(GUSSET_OK, gusset_sheet_from_nodes_create(context, &given, &sheet));
+    EXPECT(GUSSET_OK, gusset_sheet_create(context, &given, NULL, 0, &sheet));
     cones(sheet);
     EXPECT(GUSSET_OK, gusset_surface_create(context, (const gusset_sheet *const *)&sheet, 1, NULL, &made));
     gusset_sheet_destroy(sheet);
@@ -78,95 +78,105 @@ static size_t closed_curves(gusset_surface_paths *paths) {
     return closed;
 }
 
+static gusset_contour_function function_of(gusset_contour_kind kind, double x, double y, double z) {
+    gusset_contour_function function;
+    memset(&function, 0, sizeof function);
+    function.struct_size = sizeof function;
+    function.kind = kind;
+    function.direction[0] = x, function.direction[1] = y, function.direction[2] = z;
+    return function;
+}
+
+/* The contours must fail with this status. */
+static void refused(gusset_status expected, const gusset_surface *surface, const gusset_contour_function *function,
+                    const double *levels, size_t count, const gusset_contour_options *options) {
+    gusset_surface_paths *paths = (gusset_surface_paths *)misaligned();
+    EXPECT(expected, gusset_surface_contours_create(context, surface, function, levels, count, options, &paths));
+    CHECK(paths == NULL);
+}
+
 static void sections(const gusset_surface *surface) {
-    const double origin[3] = {0.01, 0.02, 0}, up[3] = {0, 0, 2}, zero[3] = {0, 0, 0}, bad[3] = {NAN, 0, 0};
-    const double offsets[3] = {-0.3, 0.05, 0.1}, falling[2] = {1, 0};
+    const double bad[3] = {NAN, 0, 0}, levels[3] = {-0.3, 0.05, 0.1}, falling[2] = {1, 0};
+    gusset_contour_function function = function_of(GUSSET_CONTOUR_HEIGHT, 0, 0, 2);
     gusset_contour_options options;
     gusset_surface_paths *paths = NULL;
 
+    function.point[0] = 0.01, function.point[1] = 0.02;
     memset(&options, 0, sizeof options);
     options.struct_size = sizeof options;
-    EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, NULL, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, levels, 3, NULL, &paths));
     CHECK(closed_curves(paths) == 6);
-    EXPECT(GUSSET_OK, gusset_surface_section_create(NULL, surface, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(NULL, surface, &function, levels, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
-    EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, NULL, 0, NULL, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, NULL, 0, NULL, &paths));
     CHECK(closed_curves(paths) == 0);
     options.spacing = GUSSET_POINT_SPACING_CHORD;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
-    CHECK(paths == NULL);
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, levels, 3, &options);
     options.chord = NAN;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, levels, 3, &options);
     options.chord = 1e-5;
-    EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, levels, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
     options.spacing = GUSSET_POINT_SPACING_LEUS;
     options.points = 1001;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, levels, 3, &options);
     options.points = 3;
-    EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, levels, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
     options.spacing = GUSSET_POINT_SPACING_CELL_EDGES;
-    EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, levels, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
     options.spacing = 4;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
-    options.spacing = 0, options.unsigned_normals = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
-    options.unsigned_normals = 0, options.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
-    options.reserved = 0, options.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_surface_section_create(context, surface, origin, up, offsets, 3, misaligned(), &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_section_create(context, NULL, origin, up, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_section_create(context, surface, NULL, up, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT,
-           gusset_surface_section_create(context, surface, origin, NULL, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_section_create(context, surface, origin, up, NULL, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_section_create(context, surface, origin, up, offsets, 3, NULL, NULL));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_section_create(context, surface, origin, zero, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_section_create(context, surface, bad, up, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_section_create(context, surface, origin, bad, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_section_create(context, surface, origin, up, falling, 2, NULL, &paths));
-    CHECK(strncmp(gusset_context_get_message(context), "option offsets ", 15) == 0);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_section_create(context, surface, origin, up, bad, 1, NULL, &paths));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW,
-           gusset_surface_section_create(context, surface, origin, up, offsets, (size_t)-1 / 2, NULL, &paths));
-    CHECK(paths == NULL);
+    refused(GUSSET_ERROR_UNKNOWN_VALUE, surface, &function, levels, 3, &options);
+    options.spacing = 0, options.struct_size = 8;
+    refused(GUSSET_ERROR_BAD_STRUCT_SIZE, surface, &function, levels, 3, &options);
+    refused(GUSSET_ERROR_MISALIGNED_ARGUMENT, surface, &function, levels, 3, misaligned());
+    refused(GUSSET_ERROR_NULL_ARGUMENT, NULL, &function, levels, 3, NULL);
+    refused(GUSSET_ERROR_NULL_ARGUMENT, surface, NULL, levels, 3, NULL);
+    refused(GUSSET_ERROR_MISALIGNED_ARGUMENT, surface, misaligned(), levels, 3, NULL);
+    refused(GUSSET_ERROR_NULL_ARGUMENT, surface, &function, NULL, 3, NULL);
+    refused(GUSSET_ERROR_SIZE_OVERFLOW, surface, &function, levels, (size_t)-1 / 2, NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_contours_create(context, surface, &function, levels, 3, NULL, NULL));
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, falling, 2, NULL);
+    CHECK(strncmp(gusset_context_get_message(context), "option levels ", 14) == 0);
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, bad, 1, NULL);
+    function.unsigned_normals = 2;
+    refused(GUSSET_ERROR_UNKNOWN_VALUE, surface, &function, levels, 3, NULL);
+    function.unsigned_normals = 0, function.kind = 3;
+    refused(GUSSET_ERROR_UNKNOWN_VALUE, surface, &function, levels, 3, NULL);
+    function.kind = GUSSET_CONTOUR_HEIGHT, function.struct_size = 8;
+    refused(GUSSET_ERROR_BAD_STRUCT_SIZE, surface, &function, levels, 3, NULL);
+    function.struct_size = sizeof function, function.point[0] = NAN;
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, levels, 3, NULL);
+    function.point[0] = 0, function.direction[0] = NAN;
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, levels, 3, NULL);
+    function.direction[0] = 0, function.direction[2] = 0;
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, levels, 3, NULL);
 }
 
 static void contours(const gusset_surface *surface) {
     const double levels[2] = {0.1, 0.2}, same[2] = {0.1, 0.1};
-    const size_t count = ROWS * COLUMNS;
+    gusset_contour_function function = function_of(GUSSET_CONTOUR_VALUES, 0, 0, 0);
     double *bad = malloc(sizeof heights);
     gusset_surface_paths *paths = NULL;
 
-    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &heights[0][0], count, levels, 2, NULL, &paths));
+    function.values = &heights[0][0], function.value_count = ROWS * COLUMNS;
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, levels, 2, NULL, &paths));
     CHECK(closed_curves(paths) == 4);
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW,
-           gusset_surface_contours_create(context, surface, &heights[0][0], count - 1, levels, 2, NULL, &paths));
-    CHECK(paths == NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
-           gusset_surface_contours_create(context, surface, &heights[0][0], count, same, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_contours_create(context, surface, NULL, count, levels, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT,
-           gusset_surface_contours_create(context, surface, &heights[0][0], count, NULL, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT,
-           gusset_surface_contours_create(context, NULL, &heights[0][0], count, levels, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT,
-           gusset_surface_contours_create(context, surface, &heights[0][0], count, levels, 2, NULL, NULL));
+    function.value_count = ROWS * COLUMNS - 1;
+    refused(GUSSET_ERROR_SIZE_OVERFLOW, surface, &function, levels, 2, NULL);
+    function.value_count = ROWS * COLUMNS;
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, same, 2, NULL);
+    refused(GUSSET_ERROR_NULL_ARGUMENT, surface, &function, NULL, 2, NULL);
+    refused(GUSSET_ERROR_NULL_ARGUMENT, NULL, &function, levels, 2, NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_contours_create(context, surface, &function, levels, 2, NULL, NULL));
+    function.values = NULL;
+    refused(GUSSET_ERROR_NULL_ARGUMENT, surface, &function, levels, 2, NULL);
     if (bad != NULL) {
         memcpy(bad, heights, sizeof heights);
         bad[30] = INFINITY;
-        EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_surface_contours_create(context, surface, bad, count, levels, 2, NULL, &paths));
+        function.values = bad;
+        refused(GUSSET_ERROR_NOT_FINITE, surface, &function, levels, 2, NULL);
         free(bad);
     }
 }
@@ -174,41 +184,37 @@ static void contours(const gusset_surface *surface) {
 static void angles(const gusset_surface *surface) {
     const double right = 1.5707963267948966, along[3] = {0.2, 0.3, 5}, zero[3] = {0, 0, 0};
     const double given[2] = {0.7, right}, wide[1] = {3.2}, obtuse[1] = {2.0};
-    gusset_contour_options options;
+    gusset_contour_function function = function_of(GUSSET_CONTOUR_ANGLE, 0.2, 0.3, 5), flat = function_of(GUSSET_CONTOUR_ANGLE, 0, 0, 0);
     gusset_surface_paths *paths = NULL;
     gusset_nearest_angle_report nearest;
 
-    memset(&options, 0, sizeof options);
-    options.struct_size = sizeof options;
     memset(&nearest, 0, sizeof nearest);
     nearest.struct_size = sizeof nearest;
-    EXPECT(GUSSET_OK, gusset_surface_isophotes_create(context, surface, along, given, 2, NULL, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, given, 2, NULL, &paths));
     CHECK(closed_curves(paths) == 4);
-    options.unsigned_normals = 1;
-    EXPECT(GUSSET_OK, gusset_surface_isophotes_create(context, surface, along, given, 2, &options, &paths));
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, wide, 1, NULL);
+    refused(GUSSET_ERROR_NULL_ARGUMENT, surface, &function, NULL, 2, NULL);
+    refused(GUSSET_ERROR_NULL_ARGUMENT, NULL, &function, given, 2, NULL);
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &flat, given, 2, NULL);
+    function.unsigned_normals = 1;
+    EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, given, 2, NULL, &paths));
     CHECK(closed_curves(paths) == 6);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_isophotes_create(context, surface, along, obtuse, 1, &options, &paths));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_isophotes_create(context, surface, along, wide, 1, NULL, &paths));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_isophotes_create(context, surface, zero, given, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_isophotes_create(context, surface, NULL, given, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_isophotes_create(context, surface, along, NULL, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_isophotes_create(context, NULL, along, given, 2, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_isophotes_create(context, surface, along, given, 2, NULL, NULL));
-    CHECK(paths == NULL);
+    refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, obtuse, 1, NULL);
 
-    EXPECT(GUSSET_OK, gusset_surface_nearest_angle(context, surface, along, 0.7, NULL, &nearest));
+    EXPECT(GUSSET_OK, gusset_surface_nearest_angle(context, surface, along, 0.7, 0, &nearest));
     CHECK(nearest.deviation < 1e-8 && nearest.bound <= nearest.deviation && fabs(nearest.angle - 0.7) < 1e-8);
     CHECK(fabs(nearest.normal[0] * nearest.normal[0] + nearest.normal[1] * nearest.normal[1] +
                nearest.normal[2] * nearest.normal[2] - 1) < 1e-12);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_nearest_angle(context, surface, along, NAN, NULL, &nearest));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_nearest_angle(context, surface, along, NAN, 0, &nearest));
     CHECK(nearest.deviation == 0 && nearest.struct_size == sizeof nearest);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_nearest_angle(context, surface, along, 2, &options, &nearest));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_nearest_angle(context, surface, zero, 1, NULL, &nearest));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_nearest_angle(context, NULL, along, 1, NULL, &nearest));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_nearest_angle(context, surface, NULL, 1, NULL, &nearest));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_nearest_angle(context, surface, along, 1, NULL, NULL));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_nearest_angle(context, surface, along, 2, 1, &nearest));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_nearest_angle(context, surface, along, 1, 2, &nearest));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_nearest_angle(context, surface, zero, 1, 0, &nearest));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_nearest_angle(context, NULL, along, 1, 0, &nearest));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_nearest_angle(context, surface, NULL, 1, 0, &nearest));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_nearest_angle(context, surface, along, 1, 0, NULL));
     nearest.struct_size = 16;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_nearest_angle(context, surface, along, 1, NULL, &nearest));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_nearest_angle(context, surface, along, 1, 0, &nearest));
 }
 
 int main(void) {

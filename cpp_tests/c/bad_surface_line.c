@@ -21,7 +21,7 @@ static gusset_sheet *sheet(void) {
     given.nodes = nodes;
     given.rows = given.columns = 5;
     given.scalar = GUSSET_F64;
-    EXPECT(GUSSET_OK, gusset_sheet_from_nodes_create(context, &given, &made));
+    EXPECT(GUSSET_OK, gusset_sheet_create(context, &given, NULL, 0, &made));
     return made;
 }
 
@@ -57,40 +57,40 @@ static void many_lines(void) {
     lines[2] = inside;
     lines[3] = up;
     lines[0].origin[0] = -1e300;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_hits_create(context, surface, lines, 4, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_hits_create(context, surface, lines, 4, NULL, GUSSET_HITS_ALL, &hits));
     CHECK(strstr(gusset_context_get_message(context), ": -1e300") != NULL);
     lines[0] = down;
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_line_hits_create(context, NULL, lines, 4, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_create(context, NULL, lines, 4, NULL, GUSSET_HITS_ALL, &hits));
     CHECK(hits == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_line_hits_create(context, surface, NULL, 4, GUSSET_HITS_ALL, &hits));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_line_hits_create(context, surface, lines, 4, GUSSET_HITS_ALL, NULL));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_line_hits_create(context, surface, lines, 4, 3, &hits));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_surface_line_hits_create(context, surface, lines, SIZE_MAX, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_create(context, surface, NULL, 4, NULL, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_create(context, surface, lines, 4, NULL, GUSSET_HITS_ALL, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_hits_create(context, surface, lines, 4, NULL, 3, &hits));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_surface_hits_create(context, surface, lines, SIZE_MAX, NULL, GUSSET_HITS_ALL, &hits));
     lines[2].direction[0] = NAN;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_hits_create(context, surface, lines, 4, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_hits_create(context, surface, lines, 4, NULL, GUSSET_HITS_ALL, &hits));
     memset(&report, 0, sizeof report);
     report.struct_size = sizeof report;
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_ITEM && report.index == 2);
     lines[2] = inside;
     memset(lines[1].direction, 0, sizeof lines[1].direction);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_hits_create(context, surface, lines, 4, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_hits_create(context, surface, lines, 4, NULL, GUSSET_HITS_ALL, &hits));
     lines[1] = past;
     lines[0].from = 1;
     lines[0].to = 0;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_hits_create(context, surface, lines, 4, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_hits_create(context, surface, lines, 4, NULL, GUSSET_HITS_ALL, &hits));
     CHECK(hits == NULL);
     lines[0] = down;
 
-    EXPECT(GUSSET_OK, gusset_surface_line_hits_create(context, surface, lines, 4, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_OK, gusset_surface_hits_create(context, surface, lines, 4, NULL, GUSSET_HITS_ALL, &hits));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_get_view(NULL, &parts));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_get_view(hits, NULL));
     parts.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_hits_get_view(hits, &parts));
     parts.struct_size = sizeof parts;
     EXPECT(GUSSET_OK, gusset_surface_hits_get_view(hits, &parts));
-    CHECK(parts.line_count == 4 && parts.hit_count == 2 && parts.on_curve == NULL);
+    CHECK(parts.query_count == 4 && parts.hit_count == 2 && parts.on_curve == NULL && parts.on_curve_count == 0);
     CHECK(parts.ends[0] == 0 && parts.ends[1] == 1 && parts.ends[2] == 1 && parts.ends[3] == 2 && parts.ends[4] == 2);
     if (parts.hit_count == 2) {
         const gusset_surface_hit *hit = parts.hits;
@@ -103,11 +103,11 @@ static void many_lines(void) {
         CHECK(hit->kind == GUSSET_HIT_INSIDE && fabs(hit->span[0] + 0.5) < 0.05 && fabs(hit->span[1] - 0.5) < 0.05);
     }
     gusset_surface_hits_destroy(hits);
-    EXPECT(GUSSET_OK, gusset_surface_line_hits_create(NULL, surface, lines, 4, GUSSET_HITS_ANY, &hits));
+    EXPECT(GUSSET_OK, gusset_surface_hits_create(NULL, surface, lines, 4, NULL, GUSSET_HITS_ANY, &hits));
     gusset_surface_hits_destroy(hits);
-    EXPECT(GUSSET_OK, gusset_surface_line_hits_create(context, surface, NULL, 0, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_OK, gusset_surface_hits_create(context, surface, NULL, 0, NULL, GUSSET_HITS_ALL, &hits));
     EXPECT(GUSSET_OK, gusset_surface_hits_get_view(hits, &parts));
-    CHECK(parts.line_count == 0 && parts.hit_count == 0 && parts.ends[0] == 0);
+    CHECK(parts.query_count == 0 && parts.hit_count == 0 && parts.ends[0] == 0);
     gusset_surface_hits_destroy(hits);
     gusset_surface_hits_destroy(NULL);
     gusset_surface_destroy(surface);
@@ -156,21 +156,27 @@ static void curve(void) {
     EXPECT(GUSSET_OK, gusset_curve_create(context, many, 9, 3, one, 2, 0, &high));
     EXPECT(GUSSET_OK, gusset_curve_create(context, points, 1, 3, ends, 1, 0, &empty));
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_curve_hits_create(context, NULL, given, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_create(context, NULL, NULL, 0, given, GUSSET_HITS_ALL, &hits));
     CHECK(hits == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_curve_hits_create(context, surface, NULL, GUSSET_HITS_ALL, &hits));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_curve_hits_create(context, surface, given, GUSSET_HITS_ALL, NULL));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_curve_hits_create(context, surface, given, 9, &hits));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_curve_hits_create(context, surface, high, GUSSET_HITS_ALL, &hits));
-    EXPECT(GUSSET_ERROR_EMPTY_CURVE, gusset_surface_curve_hits_create(context, surface, empty, GUSSET_HITS_ALL, &hits));
-    EXPECT(GUSSET_OK, gusset_surface_curve_hits_create(context, surface, given, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_hits_create(context, surface, NULL, 0, given, GUSSET_HITS_ALL, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_hits_create(context, surface, NULL, 0, given, 9, &hits));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_hits_create(context, surface, NULL, 0, high, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_ERROR_EMPTY_CURVE, gusset_surface_hits_create(context, surface, NULL, 0, empty, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_OK, gusset_surface_hits_create(context, surface, NULL, 0, given, GUSSET_HITS_ALL, &hits));
     EXPECT(GUSSET_OK, gusset_surface_hits_get_view(hits, &parts));
-    CHECK(parts.line_count == 1 && parts.hit_count == 2 && parts.ends[1] == 2 && parts.on_curve != NULL);
+    CHECK(parts.query_count == 1 && parts.hit_count == 2 && parts.ends[1] == 2 && parts.on_curve_count == 6);
     if (parts.hit_count == 2) {
         CHECK(near(parts.hits[0].t, 0.47) && parts.hits[1].t > 1.0 && parts.hits[1].t < 2.0);
         CHECK(parts.on_curve[0].segment == 0 && near(parts.on_curve[0].t, 0.47) && parts.on_curve[3].segment == 1);
         CHECK(parts.hits[0].kind == GUSSET_HIT_CROSSING && near(parts.hits[0].point[2], 0.12));
     }
+    gusset_surface_hits_destroy(hits);
+    /* The curve comes after the lines. */
+    EXPECT(GUSSET_OK, gusset_surface_hits_create(context, surface, &down, 1, given, GUSSET_HITS_ALL, &hits));
+    EXPECT(GUSSET_OK, gusset_surface_hits_get_view(hits, &parts));
+    CHECK(parts.query_count == 2 && parts.ends[1] == 1 && parts.ends[2] == 3 && parts.on_curve_count == 6);
+    if (parts.hit_count == 3)
+        CHECK(near(parts.hits[0].t, 1.88) && near(parts.hits[1].t, 0.47) && near(parts.on_curve[0].t, 0.47));
     gusset_surface_hits_destroy(hits);
     gusset_curve_destroy(given);
     gusset_curve_destroy(high);

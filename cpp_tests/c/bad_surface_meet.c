@@ -18,7 +18,7 @@ static gusset_surface *flat(double slope) {
         nodes[3 * k + 1] = (k % 4) / 1.5 - 1.0;
         nodes[3 * k + 2] = slope * nodes[3 * k];
     }
-    EXPECT(GUSSET_OK, gusset_sheet_from_nodes_create(context, &given, &sheet));
+    EXPECT(GUSSET_OK, gusset_sheet_create(context, &given, NULL, 0, &sheet));
     sheets[0] = sheet;
     EXPECT(GUSSET_OK, gusset_surface_create(context, sheets, 1, NULL, &made));
     gusset_sheet_destroy(sheet);
@@ -29,14 +29,13 @@ static void curves(void) {
     gusset_surface *a = flat(0.0), *b = flat(1.0);
     gusset_surface_paths *paths = (gusset_surface_paths *)misaligned();
     gusset_surface_paths_view parts;
-    gusset_intersection_options options = {sizeof options, 0.0, 0.0};
+    gusset_intersection_options options = {sizeof options, 0.0, 0.0, GUSSET_POINT_SPACING_CHORD, 0};
     size_t k;
 
     memset(&parts, 0, sizeof parts);
     parts.struct_size = sizeof parts;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_intersection_create(context, NULL, b, NULL, &paths));
     CHECK(paths == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_intersection_create(context, a, NULL, NULL, &paths));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_intersection_create(context, a, b, NULL, NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_surface_intersection_create(context, a, b, NULL, (gusset_surface_paths **)misaligned()));
@@ -46,7 +45,17 @@ static void curves(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, b, &options, &paths));
     options.chord = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, b, &options, &paths));
-    options.chord = INFINITY, options.tolerance = INFINITY;
+    options.chord = INFINITY;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, b, &options, &paths));
+    options.chord = 0.0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, b, &options, &paths));
+    options.spacing = GUSSET_POINT_SPACING_LEUS;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_intersection_create(context, a, b, &options, &paths));
+    options.spacing = 4;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_intersection_create(context, a, b, &options, &paths));
+    options.spacing = GUSSET_POINT_SPACING_CELL_EDGES, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_intersection_create(context, a, b, &options, &paths));
+    options.reserved = 0, options.tolerance = INFINITY;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, b, &options, &paths));
     options.tolerance = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, b, &options, &paths));
@@ -100,39 +109,39 @@ static void with_itself(void) {
     gusset_surface *a = flat(0.0), *b = loop();
     gusset_surface_paths *paths = (gusset_surface_paths *)misaligned();
     gusset_surface_paths_view parts;
-    gusset_intersection_options options = {sizeof options, 0.0, 0.0};
+    gusset_intersection_options options = {sizeof options, 0.0, 0.0, GUSSET_POINT_SPACING_CHORD, 0};
 
     memset(&parts, 0, sizeof parts);
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_self_intersection_create(context, NULL, NULL, &paths));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_intersection_create(context, NULL, NULL, NULL, &paths));
     CHECK(paths == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_self_intersection_create(context, a, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_intersection_create(context, a, NULL, NULL, NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_surface_self_intersection_create(context, a, NULL, (gusset_surface_paths **)misaligned()));
+           gusset_surface_intersection_create(context, a, NULL, NULL, (gusset_surface_paths **)misaligned()));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
-           gusset_surface_self_intersection_create(context, a, (const gusset_intersection_options *)misaligned(), &paths));
+           gusset_surface_intersection_create(context, a, NULL, (const gusset_intersection_options *)misaligned(), &paths));
     options.chord = -1.0;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_self_intersection_create(context, a, &options, &paths));
-    options.chord = 0.0, options.tolerance = NAN;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, NULL, &options, &paths));
+    options.spacing = GUSSET_POINT_SPACING_AUTO, options.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, NULL, &options, &paths));
     options.tolerance = INFINITY;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_intersection_create(context, a, NULL, &options, &paths));
     options.tolerance = 0.0, options.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_intersection_create(context, a, NULL, &options, &paths));
     CHECK(paths == NULL);
     options.struct_size = sizeof options;
-    EXPECT(GUSSET_OK, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_intersection_create(context, a, NULL, &options, &paths));
     EXPECT(GUSSET_OK, gusset_surface_paths_get_view(paths, &parts));
     CHECK(parts.path_count == 0 && parts.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
-    EXPECT(GUSSET_OK, gusset_surface_self_intersection_create(context, b, NULL, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_intersection_create(context, b, NULL, NULL, &paths));
     EXPECT(GUSSET_OK, gusset_surface_paths_get_view(paths, &parts));
     CHECK(parts.path_count == 1 && parts.closed[0] == 0 && parts.unresolved_count == 0 && parts.others != NULL);
     CHECK(parts.point_count >= 2 && fabs(fabs(parts.points[1]) - 1.0) < 1e-12);
     CHECK(fabs(parts.points[0]) < 1e-12 && fabs(parts.points[2] - 0.9) < 1e-12);
     gusset_surface_paths_destroy(paths);
     gusset_context_cancel(context);
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_surface_self_intersection_create(context, b, NULL, &paths));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_surface_intersection_create(context, b, NULL, NULL, &paths));
     CHECK(paths == NULL);
     gusset_context_reset(context);
     gusset_surface_destroy(a);
@@ -141,10 +150,12 @@ static void with_itself(void) {
 
 static void candidates(void) {
     gusset_surface *a = flat(0.0), *b = flat(1.0);
-    gusset_cell_pairs *pairs = (gusset_cell_pairs *)misaligned();
-    gusset_cell_pairs_view parts = {sizeof parts, NULL, 0};
+    gusset_surface_cells *pairs = (gusset_surface_cells *)misaligned();
+    gusset_surface_cells_view parts;
     size_t k, met;
 
+    memset(&parts, 0, sizeof parts);
+    parts.struct_size = sizeof parts;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_cell_pairs_create(context, NULL, b, 0.0, &pairs));
     CHECK(pairs == NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_cell_pairs_create(context, a, NULL, 0.0, &pairs));
@@ -154,26 +165,27 @@ static void candidates(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_cell_pairs_create(context, a, b, INFINITY, &pairs));
     CHECK(pairs == NULL);
     EXPECT(GUSSET_OK, gusset_surface_cell_pairs_create(context, a, b, 0.0, &pairs));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_cell_pairs_get_view(NULL, &parts));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_cell_pairs_get_view(pairs, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_cells_get_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_cells_get_view(pairs, NULL));
     parts.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_cell_pairs_get_view(pairs, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_cells_get_view(pairs, &parts));
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_cell_pairs_get_view(pairs, &parts));
+    EXPECT(GUSSET_OK, gusset_surface_cells_get_view(pairs, &parts));
+    CHECK(parts.whole == NULL && parts.mask == NULL && parts.first == NULL && parts.sheet_count == 0);
     /* The middle rows meet. */
-    CHECK(parts.count >= 3);
-    for (k = 0, met = 0; k < parts.count; ++k) {
-        CHECK(parts.pairs[k].row_a < 3 && parts.pairs[k].column_b < 3 && parts.pairs[k].sheet_a == 0);
-        met += parts.pairs[k].row_a == 1 && parts.pairs[k].row_b == 1 && parts.pairs[k].column_a == parts.pairs[k].column_b;
+    CHECK(parts.cell_count >= 3);
+    for (k = 0, met = 0; k < parts.cell_count; ++k) {
+        CHECK(parts.cells[k].row < 3 && parts.others[k].column < 3 && parts.cells[k].sheet == 0);
+        met += parts.cells[k].row == 1 && parts.others[k].row == 1 && parts.cells[k].column == parts.others[k].column;
     }
     CHECK(met == 3);
-    met = parts.count;
-    gusset_cell_pairs_destroy(pairs);
+    met = parts.cell_count;
+    gusset_surface_cells_destroy(pairs);
     EXPECT(GUSSET_OK, gusset_surface_cell_pairs_create(context, a, b, 10.0, &pairs));
-    EXPECT(GUSSET_OK, gusset_cell_pairs_get_view(pairs, &parts));
-    CHECK(parts.count == 81 && met < 81);
-    gusset_cell_pairs_destroy(pairs);
-    gusset_cell_pairs_destroy(NULL);
+    EXPECT(GUSSET_OK, gusset_surface_cells_get_view(pairs, &parts));
+    CHECK(parts.cell_count == 81 && met < 81);
+    gusset_surface_cells_destroy(pairs);
+    gusset_surface_cells_destroy(NULL);
     gusset_surface_destroy(a);
     gusset_surface_destroy(b);
 }

@@ -18,7 +18,7 @@ static gusset_nodes nodes_of(const double *points, size_t rows, size_t columns) 
 static gusset_sheet *saddle(void) {
     const gusset_nodes nodes = nodes_of(grid, 6, 6);
     gusset_sheet *sheet = NULL;
-    EXPECT(GUSSET_OK, gusset_sheet_from_nodes_create(context, &nodes, &sheet));
+    EXPECT(GUSSET_OK, gusset_sheet_create(context, &nodes, NULL, 0, &sheet));
     return sheet;
 }
 
@@ -36,33 +36,36 @@ static void from_tangents(void) {
         v[3 * k + 1] = 1.0, v[3 * k + 2] = k / 6;
         twists[3 * k + 2] = 1.0;
     }
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_tangents_create(context, NULL, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_create(context, NULL, &tangents, 0, &sheet));
     CHECK(sheet == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_tangents_create(context, &nodes, NULL, &sheet));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_tangents_create(context, &nodes, &tangents, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_create(context, &nodes, &tangents, 2, &sheet));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_create(context, &nodes, NULL, 2, &sheet));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_create(context, &nodes, misaligned(), 0, &sheet));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_create(context, &nodes, &tangents, 0, NULL));
     tangents.u = NULL;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     tangents.u = u, tangents.twist = 9;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     tangents.twist = GUSSET_TWISTS_GIVEN, tangents.twists = NULL;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     tangents.twists = twists, tangents.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     tangents.reserved = 0, tangents.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     tangents.struct_size = sizeof tangents, nodes.rows = 1;
-    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     nodes.rows = 6, nodes.closed_u = 1;
-    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     nodes.closed_u = 0, u[3 * 8 + 1] = NAN;
-    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_sheet_create(context, &nodes, &tangents, 0, &sheet));
     memset(&report, 0, sizeof report), report.struct_size = sizeof report;
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_NODE && report.index == 8);
     u[3 * 8 + 1] = 0.0;
     for (k = GUSSET_TWISTS_DIFFERENCES; k <= GUSSET_TWISTS_GIVEN; ++k) {
         tangents.twist = (gusset_twists)k;
-        EXPECT(GUSSET_OK, gusset_sheet_from_tangents_create(context, &nodes, &tangents, &sheet));
+        /* Borrowed or copied, the nodes are not kept. */
+        EXPECT(GUSSET_OK, gusset_sheet_create(context, &nodes, &tangents, k % 2, &sheet));
         memset(&parts, 0, sizeof parts), parts.struct_size = sizeof parts;
         EXPECT(GUSSET_OK, gusset_sheet_get_report(sheet, &parts));
         CHECK(parts.rows == 5 && parts.columns == 5 && parts.degree == 3 && parts.is_grid == 0 && parts.closed_u == 0);
@@ -217,7 +220,7 @@ static void from_curves(void) {
     gusset_curve_net net = {sizeof net, rows, 2, columns, 2, 0.0, 0, 0};
     gusset_sheet *sheet = (gusset_sheet *)misaligned();
     gusset_error_report report;
-    double crease = 7.0;
+    gusset_sheet_measures measures;
     int k;
 
     made[0] = line(0, 0, 0, 1), made[1] = line(1, 0, 1, 1), made[2] = line(0, 0, 1, 0), made[3] = line(0, 1, 1, 1);
@@ -227,10 +230,9 @@ static void from_curves(void) {
     CHECK(sheet == NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_curves_create(context, &net, NULL));
     EXPECT(GUSSET_OK, gusset_sheet_from_curves_create(context, &net, &sheet));
-    EXPECT(GUSSET_OK, gusset_sheet_crease(context, sheet, &crease));
-    CHECK(crease == 0.0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_crease(context, NULL, &crease));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_crease(context, sheet, NULL));
+    memset(&measures, 0, sizeof measures), measures.struct_size = sizeof measures, measures.crease = 7.0;
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, GUSSET_SHEET_MEASURE_CREASE, NULL, &measures));
+    CHECK(measures.crease == 0.0 && measures.curvature_bound == 0.0);
     gusset_sheet_destroy(sheet);
     columns[1] = made[4];
     EXPECT(GUSSET_ERROR_CURVES_APART, gusset_sheet_from_curves_create(context, &net, &sheet));
@@ -314,16 +316,19 @@ static void questions(void) {
     gusset_surface_point found[2];
     gusset_nodes given = nodes_of(grid, 6, 6);
     gusset_sheet *none = NULL;
-    double crease;
+    gusset_cell_arrays arrays = {sizeof arrays, 25, NULL, NULL, errors, bilinear, triangles};
+    gusset_sheet_measures measures;
     gusset_error_report report;
 
     errors[0] = 7.0;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_estimates(context, NULL, errors, NULL, NULL, 25));
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_estimates(context, sheet, errors, bilinear, triangles, 24));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_estimates(context, sheet, errors, misaligned(), NULL, 25));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_measure(context, NULL, 0, &arrays, NULL));
+    arrays.capacity = 24;
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_measure(context, sheet, 0, &arrays, NULL));
+    arrays.capacity = 25, arrays.bilinear = (double *)misaligned();
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_measure(context, sheet, 0, &arrays, NULL));
     CHECK(errors[0] == 7.0);
-    EXPECT(GUSSET_OK, gusset_sheet_estimates(context, sheet, NULL, NULL, NULL, 0));
-    EXPECT(GUSSET_OK, gusset_sheet_estimates(context, sheet, errors, bilinear, triangles, 25));
+    arrays.bilinear = bilinear;
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, 0, &arrays, NULL));
     CHECK(errors[0] < 1e-13 && bilinear[24] < 1e-13 && fabs(triangles[7] - 0.25) < 1e-13);
 
     sheets[0] = sheet;
@@ -333,15 +338,16 @@ static void questions(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_patches_create(context, grid, UINT32_MAX, 3, 1, 1, &none));
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_patches_create(context, grid, 3, 0, 1, 1, &none));
     given.scalar = GUSSET_F32;
-    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_sheet_borrow_create(context, &given, &none));
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_sheet_create(context, &given, NULL, 1, &none));
     given.scalar = GUSSET_F64;
     gusset_context_cancel(context);
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_from_nodes_create(context, &given, &none));
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_borrow_create(context, &given, &none));
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_crease(context, sheet, &crease));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_create(context, &given, NULL, 0, &none));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_create(context, &given, NULL, 1, &none));
+    memset(&measures, 0, sizeof measures), measures.struct_size = sizeof measures;
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_measure(context, sheet, 0, NULL, &measures));
     gusset_context_reset(context);
-    EXPECT(GUSSET_OK, gusset_sheet_crease(context, sheet, &crease));
-    CHECK(crease < 1e-12);
+    EXPECT(GUSSET_OK, gusset_sheet_measure(context, sheet, 0, NULL, &measures));
+    CHECK(measures.crease < 1e-12);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_locate(context, NULL, 0, parameters, 2, places));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_locate(context, surface, 0, NULL, 2, places));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_locate(context, surface, 0, parameters, 2, NULL));

@@ -40,16 +40,17 @@ Row on_curve(const char *name, double bytes, Function function) {
 }
 
 template <class Function>
-Row on_sheet(const char *name, double bytes, Function function) {
-    return {name, "sheet", 1024, 0, 1, 1, bytes, [=](std::size_t n) {
+Row on_sheet(const char *name, double bytes, Function function, const char *family = "sheet") {
+    return {name, family, 1024, 0, 1, 1, bytes, [=](std::size_t n) {
                 const auto sheet = std::make_shared<const Sheet>(sheet_of(rough(n)));
                 return making([=](const Context &context) { return function(*sheet, context); });
             }, true};
 }
 
 template <class Function>
-Row on_surface(const char *name, std::size_t size, double work, double bytes, Function function) {
-    return {name, "surface", size, 0, work, 1, bytes, [=](std::size_t n) {
+Row on_surface(const char *name, std::size_t size, double work, double bytes, Function function,
+               const char *family = "surface") {
+    return {name, family, size, 0, work, 1, bytes, [=](std::size_t n) {
                 const auto sheet = std::make_shared<const Sheet>(sheet_of(rough(n)));
                 const auto surface = std::make_shared<const Surface>(*sheet);
                 return making([=](const Context &context) { return function(*surface, context); });
@@ -226,7 +227,7 @@ void add_curve_rows(std::vector<Row> &rows) {
 }
 
 void add_surface_rows(std::vector<Row> &rows) {
-    rows.push_back({"sheet_from_nodes_create", "nodes", 1024, 0, 1, 1, 0, [](std::size_t n) {
+    rows.push_back({"sheet_create", "nodes", 1024, 0, 1, 1, 0, [](std::size_t n) {
                         const auto grid = std::make_shared<const Grid>(rough(n));
                         return making([=](const Context &context) {
                             return Sheet::from_nodes(gusset::NodesView(grid->rows, grid->columns, grid->points), context);
@@ -258,10 +259,10 @@ void add_surface_rows(std::vector<Row> &rows) {
                             return Sheet::from_curves(net, context);
                         });
                     }, true});
-    rows.push_back(on_sheet("sheet_estimates", 0, [](const Sheet &sheet, const Context &context) { return sheet.estimates(context); }));
-    rows.push_back(on_sheet("sheet_diameters", 0, [](const Sheet &sheet, const Context &context) { return sheet.diameters(context); }));
-    rows.push_back(on_sheet("sheet_crease", 0, [](const Sheet &sheet, const Context &context) { return sheet.crease(context); }));
-    rows.push_back(on_sheet("sheet_curvature_bound", 0, [](const Sheet &sheet, const Context &context) { return sheet.curvature_bound(context); }));
+    rows.push_back(on_sheet("sheet_measure", 0, [](const Sheet &sheet, const Context &context) { return sheet.estimates(context); }, "estimates"));
+    rows.push_back(on_sheet("sheet_measure", 0, [](const Sheet &sheet, const Context &context) { return sheet.diameters(context); }, "diameters"));
+    rows.push_back(on_sheet("sheet_measure", 0, [](const Sheet &sheet, const Context &context) { return sheet.crease(context); }, "crease"));
+    rows.push_back(on_sheet("sheet_measure", 0, [](const Sheet &sheet, const Context &context) { return sheet.curvature_bound(context); }, "curvature"));
     rows.push_back(on_sheet("sheet_curve_create", 0, [](const Sheet &sheet, const Context &context) {
         return sheet.curve(gusset::SheetDirection::rows, 1.5, context);
     }));
@@ -272,9 +273,9 @@ void add_surface_rows(std::vector<Row> &rows) {
     rows.push_back(on_surface("surface_region_create", 1024, 1, 0, [](const Surface &surface, const Context &context) {
         return surface.region({0, 0, 0}, 1e9, context);
     }));
-    rows.push_back(on_surface("surface_line_distance", 256, 1, 0, [=](const Surface &surface, const Context &context) {
+    rows.push_back(on_surface("surface_distance", 256, 1, 0, [=](const Surface &surface, const Context &context) {
         return surface.distance(line, 0.0, context);
-    }));
+    }, "line"));
     rows.push_back(on_surface("surface_first_hits", 256, 1, 0, [=](const Surface &surface, const Context &context) {
         return surface.first_hits({&line, 1}, context);
     }));
@@ -282,20 +283,20 @@ void add_surface_rows(std::vector<Row> &rows) {
         return surface.nearest_angle({0, 0, 1}, 0.3, gusset::NormalSide::one, context);
     }));
     rows.push_back(on_surface("surface_contours_create", 256, 1, 0, [](const Surface &surface, const Context &context) {
-        const auto sheet = surface.sheet(0);
+        const auto sheet = surface.sheets()[0];
         std::vector<double> values((sheet.rows + 1) * (sheet.columns + 1));
         for (std::size_t k = 0; k < values.size(); ++k) {
             values[k] = static_cast<double>(k % (sheet.columns + 1));
         }
         const double level[] = {1.5};
         return surface.contours(values, level, {}, context);
-    }));
+    }, "values"));
     rows.push_back(on_surface("surface_cell_pairs_create", 256, 1, 0, [](const Surface &surface, const Context &context) {
         return surface.cell_pairs(surface, 0.0, context);
     }));
-    rows.push_back(on_surface("surface_curve_distance", 64, 1, 0, [](const Surface &surface, const Context &context) {
+    rows.push_back(on_surface("surface_distance", 64, 1, 0, [](const Surface &surface, const Context &context) {
         return surface.distance(curve_of(circle(31, 1.0, 4.0), 3), 0.0, context);
-    }));
+    }, "curve"));
 }
 } // namespace
 

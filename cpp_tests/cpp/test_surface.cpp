@@ -44,7 +44,9 @@ GUSSET_LENDS(OnCurve, on_curve());
 GUSSET_LENDS(Cells, cells());
 GUSSET_LENDS(Mask, mask());
 GUSSET_LENDS(First, first());
-GUSSET_LENDS(Pairs, pairs());
+GUSSET_LENDS(Others, others());
+GUSSET_LENDS(Whole, whole());
+GUSSET_LENDS(Sheets, sheets());
 GUSSET_LENDS(Mesh, mesh());
 GUSSET_LENDS(PlacesOf, places());
 GUSSET_LENDS(Normals, normals());
@@ -63,17 +65,17 @@ static_assert(lasting<Points, gusset::SurfacePaths> && lasting<Unresolved, gusse
 static_assert(lasting_range<gusset::SurfaceHits> && lasting<At, gusset::SurfaceHits>, "hits");
 static_assert(lasting<HitsOf, gusset::SurfaceHits> && lasting<OnCurve, gusset::SurfaceHits>, "hits of all lines");
 static_assert(lasting_range<gusset::SurfacePoints> && lasting<Points, gusset::SurfacePoints>, "points");
-static_assert(lasting_range<gusset::SurfaceRegion> && lasting<Cells, gusset::SurfaceRegion>, "cells");
-static_assert(lasting<Mask, gusset::SurfaceRegion> && lasting<First, gusset::SurfaceRegion>, "bits of cells");
-static_assert(lasting_range<gusset::CellPairs> && lasting<Pairs, gusset::CellPairs>, "pairs");
+static_assert(lasting_range<gusset::SurfaceCells> && lasting<Cells, gusset::SurfaceCells>, "cells");
+static_assert(lasting<Mask, gusset::SurfaceCells> && lasting<First, gusset::SurfaceCells>, "bits of cells");
+static_assert(lasting<Others, gusset::SurfaceCells> && lasting<Whole, gusset::SurfaceCells>, "pairs, and whole cells");
+static_assert(lasting<Sheets, gusset::Surface>, "sheets");
 static_assert(lasting<Mesh, gusset::SheetMesh> && lasting<PlacesOf, gusset::SheetMesh> && lasting<Normals, gusset::SheetMesh>, "meshes");
 static_assert(lasting<Words, gusset::CellMask>, "masks");
 static_assert(lasting<Report, gusset::Join> && lasting<View, gusset::Check> && lasting<View, gusset::Facing>, "reports");
 static_assert(lasting<View, gusset::NetComplex> && lasting<Intersections, gusset::Stitch>, "cells, and pairs of faces");
 // Elements that are copies may be had of temporaries.
 static_assert(std::is_same_v<decltype(std::declval<gusset::SurfacePoints>()[0]), gusset::NearestPoint>, "a copy");
-static_assert(std::is_same_v<decltype(std::declval<gusset::SurfaceRegion>()[0]), gusset::RegionCell>, "a copy");
-static_assert(std::is_same_v<decltype(std::declval<gusset::CellPairs>()[0]), gusset::CellPair>, "a copy");
+static_assert(std::is_same_v<decltype(std::declval<gusset::SurfaceCells>()[0]), gusset::SurfaceCell>, "a copy");
 static_assert(std::is_same_v<decltype(std::declval<gusset::Hits>()[0]), gusset::Hit>, "a copy");
 
 bool same(const gusset::NearestPoint &a, const gusset::NearestPoint &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -151,7 +153,7 @@ TEST_CASE("limits, minima, regions") {
         const Point3 way = shapes::minus(query, of(place.point));
         CHECK(std::abs(std::abs(shapes::dot(way, of(place.normal))) - place.distance) < 1e-6);
     }
-    options.limit.reset();
+    options.limit = 0.0;
     options.max_count = 1;
     CHECK(torus.minima(query, options).size() == 1);
 
@@ -161,17 +163,19 @@ TEST_CASE("limits, minima, regions") {
 
     const double radius = 0.5;
     const Point3 centre{1.2, 0.3, 0.2};
-    const gusset::SurfaceRegion region = torus.region(centre, radius);
+    const gusset::SurfaceCells region = torus.region(centre, radius);
     REQUIRE(region.size() > 0);
     CHECK(region.first().size() == 2);
     CHECK(region.first()[1] == 24 * 40);
     std::vector<bool> in(24 * 40);
-    for (const gusset::RegionCell &cell : region) {
+    for (const gusset::SurfaceCell &cell : region) {
         const std::size_t bit = cell.row * 40 + cell.column;
         in[bit] = true;
         CHECK((region.mask()[bit / 64] >> (bit % 64) & 1) == 1);
     }
     CHECK(region.cells().size() == region.size());
+    CHECK(region.whole().size() == region.size());
+    CHECK(region.others().empty());
     CHECK(region[0].row == region.begin()->row);
     CHECK_THROWS_AS(region[region.size()], std::out_of_range);
     CHECK_FALSE(region.contains(1, region[0].row, region[0].column));
@@ -203,6 +207,8 @@ TEST_CASE("several sheets, places, facts") {
     CHECK(facts.low[0] <= -1.399);
     CHECK(facts.high[2] >= 0.999);
     CHECK(facts.cone_bytes == 0);
+    CHECK(both.sheets().size() == 2);
+    CHECK(both.sheets()[1].first_cell == 24 * 40);
     const Surface with_cones(sheets, 1e-10, gusset::Context(), gusset::NormalCones::eager);
     CHECK(with_cones.report().index_bytes == facts.index_bytes);
     CHECK(with_cones.report().cone_bytes > 0);
@@ -260,8 +266,10 @@ TEST_CASE("errors say which") {
     CHECK(status_of([&] { Surface(gusset::Span<const Sheet>()); }).first == GUSSET_ERROR_EMPTY_MESH);
     CHECK(status_of([&] { Surface(shapes::torus_sheet(), -1); }).first == GUSSET_ERROR_OUT_OF_RANGE);
     gusset::IntersectionOptions options;
-    options.chord = -1;
+    options.spacing = gusset::PointSpacing::chord(-1);
     CHECK(status_of([&] { torus.intersect(torus, options); }).first == GUSSET_ERROR_OUT_OF_RANGE);
+    options.spacing = gusset::PointSpacing::leus(3);
+    CHECK(status_of([&] { torus.self_intersect(options); }).first == GUSSET_ERROR_UNKNOWN_VALUE);
 }
 
 TEST_CASE("any number of threads gives the same bits, in many threads at once") {

@@ -235,16 +235,19 @@ TEST_CASE("surfaces meet in the curves of formulas") {
     }
     CHECK(cut[0].others.empty());
     gusset::IntersectionOptions coarse;
-    coarse.chord = std::numeric_limits<double>::infinity();
+    coarse.spacing = gusset::PointSpacing::cell_edges();
     const gusset::SurfacePaths rough = torus.intersect(plane, coarse);
     CHECK(rough.points().size() < met.points().size());
-    const gusset::CellPairs pairs = torus.cell_pairs(plane);
+    const gusset::SurfaceCells pairs = torus.cell_pairs(plane);
     CHECK(pairs.size() >= 80);
+    CHECK(pairs.others().size() == pairs.size());
+    CHECK(pairs.mask().empty());
+    CHECK(pairs.first().empty());
     std::size_t counted = 0;
-    for (const gusset::CellPair &pair : pairs) {
-        CHECK(pair.row_a < 24);
-        CHECK(pair.row_b == 0);
-        CHECK(pair.column_a == pairs[counted].column_a);
+    for (const gusset::SurfaceCell &cell : pairs) {
+        CHECK(cell.row < 24);
+        CHECK(pairs.others()[counted].row == 0);
+        CHECK(cell.column == pairs[counted].column);
         ++counted;
     }
     CHECK(counted == pairs.size());
@@ -252,8 +255,8 @@ TEST_CASE("surfaces meet in the curves of formulas") {
     const Surface away(Sheet::from_nodes(2, 2, std::vector<Point3>{{-2, -2, 1}, {-2, 2, 1}, {2, -2, 1}, {2, 2, 1}}));
     CHECK(torus.cell_pairs(away).size() == 0);
     CHECK(torus.cell_pairs(away).empty());
-    const gusset::CellPairs nearer = torus.cell_pairs(away, 0.7);
-    CHECK(nearer.pairs().size() > 0);
+    const gusset::SurfaceCells nearer = torus.cell_pairs(away, 0.7);
+    CHECK(nearer.others().size() > 0);
     CHECK(torus.intersect(away).empty());
 }
 

@@ -111,7 +111,7 @@ void nearest(Case &test, const Tested &tested) {
         options.limit = own.distance * 1.01 + rounding;
         test.check(tested.surface.nearest(queries[k], options).distance == own.distance, "a larger limit changes the nearest point");
         options.limit = own.bound * 0.99 - 1e-6;
-        if (*options.limit > 0) {
+        if (options.limit > 0) {
             test.check(!tested.surface.nearest(queries[k], options).is_found(), "a point is found beyond the limit");
         }
         if (k < 6) {

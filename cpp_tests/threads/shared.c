@@ -84,15 +84,16 @@ static uint64_t nearest(const gusset_context *context) {
     uint64_t hash = 0;
     for (int i = 0; i < QUERIES; ++i)
         queries[i][0] = 3.0 * sin(i), queries[i][1] = 2.0 * cos(1.7 * i), queries[i][2] = 0.02 * i;
-    MUST(gusset_surface_nearest(context, shared.surface, queries[0], QUERIES, 0, NULL, found));
+    MUST(gusset_surface_nearest(context, shared.surface, queries[0], QUERIES, NULL, found));
     for (int i = 0; i < QUERIES; ++i) hash = hashed(hash, found[i].point, sizeof found[i].point);
     return hash;
 }
 
 static uint64_t section(const gusset_context *context) {
-    const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0.1, 1}, offsets[2] = {1.1, 2.2};
+    const gusset_contour_function height = {.struct_size = sizeof height, .direction = {0, 0.1, 1}};
+    const double levels[2] = {1.1, 2.2};
     gusset_surface_paths *paths = NULL;
-    MUST(gusset_surface_section_create(context, shared.surface, origin, upwards, offsets, 2, NULL, &paths));
+    MUST(gusset_surface_contours_create(context, shared.surface, &height, levels, 2, NULL, &paths));
     const uint64_t hash = of_paths(paths);
     gusset_surface_paths_destroy(paths);
     return hash;
@@ -186,7 +187,7 @@ static void make_shared(void) {
     shared.mesh = gusset_quads_f64(shared.points[0], ROWS * COLUMNS, shared.quads[0], (ROWS - 1) * (COLUMNS - 1));
     MUST(gusset_boundary_create(NULL, &shared.mesh, NULL, &shared.boundary));
     MUST(gusset_net_primitive_create(NULL, &ball, &shared.net));
-    MUST(gusset_sheet_borrow_create(NULL, &tube, &shared.sheet));
+    MUST(gusset_sheet_create(NULL, &tube, NULL, 1, &shared.sheet));
     lent = shared.sheet;
     MUST(gusset_surface_create(NULL, &lent, 1, NULL, &shared.surface));
     MUST(gusset_sheet_from_patches_create(NULL, table[0], 1, 1, 1, 1, &flat));

@@ -41,9 +41,7 @@ static const struct { const char *function, *reason; } torture_silent[] = {
     {"gusset_net_edit", TORTURE_ONE_PASS},
     {"gusset_net_convert_create", TORTURE_ONE_PASS},
     {"gusset_sheet_from_patches_create", TORTURE_ONE_PASS},
-    {"gusset_sheet_borrow_create", TORTURE_ONE_PASS},
-    {"gusset_sheet_mask_cells", TORTURE_ONE_PASS},
-    {"gusset_sheet_mask_nodes", TORTURE_ONE_PASS},
+    {"gusset_sheet_mask_elements", TORTURE_ONE_PASS},
     {"gusset_stream_decoder_push", "the caller chooses how many bytes it pushes at once"},
 };
 

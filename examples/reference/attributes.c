@@ -221,7 +221,7 @@ static void values_on_the_mesh_of_a_sheet(void) {
         points[k][0] = (double)(k / 3), points[k][1] = (double)(k % 3), points[k][2] = 0.0;
         given[k] = points[k][0] + 10.0 * points[k][1];
     }
-    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &sheet));
+    MUST(gusset_sheet_create(NULL, &nodes, NULL, 0, &sheet));
     MUST(gusset_sheet_to_mesh(NULL, sheet, &finer, &mesh));
     MUST(gusset_result_origins_create(NULL, mesh, &origins));
     MUST(gusset_attributes_apply(NULL, origins, &channel, &values, 1, made, 25, 0));

@@ -21,7 +21,7 @@ static gusset_sheet *tube(void) {
             points[i][j][0] = cos(angle), points[i][j][1] = sin(angle), points[i][j][2] = 0.5 * i;
         }
     }
-    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &sheet));
+    MUST(gusset_sheet_create(NULL, &nodes, NULL, 0, &sheet));
     return sheet;
 }
 
@@ -46,18 +46,19 @@ static gusset_surface *indexed(const gusset_sheet *sheet) {
 static void found_and_kept(const gusset_sheet *sheet) {
     const double query[3] = {2, 0, 1};
     gusset_surface *surface = indexed(sheet);
-    gusset_surface_region *region = NULL;
+    gusset_surface_cells *region = NULL;
     gusset_surface_paths *paths = NULL;
-    gusset_surface_region_view cells = {.struct_size = sizeof cells};
-    const double origin[3] = {0, 0, 1.1}, upwards[3] = {0, 0, 1}, offset = 0.0;
+    gusset_surface_cells_view cells = {.struct_size = sizeof cells};
+    const gusset_contour_function height = {.struct_size = sizeof height, .direction = {0, 0, 1}};
+    const double level = 1.1;
 
     MUST(gusset_surface_region_create(NULL, surface, query, 1.1, &region));
-    MUST(gusset_surface_section_create(NULL, surface, origin, upwards, &offset, 1, NULL, &paths));
+    MUST(gusset_surface_contours_create(NULL, surface, &height, &level, 1, NULL, &paths));
     gusset_surface_destroy(surface);
-    MUST(gusset_surface_region_get_view(region, &cells));
-    HOLDS(cells.cell_count > 0);
+    MUST(gusset_surface_cells_get_view(region, &cells));
+    HOLDS(cells.cell_count > 0 && cells.others == NULL);
     gusset_surface_paths_destroy(paths);
-    gusset_surface_region_destroy(region);
+    gusset_surface_cells_destroy(region);
 }
 //! [surface]
 
@@ -75,8 +76,8 @@ static void through_nodes(void) {
             points[i][j][0] = i, points[i][j][1] = j, points[i][j][2] = 0.1 * i * j;
         }
     }
-    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &copied));
-    MUST(gusset_sheet_borrow_create(NULL, &nodes, &borrowed));
+    MUST(gusset_sheet_create(NULL, &nodes, NULL, 0, &copied));
+    MUST(gusset_sheet_create(NULL, &nodes, NULL, 1, &borrowed));
     gusset_sheet_destroy(borrowed);
     gusset_sheet_destroy(copied);
 }
@@ -85,16 +86,19 @@ static void through_nodes(void) {
 //! [sheet_ask]
 static void what_a_sheet_is(const gusset_sheet *sheet) {
     enum { CELLS = (ROWS - 1) * (COLUMNS - 1) };
-    double errors[CELLS], bilinear[CELLS], triangles[CELLS], crease = 9.0;
-    gusset_sheet_report parts = {.struct_size = sizeof parts};
+    double errors[CELLS], bilinear[CELLS];
+    const gusset_cell_arrays cells = {
+        .struct_size = sizeof cells, .capacity = CELLS, .errors = errors, .bilinear = bilinear};
+    gusset_sheet_measures measures = {.struct_size = sizeof measures};
+    gusset_sheet_report report = {.struct_size = sizeof report};
 
-    MUST(gusset_sheet_get_report(sheet, &parts));
-    HOLDS(parts.rows == ROWS - 1 && parts.columns == COLUMNS - 1 && parts.closed_v == 1 && parts.closed_u == 0);
-    MUST(gusset_sheet_estimates(NULL, sheet, errors, bilinear, triangles, CELLS));
+    MUST(gusset_sheet_get_report(sheet, &report));
+    HOLDS(report.rows == ROWS - 1 && report.columns == COLUMNS - 1 && report.closed_v == 1 && report.closed_u == 0);
+    MUST(gusset_sheet_measure(NULL, sheet, GUSSET_SHEET_MEASURE_CREASE, &cells, &measures));
     /* Twelve nodes round: the sagitta is 1 - cos(15 degrees), the surface is a hundred times nearer to the circle. */
     HOLDS(bilinear[0] > 0.03 && errors[0] < 1e-3);
-    MUST(gusset_sheet_crease(NULL, sheet, &crease));
-    HOLDS(crease < 1e-9);
+    /* The tube is smooth; the diameters were not asked for. */
+    HOLDS(measures.crease < 1e-9 && measures.diameter == 0.0);
 }
 //! [sheet_ask]
 
@@ -121,7 +125,7 @@ static void other_kinds(void) {
                                   .degree_v = 2};
     gusset_sheet *sheet = NULL;
 
-    MUST(gusset_sheet_from_tangents_create(NULL, &nodes, &tangents, &sheet));
+    MUST(gusset_sheet_create(NULL, &nodes, &tangents, 0, &sheet));
     gusset_sheet_destroy(sheet);
     /* One patch, linear in u and quadratic in v, and the same as a B-spline. */
     MUST(gusset_sheet_from_patches_create(NULL, controls[0][0], 1, 2, 1, 1, &sheet));
@@ -147,14 +151,14 @@ static void a_rational_spline(void) {
                                   .degree_v = 2,
                                   .weights = weights[0],
                                   .tolerance = 1e-9};
-    gusset_sheet_report parts = {.struct_size = sizeof parts};
+    gusset_sheet_report report = {.struct_size = sizeof report};
     gusset_sheet *sheet = NULL;
 
     MUST(gusset_sheet_from_spline_create(NULL, &spline, &sheet));
-    MUST(gusset_sheet_get_report(sheet, &parts));
+    MUST(gusset_sheet_get_report(sheet, &report));
     /* Nowhere farther from the cylinder than this; its columns begin at these parameters. */
-    HOLDS(parts.deviation <= 1e-9 && parts.rows == 1 && parts.columns > 1);
-    HOLDS(parts.knots_v[0] == 0.0 && parts.knots_v[parts.columns] == 1.0);
+    HOLDS(report.deviation <= 1e-9 && report.rows == 1 && report.columns > 1);
+    HOLDS(report.knots_v[0] == 0.0 && report.knots_v[report.columns] == 1.0);
     gusset_sheet_destroy(sheet);
 }
 
@@ -210,7 +214,7 @@ static void beside(void) {
     double deviation = 1.0;
     gusset_sheet *sheet = NULL, *offset = NULL;
 
-    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &sheet));
+    MUST(gusset_sheet_create(NULL, &nodes, NULL, 0, &sheet));
     MUST(gusset_sheet_offset_create(NULL, sheet, &up, 1, &deviation, &offset));
     HOLDS(deviation < 1e-12);
     gusset_sheet_destroy(offset);
@@ -235,12 +239,11 @@ static void a_mesh_of_it(const gusset_sheet *sheet) {
 
 //! [surface_info]
 static void what_a_surface_is(const gusset_surface *surface) {
-    gusset_surface_report facts = {.struct_size = sizeof facts};
-    gusset_surface_sheet_report sheet = {.struct_size = sizeof sheet};
+    gusset_surface_report report = {.struct_size = sizeof report};
 
-    MUST(gusset_surface_get_report(surface, &facts));
-    MUST(gusset_surface_get_sheet(surface, 0, &sheet));
-    HOLDS(facts.sheet_count == 1 && facts.cell_count == sheet.rows * sheet.columns && facts.low[2] <= 0.0);
+    MUST(gusset_surface_get_report(surface, &report));
+    HOLDS(report.sheet_count == 1 && report.cell_count == report.sheets[0].rows * report.sheets[0].columns);
+    HOLDS(report.sheets[0].closed_v == 1 && report.low[2] <= 0.0);
 }
 //! [surface_info]
 
@@ -251,10 +254,10 @@ static void nearest_points(const gusset_surface *surface) {
     gusset_surface_nearest_point found[2];
     gusset_surface_points *points = NULL;
     gusset_surface_points_view all = {.struct_size = sizeof all};
-    gusset_surface_region *region = NULL;
-    gusset_surface_region_view cells = {.struct_size = sizeof cells};
+    gusset_surface_cells *region = NULL;
+    gusset_surface_cells_view cells = {.struct_size = sizeof cells};
 
-    MUST(gusset_surface_nearest(NULL, surface, queries[0], 2, 0, NULL, found));
+    MUST(gusset_surface_nearest(NULL, surface, queries[0], 2, NULL, found));
     HOLDS(about(found[0].distance, 2.0) && (found[0].flags & GUSSET_NEAREST_PROVEN));
     HOLDS(about(found[1].point[1], 1.0) && found[1].bound <= found[1].distance);
     /* From within there are two: before and behind. */
@@ -264,32 +267,39 @@ static void nearest_points(const gusset_surface *surface) {
     gusset_surface_points_destroy(points);
     /* The cells within a radius. */
     MUST(gusset_surface_region_create(NULL, surface, queries[0], 2.1, &region));
-    MUST(gusset_surface_region_get_view(region, &cells));
+    MUST(gusset_surface_cells_get_view(region, &cells));
     HOLDS(cells.cell_count > 0 && cells.cell_count < (ROWS - 1) * (COLUMNS - 1));
-    gusset_surface_region_destroy(region);
+    gusset_surface_cells_destroy(region);
 }
 //! [surface_closest]
 
 //! [surface_distance]
 static void distances(const gusset_surface *tube, const gusset_surface *table) {
-    const gusset_line line = {.origin = {3, -5, 1}, .direction = {0, 1, 0}, .from = -INFINITY, .to = INFINITY};
-    const double far[3] = {0, -4, 0}, south[3] = {0, -1, 0}, bow[3][3] = {{3, -1, 1}, {2, 0, 2}, {3, 1, 1}};
+    const double bow[3][3] = {{3, -1, 1}, {2, 0, 2}, {3, 1, 1}};
     const uint32_t ends[2] = {0, 2};
-    gusset_surface_distance found = {.struct_size = sizeof found};
+    gusset_target line = {.struct_size = sizeof line,
+                          .kind = GUSSET_TARGET_LINE,
+                          .line = {.origin = {3, -5, 1}, .direction = {0, 1, 0}, .from = -INFINITY, .to = INFINITY}};
+    gusset_target plane = {
+        .struct_size = sizeof plane, .kind = GUSSET_TARGET_PLANE, .point = {0, -4, 0}, .normal = {0, -1, 0}};
+    gusset_target along = {.struct_size = sizeof along, .kind = GUSSET_TARGET_CURVE};
+    gusset_target other = {.struct_size = sizeof other, .kind = GUSSET_TARGET_SURFACE, .surface = table};
+    gusset_distance_report found = {.struct_size = sizeof found};
     gusset_curve *curve = NULL;
 
     /* The tube is of radius 1 about the z axis; a line beside it, and where on the line. */
-    MUST(gusset_surface_line_distance(NULL, tube, &line, 0.0, &found));
+    MUST(gusset_surface_distance(NULL, tube, &line, 0.0, &found));
     HOLDS(about(found.distance, 2.0) && about(found.parameter, 5.0) && (found.flags & GUSSET_DISTANCE_PROVEN));
     /* The plane y = -4, its upper side to the south: the tube is 3 below it. */
-    MUST(gusset_surface_plane_distance(NULL, tube, far, south, 1e-6, &found));
+    MUST(gusset_surface_distance(NULL, tube, &plane, 1e-6, &found));
     HOLDS(about(found.parameter, -3.0) && about(found.other_point[1], -4.0) && found.bound <= found.distance);
     MUST(gusset_curve_create(NULL, bow[0], 3, 3, ends, 2, 0, &curve));
-    MUST(gusset_surface_curve_distance(NULL, tube, curve, 0.0, &found));
+    along.curve = curve;
+    MUST(gusset_surface_distance(NULL, tube, &along, 0.0, &found));
     HOLDS(about(found.distance, 1.5) && about(found.curve_place.t, 0.5));
     gusset_curve_destroy(curve);
     /* The tube stands in the table: where they meet, the distance is 0. */
-    MUST(gusset_surface_surface_distance(NULL, tube, table, 0.0, &found));
+    MUST(gusset_surface_distance(NULL, tube, &other, 0.0, &found));
     HOLDS(found.distance == 0.0 && (found.flags & GUSSET_DISTANCE_MEETS) && about(found.point[2], 1.7));
 }
 //! [surface_distance]
@@ -300,57 +310,65 @@ static void lines_and_curves(const gusset_surface *surface) {
     const double bow[3][3] = {{-3, 0, 1}, {0, 0, 3}, {3, 0, 1}};
     const uint32_t ends[2] = {0, 2};
     gusset_surface_hits *hits = NULL;
-    gusset_surface_hits_view parts = {.struct_size = sizeof parts};
+    gusset_surface_hits_view view = {.struct_size = sizeof view};
     gusset_surface_hit first;
     gusset_curve *curve = NULL;
 
-    MUST(gusset_surface_line_hits_create(NULL, surface, &line, 1, GUSSET_HITS_ALL, &hits));
-    MUST(gusset_surface_hits_get_view(hits, &parts));
-    HOLDS(parts.hit_count == 2 && about(parts.hits[0].t, 4.0) && about(parts.hits[1].t, 6.0));
+    MUST(gusset_surface_hits_create(NULL, surface, &line, 1, NULL, GUSSET_HITS_ALL, &hits));
+    MUST(gusset_surface_hits_get_view(hits, &view));
+    HOLDS(view.hit_count == 2 && about(view.hits[0].t, 4.0) && about(view.hits[1].t, 6.0));
     gusset_surface_hits_destroy(hits);
     MUST(gusset_surface_first_hits(NULL, surface, &line, 1, &first));
     HOLDS(first.kind == GUSSET_HIT_CROSSING && about(first.t, 4.0) && about(fabs(first.normal[0]), 1.0));
 
     MUST(gusset_curve_create(NULL, bow[0], 3, 3, ends, 2, 0, &curve));
-    MUST(gusset_surface_curve_hits_create(NULL, surface, curve, GUSSET_HITS_ALL, &hits));
-    MUST(gusset_surface_hits_get_view(hits, &parts));
-    HOLDS(parts.hit_count == 2 && parts.on_curve != NULL && about(parts.hits[0].point[0], -1.0));
+    MUST(gusset_surface_hits_create(NULL, surface, NULL, 0, curve, GUSSET_HITS_ALL, &hits));
+    MUST(gusset_surface_hits_get_view(hits, &view));
+    HOLDS(view.hit_count == 2 && view.on_curve_count == 6 && about(view.hits[0].point[0], -1.0));
     gusset_surface_hits_destroy(hits);
     gusset_curve_destroy(curve);
 }
 //! [surface_line]
 
 //! [surface_level]
-static void sections(const gusset_surface *surface) {
+static void contours(const gusset_surface *surface) {
     double heights[ROWS * COLUMNS];
-    const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0, 1}, eastwards[3] = {1, 0, 0};
-    const double offsets[2] = {1.1, 2.2}, across = 0.5 * pi;
+    const gusset_contour_function height = {
+        .struct_size = sizeof height, .kind = GUSSET_CONTOUR_HEIGHT, .point = {0, 0, 0}, .direction = {0, 0, 1}};
+    const gusset_contour_function values = {.struct_size = sizeof values,
+                                            .kind = GUSSET_CONTOUR_VALUES,
+                                            .values = heights,
+                                            .value_count = ROWS * COLUMNS};
+    const gusset_contour_function angle = {
+        .struct_size = sizeof angle, .kind = GUSSET_CONTOUR_ANGLE, .direction = {1, 0, 0}};
+    const double levels[2] = {1.1, 2.2}, across = 0.5 * pi, upwards[3] = {0, 0, 1};
     gusset_surface_paths *paths = NULL;
-    gusset_surface_paths_view parts = {.struct_size = sizeof parts};
+    gusset_surface_paths_view view = {.struct_size = sizeof view};
     gusset_nearest_angle_report nearest = {.struct_size = sizeof nearest};
     int k;
 
-    MUST(gusset_surface_section_create(NULL, surface, origin, upwards, offsets, 2, NULL, &paths));
-    MUST(gusset_surface_paths_get_view(paths, &parts));
-    HOLDS(parts.path_count == 2 && parts.closed[0] == 1 && about(parts.points[2], 1.1) && parts.unresolved_count == 0);
+    /* Sections by two planes. */
+    MUST(gusset_surface_contours_create(NULL, surface, &height, levels, 2, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &view));
+    HOLDS(view.path_count == 2 && view.closed[0] == 1 && about(view.points[2], 1.1) && view.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
 
-    /* Levels of any function given at the corners of cells: here the height, so that the curves are the same. */
+    /* Any function given at the corners of cells: here the height, so that the curves are the same. */
     for (k = 0; k < ROWS * COLUMNS; ++k) {
         heights[k] = 0.5 * (k / COLUMNS);
     }
-    MUST(gusset_surface_contours_create(NULL, surface, heights, ROWS * COLUMNS, offsets, 2, NULL, &paths));
-    MUST(gusset_surface_paths_get_view(paths, &parts));
-    HOLDS(parts.path_count == 2 && about(parts.points[2], 1.1));
+    MUST(gusset_surface_contours_create(NULL, surface, &values, levels, 2, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &view));
+    HOLDS(view.path_count == 2 && about(view.points[2], 1.1));
     gusset_surface_paths_destroy(paths);
 
     /* The silhouette seen from the east: two lines along the tube. */
-    MUST(gusset_surface_isophotes_create(NULL, surface, eastwards, &across, 1, NULL, &paths));
-    MUST(gusset_surface_paths_get_view(paths, &parts));
-    HOLDS(parts.path_count == 2 && parts.closed[0] == 0);
+    MUST(gusset_surface_contours_create(NULL, surface, &angle, &across, 1, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &view));
+    HOLDS(view.path_count == 2 && view.closed[0] == 0);
     gusset_surface_paths_destroy(paths);
     /* No normal of the tube looks up: the nearest are level. */
-    MUST(gusset_surface_nearest_angle(NULL, surface, upwards, 0.0, NULL, &nearest));
+    MUST(gusset_surface_nearest_angle(NULL, surface, upwards, 0.0, 0, &nearest));
     HOLDS(about(nearest.angle, 0.5 * pi) && about(nearest.deviation, 0.5 * pi));
 }
 //! [surface_level]
@@ -358,26 +376,26 @@ static void sections(const gusset_surface *surface) {
 //! [surface_meet]
 static void intersections(const gusset_surface *a, const gusset_surface *b) {
     gusset_surface_paths *paths = NULL;
-    gusset_surface_paths_view parts = {.struct_size = sizeof parts};
-    gusset_cell_pairs *pairs = NULL;
-    gusset_cell_pairs_view near = {.struct_size = sizeof near};
+    gusset_surface_paths_view view = {.struct_size = sizeof view};
+    gusset_surface_cells *pairs = NULL;
+    gusset_surface_cells_view near = {.struct_size = sizeof near};
 
     MUST(gusset_surface_intersection_create(NULL, a, b, NULL, &paths));
-    MUST(gusset_surface_paths_get_view(paths, &parts));
-    HOLDS(parts.path_count == 1 && parts.closed[0] == 1 && parts.others != NULL && about(parts.points[2], 1.7));
+    MUST(gusset_surface_paths_get_view(paths, &view));
+    HOLDS(view.path_count == 1 && view.closed[0] == 1 && view.others != NULL && about(view.points[2], 1.7));
     /* They touch nowhere, and all is resolved. */
-    HOLDS(parts.contact_count == 0 && parts.unresolved_count == 0);
+    HOLDS(view.contact_count == 0 && view.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
     /* The one does not meet itself, which is proved as nothing is unresolved. */
-    MUST(gusset_surface_self_intersection_create(NULL, a, NULL, &paths));
-    MUST(gusset_surface_paths_get_view(paths, &parts));
-    HOLDS(parts.path_count == 0 && parts.unresolved_count == 0);
+    MUST(gusset_surface_intersection_create(NULL, a, NULL, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &view));
+    HOLDS(view.path_count == 0 && view.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
     /* Cells that may meet, for a search of the host's own. */
     MUST(gusset_surface_cell_pairs_create(NULL, a, b, 0.0, &pairs));
-    MUST(gusset_cell_pairs_get_view(pairs, &near));
-    HOLDS(near.count >= COLUMNS - 1);
-    gusset_cell_pairs_destroy(pairs);
+    MUST(gusset_surface_cells_get_view(pairs, &near));
+    HOLDS(near.cell_count >= COLUMNS - 1 && near.others != NULL);
+    gusset_surface_cells_destroy(pairs);
 }
 //! [surface_meet]
 
@@ -415,25 +433,24 @@ static void the_papers_search(const gusset_sheet *sheet) {
     const gusset_surface_place place = {.row = 3, .column = 3, .u = 0.5, .v = 0.5};
     uint64_t words[2];
     uint32_t chain[2 * 96];
-    double greatest[2], bound = 0.0, normal[3];
+    double normal[3];
     size_t written = 0;
     gusset_reference_report report = {.struct_size = sizeof report};
+    gusset_sheet_measures measures = {.struct_size = sizeof measures};
     gusset_mask_report region = {.struct_size = sizeof region};
     gusset_curve *curve = NULL;
 
-    MUST(gusset_sheet_diameters(NULL, sheet, NULL, NULL, 0, &written, greatest));
-    HOLDS(written == 96 && greatest[0] <= greatest[1]);
-    MUST(gusset_sheet_curvature_bound(NULL, sheet, &bound));
-    HOLDS(bound >= 1.0 - 0.1);
+    MUST(gusset_sheet_measure(NULL, sheet, GUSSET_SHEET_MEASURE_DIAMETERS + GUSSET_SHEET_MEASURE_CURVATURE, NULL, &measures));
+    HOLDS(measures.diameter <= measures.intrinsic_diameter && measures.curvature_bound >= 1.0 - 0.1);
     /* The cells that may have a point within the distance: a bit for each. */
     MUST(gusset_sheet_reference_mask(NULL, sheet, &task, words, 2, &written, &report));
     HOLDS(written == 2 && report.cells > 0 && report.cells < 96);
     MUST(gusset_sheet_mask_measure(NULL, sheet, words, 2, &region));
     HOLDS(region.cells == report.cells);
     /* The same as lists of cells, and of the nodes round them. */
-    MUST(gusset_sheet_mask_cells(NULL, sheet, words, 2, chain, 96, &written));
+    MUST(gusset_sheet_mask_elements(NULL, sheet, words, 2, GUSSET_DOMAIN_FACES, chain, 96, &written));
     HOLDS(written == report.cells);
-    MUST(gusset_sheet_mask_nodes(NULL, sheet, words, 2, NULL, 0, &written));
+    MUST(gusset_sheet_mask_elements(NULL, sheet, words, 2, GUSSET_DOMAIN_VERTICES, NULL, 0, &written));
     HOLDS(written > report.cells);
     /* Over the points of a curve: the arcs of a line of nodes that may come as near. */
     MUST(gusset_sheet_curve_create(NULL, sheet, GUSSET_ALONG_ROWS, 4.0, &curve));
@@ -464,7 +481,7 @@ int main(void) {
     nearest_points(a);
     distances(a, b);
     lines_and_curves(a);
-    sections(a);
+    contours(a);
     intersections(a, b);
     points(a);
     a_line_of_nodes(round);

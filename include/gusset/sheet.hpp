@@ -106,7 +106,7 @@ struct CurveNet {
     bool closed_v = false;
 };
 
-/// Numbers for each cell, row after row; see gusset_sheet_estimates.
+/// Numbers for each cell, row after row; see gusset_cell_arrays.
 struct SheetEstimates {
     /// An estimate of the distance from the smooth surface that the nodes were taken from.
     std::vector<double> errors;
@@ -116,9 +116,9 @@ struct SheetEstimates {
     std::vector<double> triangles;
 };
 
-/// Bounds of the diameters of cells, row after row; see gusset_sheet_diameters.
+/// Bounds of the diameters of cells, row after row; see gusset_cell_arrays.
 struct CellDiameters {
-    /// Of each cell a bound of the distance of two of its points, in space and within the cell.
+    /// For each cell a bound of the distance of two of its points, in space and within the cell.
     std::vector<double> euclidean, intrinsic;
     /// The largest of each.
     double max_euclidean, max_intrinsic;
@@ -132,7 +132,7 @@ public:
 
     /// Through a copy of nodes.
     static Sheet from_nodes(const NodesView &nodes, const Context &context = Context()) {
-        return Sheet(context.result(gusset_sheet_from_nodes_create, &nodes.get()));
+        return through(nodes, nullptr, 0, context);
     }
     /// The same, of points row after row: any container that keeps its elements side by side, whose
     /// first bytes are three floats or doubles.
@@ -142,20 +142,21 @@ public:
         return from_nodes(NodesView(rows, columns, points, options), context);
     }
     /// Through nodes in the caller's own memory, of doubles, which must stay valid and unchanged
-    /// until the sheet and everything made of it are gone. See gusset_sheet_borrow_create.
+    /// until the sheet and everything made of it are gone. See gusset_sheet_create.
     template <class Container>
     static Sheet borrow(std::size_t rows, std::size_t columns, const Container &points,
                         const SheetOptions &options = {}, const Context &context = Context()) {
         using T = std::decay_t<decltype((*std::data(points))[0])>;
         static_assert(std::is_same_v<T, double>, "nodes that are borrowed are of double");
-        return borrowed(NodesView(rows, columns, points, options), context);
+        return through(NodesView(rows, columns, points, options), nullptr, 1, context);
     }
     /// x, y, z of node (i, j) are at first + i * row_stride + j * column_stride, in numbers; 0: no
     /// gaps.
     static Sheet borrow(std::size_t rows, std::size_t columns, const double *first, std::size_t row_stride,
                         std::size_t column_stride, const SheetOptions &options = {},
                         const Context &context = Context()) {
-        return borrowed(NodesView::strided(rows, columns, first, row_stride, column_stride, options), context);
+        return through(NodesView::strided(rows, columns, first, row_stride, column_stride, options), nullptr, 1,
+                       context);
     }
     /// A temporary cannot be borrowed, unless it is a span, which owns nothing.
     template <class Container,
@@ -264,12 +265,18 @@ public:
     SheetEstimates estimates(const Context &context = Context()) const {
         const std::size_t count = cell_count();
         SheetEstimates out{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
-        context.call(gusset_sheet_estimates, get(), out.errors.data(), out.bilinear.data(), out.triangles.data(),
-                     count);
+        auto cells = detail::sized<gusset_cell_arrays>();
+        cells.capacity = count;
+        cells.errors = out.errors.data();
+        cells.bilinear = out.bilinear.data();
+        cells.triangles = out.triangles.data();
+        measure_cells(cells, context);
         return out;
     }
     /// The largest angle between normals on both sides of borders between cells, in radians.
-    double crease(const Context &context = Context()) const { return context.result(gusset_sheet_crease, get()); }
+    double crease(const Context &context = Context()) const {
+        return measure(GUSSET_SHEET_MEASURE_CREASE, nullptr, context).crease;
+    }
     /// A coordinate curve, exactly. Along rows the parameter is u, along columns v.
     Curve curve(SheetDirection along, double parameter, const Context &context = Context()) const {
         return Curve(context.result(gusset_sheet_curve_create, get(), static_cast<uint32_t>(along), parameter));
@@ -278,18 +285,19 @@ public:
     CellDiameters diameters(const Context &context = Context()) const {
         const std::size_t count = cell_count();
         CellDiameters out{std::vector<double>(count), std::vector<double>(count), 0.0, 0.0};
-        std::size_t written = 0;
-        double largest[2] = {0.0, 0.0};
-        context.call(gusset_sheet_diameters, get(), out.euclidean.data(), out.intrinsic.data(), count, &written,
-                     largest);
-        out.max_euclidean = largest[0];
-        out.max_intrinsic = largest[1];
+        auto cells = detail::sized<gusset_cell_arrays>();
+        cells.capacity = count;
+        cells.diameters = out.euclidean.data();
+        cells.intrinsic_diameters = out.intrinsic.data();
+        const gusset_sheet_measures found = measure(GUSSET_SHEET_MEASURE_DIAMETERS, &cells, context);
+        out.max_euclidean = found.diameter;
+        out.max_intrinsic = found.intrinsic_diameter;
         return out;
     }
     /// A bound of both principal curvatures all over the sheet; infinite if it is not regular
     /// everywhere.
     double curvature_bound(const Context &context = Context()) const {
-        return context.result(gusset_sheet_curvature_bound, get());
+        return measure(GUSSET_SHEET_MEASURE_CURVATURE, nullptr, context).curvature_bound;
     }
     /// The cells that may hold the object of a task, by the paper's search. No cell that does is
     /// missing.
@@ -318,11 +326,11 @@ public:
     }
     /// Row and column of each marked cell. The mask must have the sheet's rows and columns.
     std::vector<std::array<uint32_t, 2>> mask_cells(const CellMask &mask, const Context &context = Context()) const {
-        return mask_list(gusset_sheet_mask_cells, mask, mask.count(), context);
+        return mask_elements(GUSSET_DOMAIN_FACES, mask, mask.count(), context);
     }
     /// Row and column of each corner of marked cells.
     std::vector<std::array<uint32_t, 2>> mask_nodes(const CellMask &mask, const Context &context = Context()) const {
-        return mask_list(gusset_sheet_mask_nodes, mask, 4 * mask.count(), context);
+        return mask_elements(GUSSET_DOMAIN_VERTICES, mask, 4 * mask.count(), context);
     }
     /// Numbers of the region of marked cells. The mask must have the sheet's rows and columns.
     gusset_mask_report mask_measure(const CellMask &mask, const Context &context = Context()) const {
@@ -338,13 +346,19 @@ public:
     }
 
 private:
-    template <class Function>
-    std::vector<std::array<uint32_t, 2>> mask_list(Function function, const CellMask &mask, std::size_t capacity,
-                                                   const Context &context) const {
+    gusset_sheet_measures measure(gusset_sheet_measure_flags parts, const gusset_cell_arrays *cells,
+                                  const Context &context) const {
+        return context.result(gusset_sheet_measure, get(), parts, cells);
+    }
+    void measure_cells(const gusset_cell_arrays &cells, const Context &context) const {
+        context.call(gusset_sheet_measure, get(), gusset_sheet_measure_flags{0}, &cells, nullptr);
+    }
+    std::vector<std::array<uint32_t, 2>> mask_elements(gusset_domain domain, const CellMask &mask,
+                                                       std::size_t capacity, const Context &context) const {
         check_shape(mask);
         std::vector<std::array<uint32_t, 2>> found(capacity);
         std::size_t written = 0;
-        context.call(function, get(), mask.words().data(), mask.words().size(),
+        context.call(gusset_sheet_mask_elements, get(), mask.words().data(), mask.words().size(), domain,
                      reinterpret_cast<uint32_t *>(found.data()), found.size(), &written);
         found.resize(written);
         return found;
@@ -355,8 +369,9 @@ private:
             throw std::invalid_argument("gusset: the mask has not as many rows and columns as the sheet");
         }
     }
-    static Sheet borrowed(const NodesView &nodes, const Context &context) {
-        return Sheet(context.result(gusset_sheet_borrow_create, &nodes.get()));
+    static Sheet through(const NodesView &nodes, const gusset_tangents *tangents, uint32_t borrow,
+                         const Context &context) {
+        return Sheet(context.result(gusset_sheet_create, &nodes.get(), tangents, borrow));
     }
     static Sheet spline(Points points, Span<const double> weights, const SplineAxis &u, const SplineAxis &v,
                         const SplineOptions &options, const Context &context) {
@@ -395,7 +410,7 @@ private:
         given.v = detail::numbers(v.data());
         given.twists = kind == GUSSET_TWISTS_GIVEN ? detail::numbers(twists.data()) : nullptr;
         given.twist = kind;
-        return Sheet(context.result(gusset_sheet_from_tangents_create, &nodes.get(), &given));
+        return through(nodes, &given, 0, context);
     }
     detail::Handle<gusset_sheet, gusset_sheet_destroy> sheet_;
 };

@@ -20,13 +20,17 @@ public:
     /// A number of points of the paper's cubics.
     static PointSpacing leus(uint32_t points) { return {GUSSET_POINT_SPACING_LEUS, 0.0, points}; }
 
-    /// As the C interface takes it.
-    gusset_contour_options as_c(bool unsigned_normals = false) const {
+    /// Writes the spacing into options of the C interface.
+    template <class Options>
+    void write(Options &options) const noexcept {
+        options.spacing = kind_;
+        options.chord = chord_;
+    }
+    /// As the C interface takes it for contours.
+    gusset_contour_options as_c() const {
         auto given = detail::sized<gusset_contour_options>();
-        given.chord = chord_;
-        given.spacing = kind_;
+        write(given);
         given.points = points_;
-        given.unsigned_normals = unsigned_normals ? 1 : 0;
         return given;
     }
 
@@ -47,52 +51,15 @@ enum class NormalCones : uint32_t { lazy = 0, eager = 1 };
 
 /// The options of intersections; see gusset_intersection_options.
 struct IntersectionOptions {
-    /// The largest distance from chords; 0: 1e-4 of the diagonal of the smaller surface's box;
-    /// infinite: only the crossings of cell edges.
-    double chord = 0.0;
+    /// The points of the curves; PointSpacing::leus is refused.
+    PointSpacing spacing;
     /// Surfaces no farther apart touch, or no deeper in each other; 0: the smaller tolerance of the
     /// two, by which branches are found anyway.
     double tolerance = 0.0;
 };
 
-/// A cell of one surface and one of another; see gusset_cell_pair.
-using CellPair = gusset_cell_pair;
 /// A point of a surface with derivatives, normal and curvatures; see gusset_surface_point.
 using SurfacePoint = gusset_surface_point;
-
-/// Pairs of cells that may meet: a range of CellPair. Spans and iterators live as long as this, and
-/// are not lent by a temporary.
-class CellPairs {
-public:
-    using value_type = CellPair;
-    using iterator = const CellPair *;
-
-    explicit CellPairs(gusset_cell_pairs *owned) : pairs_(owned) {}
-    std::size_t size() const { return view().count; }
-    bool empty() const { return size() == 0; }
-    /// Pair `i`; throws std::out_of_range.
-    CellPair operator[](std::size_t i) const {
-        const gusset_cell_pairs_view all = view();
-        if (i >= all.count) {
-            throw std::out_of_range("gusset: no such pair");
-        }
-        return all.pairs[i];
-    }
-    iterator begin() const & { return pairs().begin(); }
-    iterator begin() const && = delete;
-    iterator end() const & { return pairs().end(); }
-    iterator end() const && = delete;
-    /// All pairs.
-    Span<const CellPair> pairs() const & {
-        const gusset_cell_pairs_view all = view();
-        return {all.pairs, all.count};
-    }
-    Span<const CellPair> pairs() const && = delete;
-
-private:
-    gusset_cell_pairs_view view() const { return detail::lent(gusset_cell_pairs_get_view, pairs_.get()); }
-    detail::Handle<gusset_cell_pairs, gusset_cell_pairs_destroy> pairs_;
-};
 
 /// A smooth surface of one or more sheets with an index. Immutable: many threads may query it at
 /// the same time. It keeps what it needs of its sheets.
@@ -120,16 +87,21 @@ public:
     const gusset_surface *get() const noexcept { return surface_.get(); }
     /// Its numbers of sheets and cells, and its box.
     gusset_surface_report report() const { return detail::lent(gusset_surface_get_report, get()); }
-    /// The cells of sheet k, and the first of them among those of all sheets.
-    gusset_surface_sheet_report sheet(std::size_t k) const { return detail::lent(gusset_surface_get_sheet, get(), k); }
+    /// The sheets: their cells, and the first of them among those of all sheets. Valid as long as the
+    /// surface.
+    Span<const gusset_surface_sheet> sheets() const & {
+        const gusset_surface_report all = report();
+        return {all.sheets, all.sheet_count};
+    }
+    Span<const gusset_surface_sheet> sheets() const && = delete;
 
     /// The nearest point to each query.
     std::vector<NearestPoint> nearest(Points queries, const NearestOptions &options = {},
                                       const Context &context = Context()) const {
         std::vector<NearestPoint> out(queries.size());
         const gusset_nearest_options given = detail::as_c(options);
-        context.call(gusset_surface_nearest, get(), detail::numbers(queries.data()), queries.size(), std::size_t{0},
-                     &given, out.data());
+        context.call(gusset_surface_nearest, get(), detail::numbers(queries.data()), queries.size(), &given,
+                     out.data());
         return out;
     }
     /// The nearest point to a query; see gusset_surface_nearest.
@@ -144,38 +116,44 @@ public:
         return SurfacePoints(context.result(gusset_surface_minima_create, get(), query.data(), &given));
     }
     /// The cells that have a point within a radius of a query.
-    SurfaceRegion region(const Point3 &query, double radius, const Context &context = Context()) const {
-        return SurfaceRegion(context.result(gusset_surface_region_create, get(), query.data(), radius));
+    SurfaceCells region(const Point3 &query, double radius, const Context &context = Context()) const {
+        return SurfaceCells(context.result(gusset_surface_region_create, get(), query.data(), radius));
     }
 
     /// The nearest points of the surface and a line; the parameter is the line's. `tolerance`: to
     /// which the distance is proved; 0: the surface's.
     SurfaceDistance distance(const Line &line, double tolerance = 0.0, const Context &context = Context()) const {
-        const gusset_line &given = line;
-        return SurfaceDistance(context.result(gusset_surface_line_distance, get(), &given, tolerance));
+        gusset_target target = target_of(GUSSET_TARGET_LINE);
+        target.line = line;
+        return distance(target, tolerance, context);
     }
     /// The same with a plane; the parameter is the distance, negative below it.
     SurfaceDistance distance(const Point3 &point, const Point3 &normal, double tolerance = 0.0,
                              const Context &context = Context()) const {
-        return SurfaceDistance(
-            context.result(gusset_surface_plane_distance, get(), point.data(), normal.data(), tolerance));
+        gusset_target target = target_of(GUSSET_TARGET_PLANE);
+        std::copy(point.begin(), point.end(), target.point);
+        std::copy(normal.begin(), normal.end(), target.normal);
+        return distance(target, tolerance, context);
     }
     /// The same with a curve.
     SurfaceDistance distance(const Curve &curve, double tolerance = 0.0, const Context &context = Context()) const {
-        return SurfaceDistance(context.result(gusset_surface_curve_distance, get(), curve.get(), tolerance));
+        gusset_target target = target_of(GUSSET_TARGET_CURVE);
+        target.curve = curve.get();
+        return distance(target, tolerance, context);
     }
     /// The same with another surface.
     SurfaceDistance distance(const Surface &other, double tolerance = 0.0, const Context &context = Context()) const {
-        return SurfaceDistance(context.result(gusset_surface_surface_distance, get(), other.get(), tolerance));
+        gusset_target target = target_of(GUSSET_TARGET_SURFACE);
+        target.surface = other.get();
+        return distance(target, tolerance, context);
     }
 
     /// The hits of lines, rays or segments.
     SurfaceHits line_hits(Span<const Line> lines, HitSelection selection = HitSelection::all,
                           const Context &context = Context()) const {
-        return SurfaceHits(context.result(gusset_surface_line_hits_create, get(), lines.data(), lines.size(),
-                                          static_cast<gusset_hit_selection>(selection)));
+        return hits(lines, nullptr, selection, context);
     }
-    /// The hits of one line; see gusset_surface_line_hits_create.
+    /// The hits of one line; see gusset_surface_hits_create.
     SurfaceHits line_hits(const Line &line, HitSelection selection = HitSelection::all,
                           const Context &context = Context()) const {
         return line_hits(Span<const Line>(&line, 1), selection, context);
@@ -189,8 +167,7 @@ public:
     /// The hits of a curve in space.
     SurfaceHits curve_hits(const Curve &curve, HitSelection selection = HitSelection::all,
                            const Context &context = Context()) const {
-        return SurfaceHits(context.result(gusset_surface_curve_hits_create, get(), curve.get(),
-                                          static_cast<gusset_hit_selection>(selection)));
+        return hits({}, curve.get(), selection, context);
     }
 
     /// The section by the plane through a point across a normal.
@@ -202,24 +179,27 @@ public:
     /// The sections by parallel planes, at increasing distances from the point along the normal.
     SurfacePaths sections(const Point3 &point, const Point3 &normal, Span<const double> offsets,
                           const PointSpacing &spacing = {}, const Context &context = Context()) const {
-        const gusset_contour_options given = spacing.as_c();
-        return SurfacePaths(context.result(gusset_surface_section_create, get(), point.data(), normal.data(),
-                                           offsets.data(), offsets.size(), &given));
+        gusset_contour_function height = function_of(GUSSET_CONTOUR_HEIGHT);
+        std::copy(point.begin(), point.end(), height.point);
+        std::copy(normal.begin(), normal.end(), height.direction);
+        return contours(height, offsets, spacing, context);
     }
     /// The contours of values given at the corners of all cells.
     SurfacePaths contours(Span<const double> values, Span<const double> levels, const PointSpacing &spacing = {},
                           const Context &context = Context()) const {
-        const gusset_contour_options given = spacing.as_c();
-        return SurfacePaths(context.result(gusset_surface_contours_create, get(), values.data(), values.size(),
-                                           levels.data(), levels.size(), &given));
+        gusset_contour_function given = function_of(GUSSET_CONTOUR_VALUES);
+        given.values = values.data();
+        given.value_count = values.size();
+        return contours(given, levels, spacing, context);
     }
     /// The curves along which the normal makes given angles with a direction, in radians and
     /// increasing.
     SurfacePaths isophotes(const Point3 &direction, Span<const double> angles, NormalSide side = NormalSide::one,
                            const PointSpacing &spacing = {}, const Context &context = Context()) const {
-        const gusset_contour_options given = spacing.as_c(side == NormalSide::both);
-        return SurfacePaths(context.result(gusset_surface_isophotes_create, get(), direction.data(), angles.data(),
-                                           angles.size(), &given));
+        gusset_contour_function angle = function_of(GUSSET_CONTOUR_ANGLE);
+        std::copy(direction.begin(), direction.end(), angle.direction);
+        angle.unsigned_normals = static_cast<uint32_t>(side);
+        return contours(angle, angles, spacing, context);
     }
     /// The silhouettes of the surface seen along a direction.
     SurfacePaths silhouette(const Point3 &direction, const PointSpacing &spacing = {},
@@ -230,24 +210,22 @@ public:
     /// The point whose normal makes the angle with a direction that is nearest to a given one.
     gusset_nearest_angle_report nearest_angle(const Point3 &direction, double angle, NormalSide side = NormalSide::one,
                                               const Context &context = Context()) const {
-        const gusset_contour_options given = PointSpacing().as_c(side == NormalSide::both);
-        return context.result(gusset_surface_nearest_angle, get(), direction.data(), angle, &given);
+        return context.result(gusset_surface_nearest_angle, get(), direction.data(), angle,
+                              static_cast<uint32_t>(side));
     }
 
     /// The curves of intersection of two surfaces, with places on both.
     SurfacePaths intersect(const Surface &other, const IntersectionOptions &options = {},
                            const Context &context = Context()) const {
-        const gusset_intersection_options given = as_c(options);
-        return SurfacePaths(context.result(gusset_surface_intersection_create, get(), other.get(), &given));
+        return meet(other.get(), options, context);
     }
     /// The curves in which the surface meets itself, with places on both pieces.
     SurfacePaths self_intersect(const IntersectionOptions &options = {}, const Context &context = Context()) const {
-        const gusset_intersection_options given = as_c(options);
-        return SurfacePaths(context.result(gusset_surface_self_intersection_create, get(), &given));
+        return meet(nullptr, options, context);
     }
     /// The pairs of cells of two surfaces that may be within a distance of each other.
-    CellPairs cell_pairs(const Surface &other, double within = 0.0, const Context &context = Context()) const {
-        return CellPairs(context.result(gusset_surface_cell_pairs_create, get(), other.get(), within));
+    SurfaceCells cell_pairs(const Surface &other, double within = 0.0, const Context &context = Context()) const {
+        return SurfaceCells(context.result(gusset_surface_cell_pairs_create, get(), other.get(), within));
     }
 
     /// Points, derivatives, normals and curvatures at places.
@@ -275,11 +253,35 @@ public:
     }
 
 private:
-    static gusset_intersection_options as_c(const IntersectionOptions &options) {
+    static gusset_target target_of(gusset_target_kind kind) {
+        auto made = detail::sized<gusset_target>();
+        made.kind = kind;
+        return made;
+    }
+    static gusset_contour_function function_of(gusset_contour_kind kind) {
+        auto made = detail::sized<gusset_contour_function>();
+        made.kind = kind;
+        return made;
+    }
+    SurfaceDistance distance(const gusset_target &target, double tolerance, const Context &context) const {
+        return SurfaceDistance(context.result(gusset_surface_distance, get(), &target, tolerance));
+    }
+    SurfaceHits hits(Span<const Line> lines, const gusset_curve *curve, HitSelection selection,
+                     const Context &context) const {
+        return SurfaceHits(context.result(gusset_surface_hits_create, get(), lines.data(), lines.size(), curve,
+                                          static_cast<gusset_hit_selection>(selection)));
+    }
+    SurfacePaths contours(const gusset_contour_function &function, Span<const double> levels,
+                          const PointSpacing &spacing, const Context &context) const {
+        const gusset_contour_options given = spacing.as_c();
+        return SurfacePaths(context.result(gusset_surface_contours_create, get(), &function, levels.data(),
+                                           levels.size(), &given));
+    }
+    SurfacePaths meet(const gusset_surface *other, const IntersectionOptions &options, const Context &context) const {
         auto given = detail::sized<gusset_intersection_options>();
-        given.chord = options.chord;
+        options.spacing.write(given);
         given.tolerance = options.tolerance;
-        return given;
+        return SurfacePaths(context.result(gusset_surface_intersection_create, get(), other, &given));
     }
 
     detail::Handle<gusset_surface, gusset_surface_destroy> surface_;

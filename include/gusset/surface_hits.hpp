@@ -68,11 +68,11 @@ public:
     explicit SurfaceHits(gusset_surface_hits *owned) : hits_(owned) {}
 
     /// The number of lines; 1 for a curve.
-    std::size_t size() const { return view().line_count; }
+    std::size_t size() const { return view().query_count; }
     /// The hits of line `i`, by increasing t; throws std::out_of_range.
     Hits operator[](std::size_t i) const & {
         const gusset_surface_hits_view all = view();
-        if (i >= all.line_count) {
+        if (i >= all.query_count) {
             throw std::out_of_range("gusset: no such line");
         }
         const auto from = static_cast<std::size_t>(all.ends[i]);
@@ -90,10 +90,10 @@ public:
         return {all.hits, all.hit_count};
     }
     Hits hits() const && = delete;
-    /// Of a curve, three places on it for each hit: its own, and the ends of its span.
+    /// For a curve: three places on it for each hit: its own, and the ends of its span.
     Span<const Place> on_curve() const & {
         const gusset_surface_hits_view all = view();
-        return {all.on_curve, all.on_curve != nullptr ? 3 * all.hit_count : 0};
+        return {all.on_curve, all.on_curve_count};
     }
     Span<const Place> on_curve() const && = delete;
 

@@ -23,7 +23,7 @@ struct SurfacePath {
     Points normals;
     /// Their places on the surface.
     Span<const SurfacePlace> places;
-    /// Of intersections: the places on the second surface.
+    /// For intersections: the places on the second surface.
     Span<const SurfacePlace> others;
     /// The path returns to its first point, which is not repeated.
     bool closed;
@@ -76,7 +76,7 @@ public:
         return {all.unresolved, all.unresolved_count};
     }
     Span<const SurfacePlace> unresolved() const && = delete;
-    /// Of intersections of two surfaces: points where they touch, and where branches cross.
+    /// For intersections: points where they touch, and where branches cross.
     Span<const SurfaceContact> contacts() const & {
         const gusset_surface_paths_view all = view();
         return {all.contacts, all.contact_count};

@@ -1,4 +1,4 @@
-// Nearest points of surfaces, and regions of cells. Include gusset.hpp, not this.
+// Nearest points of surfaces, and cells. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_POINTS_HPP
 #define GUSSET_SURFACE_POINTS_HPP
 
@@ -27,9 +27,9 @@ static_assert(sizeof(NearestPoint) == sizeof(gusset_surface_nearest_point) && st
 using NearestPoints = Values<NearestPoint, gusset_surface_nearest_point>;
 
 /// The nearest points of a surface and something else; see gusset_surface_distance.
-struct SurfaceDistance : gusset_surface_distance {
+struct SurfaceDistance : gusset_distance_report {
     /// A distance as the C interface has it.
-    explicit SurfaceDistance(const gusset_surface_distance &found) : gusset_surface_distance(found) {}
+    explicit SurfaceDistance(const gusset_distance_report &found) : gusset_distance_report(found) {}
     /// No points of the two are nearer, within the tolerance.
     bool is_proven() const noexcept { return (flags & GUSSET_DISTANCE_PROVEN) != 0; }
     /// The two meet.
@@ -38,17 +38,16 @@ struct SurfaceDistance : gusset_surface_distance {
 
 /// The options of searches for nearest points; see gusset_nearest_options.
 struct NearestOptions {
-    /// No point farther than this; empty: no limit.
-    std::optional<double> limit;
-    /// Of minima: the number of the nearest that are wanted; 0: all.
+    /// No point farther than this; 0: no limit.
+    double limit = 0.0;
+    /// For minima: the number of the nearest that are wanted; 0: all.
     std::size_t max_count = 0;
 };
 
 namespace detail {
 inline gusset_nearest_options as_c(const NearestOptions &options) {
     auto given = detail::sized<gusset_nearest_options>();
-    given.limit = options.limit.value_or(0.0);
-    given.limited = options.limit ? 1 : 0;
+    given.limit = options.limit;
     given.max_count = options.max_count;
     return given;
 }
@@ -95,24 +94,24 @@ private:
     detail::Handle<gusset_surface_points, gusset_surface_points_destroy> points_;
 };
 
-/// A cell of a region; see gusset_surface_cell.
-using RegionCell = gusset_surface_cell;
+/// A cell of a surface; see gusset_surface_cell.
+using SurfaceCell = gusset_surface_cell;
 
-/// The cells within a radius of a point: a range of RegionCell; see gusset_surface_region_create.
-/// It keeps nothing of the surface. Spans and iterators live as long as this, and are not lent by a
-/// temporary.
-class SurfaceRegion {
+/// Cells of a surface: a range of SurfaceCell; see gusset_surface_cells_view. The cells are those
+/// within a radius of a point, or the first cells of pairs. It keeps nothing of the surface. Spans and
+/// iterators live as long as this, and are not lent by a temporary.
+class SurfaceCells {
 public:
-    using value_type = RegionCell;
-    using iterator = const RegionCell *;
+    using value_type = SurfaceCell;
+    using iterator = const SurfaceCell *;
 
-    explicit SurfaceRegion(gusset_surface_region *owned) : region_(owned) {}
+    explicit SurfaceCells(gusset_surface_cells *owned) : cells_(owned) {}
 
     std::size_t size() const { return view().cell_count; }
     bool empty() const { return size() == 0; }
     /// Cell `i`; throws std::out_of_range.
-    RegionCell operator[](std::size_t i) const {
-        const gusset_surface_region_view all = view();
+    SurfaceCell operator[](std::size_t i) const {
+        const gusset_surface_cells_view all = view();
         if (i >= all.cell_count) {
             throw std::out_of_range("gusset: no such cell");
         }
@@ -122,39 +121,51 @@ public:
     iterator begin() const && = delete;
     iterator end() const & { return cells().end(); }
     iterator end() const && = delete;
-    /// True if a cell is one of them; false for a cell that does not exist. O(log cells).
+    /// For a region: true if a cell is one of them; false for a cell that does not exist. O(log cells).
     bool contains(std::size_t sheet, std::size_t row, std::size_t column) const {
-        const gusset_surface_region_view all = view();
+        const gusset_surface_cells_view all = view();
         using Key = std::array<std::size_t, 3>;
-        const auto key = [](const RegionCell &cell) { return Key{cell.sheet, cell.row, cell.column}; };
+        const auto key = [](const SurfaceCell &cell) { return Key{cell.sheet, cell.row, cell.column}; };
         const Key sought{sheet, row, column};
-        const RegionCell *last = all.cells + all.cell_count;
-        const RegionCell *found = std::lower_bound(
-            all.cells, last, sought, [&](const RegionCell &cell, const Key &other) { return key(cell) < other; });
+        const SurfaceCell *last = all.cells + all.cell_count;
+        const SurfaceCell *found = std::lower_bound(
+            all.cells, last, sought, [&](const SurfaceCell &cell, const Key &other) { return key(cell) < other; });
         return found != last && key(*found) == sought;
     }
     /// By sheet, row, column.
-    Span<const RegionCell> cells() const & {
-        const gusset_surface_region_view all = view();
+    Span<const SurfaceCell> cells() const & {
+        const gusset_surface_cells_view all = view();
         return {all.cells, all.cell_count};
     }
-    Span<const RegionCell> cells() const && = delete;
-    /// A bit for each cell of all sheets.
+    Span<const SurfaceCell> cells() const && = delete;
+    /// For pairs: the cells of the second surface; else empty.
+    Span<const SurfaceCell> others() const & {
+        const gusset_surface_cells_view all = view();
+        return {all.others, all.others != nullptr ? all.cell_count : 0};
+    }
+    Span<const SurfaceCell> others() const && = delete;
+    /// For a region, by cell: 1 if all of the cell is within the radius; else empty.
+    Span<const uint32_t> whole() const & {
+        const gusset_surface_cells_view all = view();
+        return {all.whole, all.whole != nullptr ? all.cell_count : 0};
+    }
+    Span<const uint32_t> whole() const && = delete;
+    /// For a region: a bit for each cell of all sheets.
     Span<const uint64_t> mask() const & {
-        const gusset_surface_region_view all = view();
+        const gusset_surface_cells_view all = view();
         return {all.mask, all.word_count};
     }
     Span<const uint64_t> mask() const && = delete;
-    /// Of each sheet its first bit; then the number of bits.
+    /// For a region: the first bit of each sheet, then the number of bits.
     Span<const uint64_t> first() const & {
-        const gusset_surface_region_view all = view();
-        return {all.first, all.sheet_count + 1};
+        const gusset_surface_cells_view all = view();
+        return {all.first, all.first != nullptr ? all.sheet_count + 1 : 0};
     }
     Span<const uint64_t> first() const && = delete;
 
 private:
-    gusset_surface_region_view view() const { return detail::lent(gusset_surface_region_get_view, region_.get()); }
-    detail::Handle<gusset_surface_region, gusset_surface_region_destroy> region_;
+    gusset_surface_cells_view view() const { return detail::lent(gusset_surface_cells_get_view, cells_.get()); }
+    detail::Handle<gusset_surface_cells, gusset_surface_cells_destroy> cells_;
 };
 
 } // namespace gusset

@@ -272,7 +272,7 @@ class SurfaceOptions(TypedDict, total=False):
 
     #: A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
     tolerance: float
-    #: 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend,
+    #: 1: with the cones of normals that isophotes (GUSSET_CONTOUR_ANGLE) and gusset_surface_nearest_angle descend,
     #: about 0.7 bytes a node; 0: the first such question builds them.
     cones: bool
 
@@ -280,43 +280,40 @@ class SurfaceOptions(TypedDict, total=False):
 class NearestOptions(TypedDict, total=False):
     """Fields of ``gusset_nearest_options``; what is not given is as by default."""
 
-    #: No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
+    #: No point farther than this is looked for; a length, at least 0; 0 or INFINITY: no limit.
     limit: float
-    #: Of minima: as many of the nearest; 0: all.
+    #: For minima: the number of the nearest that are wanted; 0: all.
     max_count: int
-    #: 1: limit is read.
-    limited: bool
 
 
 class ContourOptions(TypedDict, total=False):
     """Fields of ``gusset_contour_options``; what is not given is as by default."""
 
     #: With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the
-    #: surface. Otherwise not read. (In gusset_intersection_options, which has no `spacing`, a chord of 0 stands for
-    #: GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+    #: surface. Otherwise not read.
     chord: float
     #: one of the words
     spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
     #: With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
     points: int
-    #: Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
-    unsigned_normals: bool
 
 
 class IntersectionOptions(TypedDict, total=False):
     """Fields of ``gusset_intersection_options``; what is not given is as by default."""
 
-    #: A length, the greatest distance of the curve from the chords between its points, as their tangents and middles
-    #: show it (1.14 times as much was seen at one chord in 10,000); 0: 1e-4 of the diagonal of the smaller surface's
-    #: box; INFINITY: points are only where it crosses sides of cells of either surface; one that is smaller than
-    #: `tolerance` and than the surfaces' own counts as the smaller one of these. (In gusset_contour_options `spacing`
-    #: says which of these is meant.)
+    #: With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite, the greatest distance of the curve from the
+    #: chords between its points, as their tangents and middles show it. (1.14 times as much was seen at one chord in
+    #: 10,000.) A chord that is smaller than `tolerance` and than the surfaces' own tolerances counts as the smaller
+    #: one of these. Otherwise not read.
     chord: float
     #: A length, finite: surfaces that are apart, or overlap, by no more than that all over touch there. 0: the
     #: smaller one of the tolerances of the two surfaces. Branches are found and told apart by that one, or by
     #: `tolerance` if it is smaller: shorter ones may be lost. A surface's intersections with itself take a greater
     #: one for the surface's own.
     tolerance: float
+    #: one of the words: all but GUSSET_POINT_SPACING_LEUS; for GUSSET_POINT_SPACING_AUTO the smaller surface's box
+    #: counts.
+    spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
 
 
 class SheetMeshOptions(TypedDict, total=False):
@@ -505,19 +502,18 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "cones": ('flag', {}, None),
     },
     "gusset_nearest_options": {
-        "limit": ('float', {}, ('limited', '1')),
+        "limit": ('float', {}, None),
         "max_count": ('int', {}, None),
-        "limited": ('flag', {}, None),
     },
     "gusset_contour_options": {
         "chord": ('float', {}, ('spacing', 'chord')),
         "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
         "points": ('int', {}, ('spacing', 'leus')),
-        "unsigned_normals": ('flag', {}, None),
     },
     "gusset_intersection_options": {
-        "chord": ('float', {}, None),
+        "chord": ('float', {}, ('spacing', 'chord')),
         "tolerance": ('float', {}, None),
+        "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
     },
     "gusset_sheet_mesh_options": {
         "tolerance": ('float', {}, None),

@@ -39,7 +39,7 @@ _SHAPES: dict[str, dict[str, Callable[[Any], tuple[int, ...]]]] = {
     "gusset_sheet_mesh_report": {"places": lambda s: (s.vertex_count,), "normals": lambda s: (s.vertex_count, 3)},
     "gusset_stitch_report": {"weights": _THIRD},
     "gusset_strip_report": {"weights": lambda s: (s.parents.count // 2,)},
-    "gusset_surface_hits_view": {"ends": lambda s: (s.line_count + 1,), "on_curve": lambda s: (s.hit_count, 3)},
+    "gusset_surface_hits_view": {"ends": lambda s: (s.query_count + 1,), "on_curve": lambda s: (s.on_curve_count // 3, 3)},
     "gusset_surface_paths_view": {
         **dict.fromkeys(("closed", "levels"), lambda s: (s.path_count,)),
         **dict.fromkeys(("points", "normals"), lambda s: (s.point_count, 3)),

@@ -26,11 +26,12 @@ _LINE = dtype_of(ffi.typeof("struct gusset_line"))
 _SCHEMES = {"six_tap": 0, "four_point": 1}
 
 
-def _vector(values: ArrayLike) -> Any:
-    array = np.ascontiguousarray(values, np.float64).reshape(-1)
+def _vector(values: ArrayLike) -> list[float]:
+    array = np.asarray(values, np.float64).reshape(-1)
     if array.shape != (3,):
         raise ValueError(f"x, y and z are wanted, not {array.size} numbers")
-    return holding(ffi.cast("double *", pointer(array)), array)
+    numbers: list[float] = array.tolist()
+    return numbers
 
 
 class SheetMesh(MeshResult):
@@ -67,7 +68,7 @@ class Sheet(Handle):
             given.row_stride, given.column_stride = array.strides[:2]
         given.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
         given.scheme, given.closed_u, given.closed_v = one_of(_SCHEMES, "scheme", scheme), int(closed_u), int(closed_v)
-        super().__init__(create("sheet", given, name="sheet_from_nodes"))
+        super().__init__(create("sheet", given, ffi.NULL, 0))
 
     @property
     def account(self) -> Record:
@@ -169,15 +170,12 @@ class Surface(Handle):
         Returns:
             records of ``place``, ``point``, ``normal``, ``distance``, ``bound`` (no point is nearer than this) and ``flags``.
         """
-        queries = np.asarray(points, np.float64)
+        queries = np.ascontiguousarray(points, np.float64)
         if queries.ndim != 2 or queries.shape[1] != 3:
             raise ValueError(f"points have the shape {queries.shape}, not (n, 3)")
-        if queries.size and (queries.strides[1] != 8 or queries.strides[0] < 24):
-            queries = np.ascontiguousarray(queries)
         out = np.zeros(len(queries), _NEAREST)
         call(lib.gusset_surface_nearest, self._handle, ffi.cast("double *", pointer(queries)), len(queries),
-             queries.strides[0] if queries.size else 0, structs("nearest_options", options),
-             ffi.cast("struct gusset_surface_nearest_point *", pointer(out)), threads=threads, progress=progress)
+             structs("nearest_options", options), ffi.cast("struct gusset_surface_nearest_point *", pointer(out)), threads=threads, progress=progress)
         return out
 
     def section(
@@ -185,20 +183,35 @@ class Surface(Handle):
         **options: Unpack[ContourOptions]
     ) -> Paths:
         """The curves in which planes cut it: through a point, and at rising distances from it along the normal."""
-        rising = np.ascontiguousarray(offsets, np.float64).reshape(-1)
-        at = holding(ffi.cast("double *", pointer(rising)), rising)
-        return Paths(create("surface_paths", self._handle, _vector(point), _vector(normal), at, len(rising),
-                            structs("contour_options", options), name="surface_section", threads=threads, progress=progress))
+        height = {"kind": lib.GUSSET_CONTOUR_HEIGHT, "point": _vector(point), "direction": _vector(normal)}
+        return self._contours(height, offsets, options, threads, progress)
 
-    def isophotes(
-        self, direction: ArrayLike, angles: ArrayLike = (np.pi / 2,), *, threads: int = 0, progress: Optional[Progress] = None,
+    def contours(
+        self, values: ArrayLike, levels: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None,
         **options: Unpack[ContourOptions]
     ) -> Paths:
+        """Where a function takes rising levels: its values are given at the corners of all cells, sheet after sheet, row after row."""
+        given = np.ascontiguousarray(values, np.float64).reshape(-1)
+        numbers = holding(ffi.cast("double *", pointer(given)), given)
+        function = {"kind": lib.GUSSET_CONTOUR_VALUES, "values": numbers, "value_count": given.size}
+        return self._contours(function, levels, options, threads, progress)
+
+    def isophotes(
+        self, direction: ArrayLike, angles: ArrayLike = (np.pi / 2,), *, unsigned_normals: bool = False, threads: int = 0,
+        progress: Optional[Progress] = None, **options: Unpack[ContourOptions]
+    ) -> Paths:
         """Where normals make angles with a direction; at a right angle the silhouette."""
-        rising = np.ascontiguousarray(angles, np.float64).reshape(-1)
+        angle = {"kind": lib.GUSSET_CONTOUR_ANGLE, "direction": _vector(direction), "unsigned_normals": int(unsigned_normals)}
+        return self._contours(angle, angles, options, threads, progress)
+
+    def _contours(
+        self, function: dict[str, Any], levels: ArrayLike, options: ContourOptions, threads: int, progress: Optional[Progress]
+    ) -> Paths:
+        struct = ffi.new("struct gusset_contour_function *", {"struct_size": ffi.sizeof("struct gusset_contour_function"), **function})
+        rising = np.ascontiguousarray(levels, np.float64).reshape(-1)
         at = holding(ffi.cast("double *", pointer(rising)), rising)
-        return Paths(create("surface_paths", self._handle, _vector(direction), at, len(rising), structs("contour_options", options),
-                            name="surface_isophotes", threads=threads, progress=progress))
+        return Paths(create("surface_paths", self._handle, struct, at, len(rising), structs("contour_options", options),
+                            name="surface_contours", threads=threads, progress=progress))
 
     def intersect(
         self, other: Surface, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[IntersectionOptions]
@@ -218,8 +231,8 @@ class Surface(Handle):
         starts, along = np.broadcast_arrays(starts, along)
         lines = np.zeros(len(starts), _LINE)
         lines["origin"], lines["direction"], lines["from"], lines["to"] = starts, along, start, end
-        return Hits(create("surface_hits", self._handle, ffi.cast("struct gusset_line *", pointer(lines)), len(lines),
-                           one_of({"all": 0, "first": 1, "any": 2}, "select", select), name="surface_line_hits", threads=threads, progress=progress))
+        return Hits(create("surface_hits", self._handle, ffi.cast("struct gusset_line *", pointer(lines)), len(lines), ffi.NULL,
+                           one_of({"all": 0, "first": 1, "any": 2}, "select", select), threads=threads, progress=progress))
 
     def evaluate(self, parameters: ArrayLike, sheet: int = 0) -> NDArray[Any]:
         """Points, derivatives, normals and curvatures at (n, 2) parameters u, v of a sheet: node (i, j) has u = i, v = j."""

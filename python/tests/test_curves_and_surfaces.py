@@ -112,6 +112,9 @@ def test_surface_of_a_sphere():
     assert len(met) == 1 and np.allclose(met[0][:, 2], 0.25, atol=1e-9)
     assert np.allclose(ball.evaluate([[8, 3.5], [16, 20]])["gaussian"], 1, atol=0.02)
     assert len(ball.isophotes([0, 0, 1])) == 1
+    assert len(ball.isophotes([0, 0, 1], [0.5])) == 1 and len(ball.isophotes([0, 0, 1], [0.5], unsigned_normals=True)) == 2
+    heights = np.broadcast_to(np.cos(np.linspace(0, np.pi, 33))[:, None], (33, 65))
+    assert np.allclose(ball.contours(heights, [0.25])[0][:, 2], 0.25, atol=1e-4)
     made = ball.sheets[0].mesh(tolerance=1e-3)
     assert made.account.deviation <= 1e-3 and gm.check(made.mesh).is_closed
 

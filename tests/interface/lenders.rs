@@ -11,11 +11,11 @@ use gusset::capi::mesh::result::*;
 use gusset::capi::net::mesh::*;
 use gusset::capi::net::{gusset_net_create, gusset_net_destroy, gusset_net_view};
 use gusset::capi::status::gusset_status::{self, GUSSET_OK};
-use gusset::capi::surface::contour::gusset_surface_section_create;
+use gusset::capi::surface::cells::*;
+use gusset::capi::surface::contour::{gusset_contour_function, gusset_surface_contours_create};
 use gusset::capi::surface::line_intersection::*;
 use gusset::capi::surface::nearest::*;
 use gusset::capi::surface::sheet::*;
-use gusset::capi::surface::surface_intersection::*;
 use gusset::capi::surface::*;
 use std::ptr;
 
@@ -110,7 +110,8 @@ unsafe fn plane(z: f64) -> Made<gusset_surface> {
     let nodes = gusset_nodes { nodes: nodes.as_ptr().cast(), rows: 4, columns: 4, scalar: GUSSET_F64, ..sized() };
     // SAFETY: as above.
     unsafe {
-        let sheet = made(gusset_sheet_destroy, |out| gusset_sheet_from_nodes_create(DEFAULTS, &raw const nodes, out));
+        let sheet =
+            made(gusset_sheet_destroy, |out| gusset_sheet_create(DEFAULTS, &raw const nodes, ptr::null(), 0, out));
         let sheets = [sheet.handle.cast_const()];
         made(gusset_surface_destroy, |out| gusset_surface_create(DEFAULTS, sheets.as_ptr(), 1, ptr::null(), out))
     }
@@ -118,19 +119,18 @@ unsafe fn plane(z: f64) -> Made<gusset_surface> {
 
 #[test]
 fn questions_about_a_surface_that_nothing_answers() {
-    let (far, up, offset) = ([0.0, 0.0, 9.0], [0.0, 0.0, 1.0], 0.0);
-    let near = gusset_nearest_options { limit: 0.5, limited: 1, ..sized() };
+    let (far, level) = ([0.0, 0.0, 9.0], 0.0);
+    let height = gusset_contour_function { point: far, direction: [0.0, 0.0, 1.0], ..sized() };
+    let near = gusset_nearest_options { limit: 0.5, ..sized() };
     // SAFETY: as above.
     unsafe {
         let (surface, other) = (plane(0.0), plane(5.0));
         let paths = made(gusset_surface_paths_destroy, |out| {
-            let (point, normal) = (far.as_ptr(), up.as_ptr());
-            gusset_surface_section_create(
+            gusset_surface_contours_create(
                 DEFAULTS,
                 surface.handle,
-                point,
-                normal,
-                &raw const offset,
+                &raw const height,
+                &raw const level,
                 1,
                 ptr::null(),
                 out,
@@ -142,7 +142,8 @@ fn questions_about_a_surface_that_nothing_answers() {
         assert!(view.places.is_null() && view.others.is_null() && view.unresolved.is_null());
 
         let hits = made(gusset_surface_hits_destroy, |out| {
-            gusset_surface_line_hits_create(DEFAULTS, surface.handle, ptr::null(), 0, GUSSET_HITS_ALL, out)
+            let (lines, curve) = (ptr::null(), ptr::null());
+            gusset_surface_hits_create(DEFAULTS, surface.handle, lines, 0, curve, GUSSET_HITS_ALL, out)
         });
         let view: gusset_surface_hits_view = lent(|out| gusset_surface_hits_get_view(hits.handle, out));
         assert_eq!((view.hit_count, view.hits.is_null(), view.on_curve.is_null()), (0, true, true));
@@ -153,16 +154,16 @@ fn questions_about_a_surface_that_nothing_answers() {
         let view: gusset_surface_points_view = lent(|out| gusset_surface_points_get_view(points.handle, out));
         assert_eq!((view.count, view.points.is_null()), (0, true));
 
-        let region = made(gusset_surface_region_destroy, |out| {
+        let region = made(gusset_surface_cells_destroy, |out| {
             gusset_surface_region_create(DEFAULTS, surface.handle, far.as_ptr(), 0.5, out)
         });
-        let view: gusset_surface_region_view = lent(|out| gusset_surface_region_get_view(region.handle, out));
-        assert_eq!((view.cell_count, view.cells.is_null()), (0, true));
+        let view: gusset_surface_cells_view = lent(|out| gusset_surface_cells_get_view(region.handle, out));
+        assert_eq!((view.cell_count, view.cells.is_null(), view.whole.is_null()), (0, true, true));
 
-        let pairs = made(gusset_cell_pairs_destroy, |out| {
+        let pairs = made(gusset_surface_cells_destroy, |out| {
             gusset_surface_cell_pairs_create(DEFAULTS, surface.handle, other.handle, 0.0, out)
         });
-        let view: gusset_cell_pairs_view = lent(|out| gusset_cell_pairs_get_view(pairs.handle, out));
-        assert_eq!((view.count, view.pairs.is_null()), (0, true));
+        let view: gusset_surface_cells_view = lent(|out| gusset_surface_cells_get_view(pairs.handle, out));
+        assert_eq!((view.cell_count, view.cells.is_null(), view.others.is_null()), (0, true, true));
     }
 }

@@ -101,7 +101,7 @@ fn by_random(shape: &Shape, planes: usize, angles: usize, fine: usize, seed: u64
     let mut total = 0;
     for k in 0..planes {
         let (point, normal) = (random.point(0.7), random.point(1.0));
-        let paths = surface.section(&Planes { point, normal, offsets: &[0.0] }, PointSpacing::Auto, &job).unwrap();
+        let paths = surface.section(&Planes { point, normal, levels: &[0.0] }, PointSpacing::Auto, &job).unwrap();
         check(&surface, &paths, shape.name);
         let unit = normal.normalize();
         for (&at, &direction) in paths.points.iter().zip(&paths.normals) {
@@ -160,7 +160,7 @@ fn circles_and_orders() {
     for h in [16, 32, 64] {
         let surface = torus_of([h, 2 * h]);
         let offsets = [-0.35, -0.1, 0.0, 0.2];
-        let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &offsets };
+        let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, levels: &offsets };
         let chord = 1e-5;
         let paths = surface.section(&planes, PointSpacing::Chord(chord), &job).unwrap();
         check(&surface, &paths, "torus");
@@ -184,7 +184,7 @@ fn circles_and_orders() {
         }
         assert!(worst[1] < 1.01 * chord + 10.0 * worst[0], "{h}: {worst:?}");
         // Tilted planes, the chords refined: points between the lines too.
-        let tilted = Planes { point: DVec3::new(0.1, 0.0, 0.05), normal: DVec3::new(0.3, -0.2, 1.0), offsets: &[0.0] };
+        let tilted = Planes { point: DVec3::new(0.1, 0.0, 0.05), normal: DVec3::new(0.3, -0.2, 1.0), levels: &[0.0] };
         let paths = surface.section(&tilted, PointSpacing::Chord(1e-4), &job).unwrap();
         errors.push(paths.points.iter().map(|&point| off_torus(point)).fold(worst[0], f64::max));
     }
@@ -237,7 +237,7 @@ fn lines_of_the_surface_and_tangent_planes() {
     // Planes through whole lines of nodes, exactly or nearly.
     for (normal, count) in [(DVec3::Z, 2), (DVec3::Y, 2), (DVec3::X, 2)] {
         for offset in [0.0, 1e-17, -1e-17, 1e-14] {
-            let planes = Planes { point: DVec3::ZERO, normal, offsets: &[offset] };
+            let planes = Planes { point: DVec3::ZERO, normal, levels: &[offset] };
             let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
             check(&surface, &paths, "lines");
             assert_eq!(paths.len(), count, "{normal} {offset}");
@@ -249,7 +249,7 @@ fn lines_of_the_surface_and_tangent_planes() {
     let villarceau = DVec3::new(0.4, 0.0, (1.0_f64 - 0.16).sqrt());
     for (normal, offset) in [(villarceau, 0.0), (DVec3::Z, 0.4), (DVec3::X, 0.6), (DVec3::X, 1.4)] {
         for shift in [0.0, 1e-9, -1e-9, 1e-5, -1e-5, 1e-15] {
-            let planes = Planes { point: DVec3::ZERO, normal, offsets: &[offset + shift] };
+            let planes = Planes { point: DVec3::ZERO, normal, levels: &[offset + shift] };
             let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
             check(&surface, &paths, "tangent");
             assert!(paths.closed.iter().all(|&closed| closed), "{normal} {offset} {shift}");
@@ -261,7 +261,7 @@ fn lines_of_the_surface_and_tangent_planes() {
     let surface = Surface::new(vec![Sheet::Grid(sheet)], None, &job).unwrap();
     let normal = DVec3::new(0.0, 0.0, 3.0);
     let paths =
-        surface.section(&Planes { point: DVec3::ZERO, normal, offsets: &[0.25] }, PointSpacing::Auto, &job).unwrap();
+        surface.section(&Planes { point: DVec3::ZERO, normal, levels: &[0.25] }, PointSpacing::Auto, &job).unwrap();
     assert_eq!((paths.len(), paths.unresolved.len()), (0, 20));
 }
 
@@ -277,7 +277,7 @@ fn loops_round_every_summit() {
         // A little below a summit, above a pit: a closed curve round it, within a cell; or none, at
         // saddles.
         for shift in [-1e-8, 1e-8] {
-            let planes = Planes { point: top, normal: DVec3::Z, offsets: &[shift] };
+            let planes = Planes { point: top, normal: DVec3::Z, levels: &[shift] };
             let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
             let near = |k: &usize| paths.points_of(*k).iter().all(|point| point.distance(top) < 1e-3);
             let small: Vec<usize> = (0..paths.len()).filter(near).collect();
@@ -308,7 +308,7 @@ fn contours_of_heights_are_sections() {
         let values: Vec<f64> = all.map(|(i, j)| nodes.get(i, j).z).collect();
         let levels = [-0.11, 0.017, 0.05, 0.1];
         let contours = surface.contours(&values, &levels, PointSpacing::Auto, &job).unwrap();
-        let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &levels };
+        let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, levels: &levels };
         let sections = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
         assert!(!sections.is_empty() && sections.ends == contours.ends && sections.levels == contours.levels);
         assert!(sections.points.iter().zip(&contours.points).all(|(a, b)| a.distance(*b) < 1e-12), "{}", shape.name);
@@ -331,7 +331,7 @@ fn stacks_threads_and_chains() {
     let surface = surface(&SHAPES[1]);
     let offsets: Vec<f64> = (0..9).map(|k| 0.11 * f64::from(k) - 0.5).collect();
     let (point, normal) = (DVec3::new(0.1, 0.2, 0.0), DVec3::new(1.0, 0.3, 0.4));
-    let planes = Planes { point, normal, offsets: &offsets };
+    let planes = Planes { point, normal, levels: &offsets };
     let one = surface.section(&planes, PointSpacing::Auto, &Job::new(1, &Silent)).unwrap();
     assert_eq!(one, surface.section(&planes, PointSpacing::Auto, &Job::new(3, &Silent)).unwrap());
     let angles = [0.3, 1.0, FRAC_PI_2, 3.0];
@@ -340,7 +340,7 @@ fn stacks_threads_and_chains() {
     // One by one.
     let mut count = 0;
     for (k, &offset) in offsets.iter().enumerate() {
-        let single = Planes { point, normal, offsets: &[offset] };
+        let single = Planes { point, normal, levels: &[offset] };
         let paths = surface.section(&single, PointSpacing::Auto, &Job::default()).unwrap();
         for own in 0..paths.len() {
             assert_eq!((one.levels[count], one.points_of(count)), (k as u32, paths.points_of(own)));
@@ -350,7 +350,7 @@ fn stacks_threads_and_chains() {
     assert_eq!(count, one.len());
     // The paper's chains: nearer to the torus than the chords are.
     let surface = torus_of([30, 60]);
-    let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &[0.1] };
+    let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, levels: &[0.1] };
     let chords = surface.section(&planes, PointSpacing::CellEdges, &Job::default()).unwrap();
     let cubics = surface.section(&planes, PointSpacing::Leus(1), &Job::default()).unwrap();
     assert_eq!(cubics.points.len(), 2 * chords.points.len());

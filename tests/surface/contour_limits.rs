@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 fn what_is_refused() {
     let (surface, job) = (surface(&SHAPES[2]), Job::default());
     let plane = |point: DVec3, normal: DVec3, offsets: &[f64]| {
-        surface.section(&Planes { point, normal, offsets }, PointSpacing::Auto, &job).map(|paths| paths.len())
+        surface.section(&Planes { point, normal, levels: offsets }, PointSpacing::Auto, &job).map(|paths| paths.len())
     };
     let out = |result: Result<usize, Error>| matches!(result, Err(Error::OptionOutOfRange { .. }));
     assert!(out(plane(DVec3::NAN, DVec3::Z, &[0.0])) && out(plane(DVec3::ZERO, DVec3::ZERO, &[0.0])));
@@ -42,7 +42,7 @@ fn what_is_refused() {
     assert!(out(around(&[f64::NAN], false)) && out(around(&[1.0, 0.5], false)));
     for between in [PointSpacing::Chord(0.0), PointSpacing::Chord(f64::NAN), PointSpacing::Leus(2000)] {
         assert!(out(surface
-            .section(&Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &[0.0] }, between, &job)
+            .section(&Planes { point: DVec3::ZERO, normal: DVec3::Z, levels: &[0.0] }, between, &job)
             .map(|paths| paths.len())));
     }
     assert!(surface.nearest_angle(DVec3::X, -1.0, false, &job).is_err());
@@ -71,10 +71,10 @@ fn any_size_and_place() {
         let surface = Surface::new(vec![Sheet::Grid(sheet)], None, &job).unwrap();
         let normal = DVec3::new(0.2, 0.5, 0.9);
         let offsets = [-0.1 * size, 0.07 * size];
-        let planes = Planes { point: moved(DVec3::new(0.05, 0.0, 0.01)), normal, offsets: &offsets };
+        let planes = Planes { point: moved(DVec3::new(0.05, 0.0, 0.01)), normal, levels: &offsets };
         let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
         let truth = self::surface(&SHAPES[1]);
-        let planes = Planes { point: DVec3::new(0.05, 0.0, 0.01), normal, offsets: &[-0.1, 0.07] };
+        let planes = Planes { point: DVec3::new(0.05, 0.0, 0.01), normal, levels: &[-0.1, 0.07] };
         let truth = truth.section(&planes, PointSpacing::Auto, &job).unwrap();
         assert_eq!((paths.len(), &paths.levels), (truth.len(), &truth.levels), "{size} {shift}");
         assert!(paths.closed.iter().all(|&closed| closed) && paths.unresolved.is_empty(), "{size} {shift}");

@@ -28,7 +28,7 @@ fn through_nodes(grid: Grid<'static>, closed: [bool; 2], scheme: Scheme, planes:
         let point = nodes.get(i, j);
         let small = random.point(4.0).round();
         let normal = if k % 3 == 0 && small != DVec3::ZERO { small } else { random.point(1.0) };
-        let paths = surface.section(&Planes { point, normal, offsets: &[0.0] }, PointSpacing::Auto, &job).unwrap();
+        let paths = surface.section(&Planes { point, normal, levels: &[0.0] }, PointSpacing::Auto, &job).unwrap();
         let unit = normal.normalize();
         let off = paths.points.iter().map(|&at| (at - point).dot(unit).abs()).fold(0.0, f64::max);
         assert!(off < 1e-12 && all_closed(&paths), "{k}: {off:e} from the plane through node {i} {j}, normal {normal}");
@@ -57,7 +57,7 @@ fn planes_and_contours_through_nodes() {
     // Examples: the arc next to the node is on the other side of a line of the surface.
     let example = |shape: &Shape, [i, j]: [usize; 2], normal: DVec3| {
         let point = grid(shape).nodes().get(i, j);
-        let planes = Planes { point, normal, offsets: &[0.0] };
+        let planes = Planes { point, normal, levels: &[0.0] };
         let paths = surface(shape).section(&planes, PointSpacing::Auto, &job).unwrap();
         let off = paths.points.iter().map(|&at| (at - point).dot(normal.normalize()).abs()).fold(0.0, f64::max);
         assert!(off < 1e-12 && paths.unresolved.is_empty(), "{} {i} {j}: {off:e}", shape.name);

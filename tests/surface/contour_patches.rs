@@ -32,7 +32,7 @@ fn patches_and_several_sheets() {
     let high = of(patched::<8>(&grid, 30).into_iter().map(Sheet::High).collect());
     let mut random = Random(21);
     for k in 0..6 {
-        let planes = Planes { point: random.point(0.5), normal: random.point(1.0), offsets: &[-0.2, 0.0, 0.1] };
+        let planes = Planes { point: random.point(0.5), normal: random.point(1.0), levels: &[-0.2, 0.0, 0.1] };
         let truth = whole.section(&planes, PointSpacing::CellEdges, &job).unwrap();
         let mut lengths: Vec<f64> = (0..truth.len()).map(|k| length(&truth, k)).collect();
         lengths.sort_by(f64::total_cmp);
@@ -116,7 +116,7 @@ fn teapot_patches_are_joined() {
     let Some(surface) = teapot() else { return println!("skipped: no data") };
     let job = Job::default();
     // Round the body, below the lid: no plane section of a teapot's body ends.
-    let planes = Planes { point: DVec3::ZERO, normal: DVec3::Y, offsets: &[0.1, 0.2, 0.35, 0.5] };
+    let planes = Planes { point: DVec3::ZERO, normal: DVec3::Y, levels: &[0.1, 0.2, 0.35, 0.5] };
     let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
     check(&surface, &paths, "teapot");
     for level in 0..4 {
@@ -130,7 +130,7 @@ fn teapot_patches_are_joined() {
     // Any plane: no two ends are left that fit.
     let mut random = Random(8);
     for k in 0..20 {
-        let planes = Planes { point: random.point(0.4), normal: random.point(1.0), offsets: &[0.0] };
+        let planes = Planes { point: random.point(0.4), normal: random.point(1.0), levels: &[0.0] };
         let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
         check(&surface, &paths, "teapot");
         let open: Vec<usize> = (0..paths.len()).filter(|&k| !paths.closed[k]).collect();

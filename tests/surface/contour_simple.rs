@@ -15,7 +15,7 @@ use gusset::surface::{Grid, Nodes, Paths, Place, Scheme, Sheet, Surface};
 fn same(surface: &Surface<'_>, nodes: &Nodes<'_>, [point, normal]: [DVec3; 2], tangent: bool, name: &str) -> bool {
     let (normal, job) = (normal.normalize(), Job::default());
     let offsets = [-0.07, 0.0, 0.011];
-    let cut = |between| surface.section(&Planes { point, normal, offsets: &offsets }, between, &job).unwrap();
+    let cut = |between| surface.section(&Planes { point, normal, levels: &offsets }, between, &job).unwrap();
     let values: Vec<f64> = (0..nodes.rows())
         .flat_map(|i| (0..nodes.columns()).map(move |j| (i, j)))
         .map(|(i, j)| (nodes.get(i, j) - point).dot(normal))

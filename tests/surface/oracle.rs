@@ -233,7 +233,7 @@ fn cells_of_sections() {
         let mut random = Random(24);
         for _ in 0..10 {
             let (point, normal) = (centre + random.point(0.4 * size), random.point(1.0).normalize());
-            let planes = Planes { point, normal, offsets: &[0.0] };
+            let planes = Planes { point, normal, levels: &[0.0] };
             let paths = case.surface.section(&planes, PointSpacing::Chord(1e-3 * size), &Job::default()).unwrap();
             let object = Object::Plane { point, normal };
             let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);

@@ -246,10 +246,10 @@ fn queries_of_the_sphere_are_those_of_the_sphere() {
                 assert!((hit.at - truth).abs() <= 2.0 * off / root, "{} {truth}", hit.at);
             }
         }
-        let planes = Planes { point: DVec3::ZERO, normal: DVec3::new(1.0, 2.0, 2.0), offsets: &[-0.5, 0.1, 0.8] };
+        let planes = Planes { point: DVec3::ZERO, normal: DVec3::new(1.0, 2.0, 2.0), levels: &[-0.5, 0.1, 0.8] };
         let paths = surface.section(&planes, PointSpacing::Chord(1e-4), &job).unwrap();
         assert_eq!((paths.len(), paths.closed.as_slice()), (3, [true, true, true].as_slice()));
-        for (k, offset) in planes.offsets.iter().enumerate() {
+        for (k, offset) in planes.levels.iter().enumerate() {
             let centre = planes.normal / 3.0 * *offset;
             let radius = (1.0 - offset * offset).sqrt();
             let points = paths.points_of(k);

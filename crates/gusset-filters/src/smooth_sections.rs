@@ -64,7 +64,7 @@ fn cut(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Path
     let mut offsets: Vec<f64> = (0..number).map(|k| first + k as f64 * distance).collect();
     // Where the surface has no extent, rounding makes planes equal.
     offsets.dedup();
-    let planes = Planes { point: DVec3::ZERO, normal, offsets: &offsets };
+    let planes = Planes { point: DVec3::ZERO, normal, levels: &offsets };
     surface.section(&planes, smooth::chord(surface, values), job)
 }
 

@@ -18,7 +18,7 @@ pub(crate) fn run(bytes: &[u8]) {
     let (point, normal) = (DVec3::splat(f64::from(at)), DVec3::new(x.into(), y.into(), z.into()));
     let spacing = if choice < 128 { PointSpacing::CellEdges } else { PointSpacing::Auto };
     let offsets = [-1.5, 0.0, 20.0];
-    let planes = Planes { point, normal, offsets: &offsets };
+    let planes = Planes { point, normal, levels: &offsets };
     if let Ok(paths) = agreed(choice, |job| a.section(&planes, spacing, job)) {
         check(&a, &paths);
         for (k, &level) in paths.levels.iter().enumerate() {

@@ -10,10 +10,12 @@ use crate::capi::surface::line_intersection::{gusset_line, lines};
 use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
 use crate::surface::curve_through;
 
-/// gusset_sheet_curve_create: u stays and v runs: along rows.
-pub const GUSSET_ALONG_ROWS: u32 = 0;
-/// gusset_sheet_curve_create: v stays and u runs: along columns.
-pub const GUSSET_ALONG_COLUMNS: u32 = 1;
+/// The way in which a coordinate curve of a sheet runs.
+pub type gusset_sheet_direction = u32;
+/// Along rows: u stays and v runs.
+pub const GUSSET_ALONG_ROWS: gusset_sheet_direction = 0;
+/// Along columns: v stays and u runs.
+pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 
 /// Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the
 /// next, of fourth order.
@@ -52,8 +54,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheet the sheet.
-/// @param along GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs;
-///     GUSSET_ALONG_COLUMNS: the other way round.
+/// @param along GUSSET_ALONG_...; along rows u is the parameter, along columns v is.
 /// @param parameter 0 to the number of cells that way; whole numbers are lines of nodes.
 /// @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
@@ -65,7 +66,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
 pub unsafe extern "C" fn gusset_sheet_curve_create(
     context: *const gusset_context,
     sheet: *const gusset_sheet,
-    along: u32,
+    along: gusset_sheet_direction,
     parameter: f64,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {

@@ -10,14 +10,16 @@ use crate::error::{Element, Error};
 use crate::surface::{LocalGeometry, NormalKind, Place};
 use gusset_base::alloc;
 
+/// The kind of a normal.
+pub type gusset_normal_kind = u32;
 /// There is no normal: the tangents are 0, or parallel all along the lines to the point.
-pub const GUSSET_NORMAL_NONE: u32 = 0;
+pub const GUSSET_NORMAL_NONE: gusset_normal_kind = 0;
 /// The normal of the plane that the tangents span.
-pub const GUSSET_NORMAL_REGULAR: u32 = 1;
+pub const GUSSET_NORMAL_REGULAR: gusset_normal_kind = 1;
 /// The limit along the coordinate line, where the tangents do not span a plane: at poles.
-pub const GUSSET_NORMAL_LIMIT: u32 = 2;
+pub const GUSSET_NORMAL_LIMIT: gusset_normal_kind = 2;
 
-/// What there is to know of a point of a surface. Derivatives are by the parameters within the
+/// A point of a surface, with derivatives, normal and curvatures. Derivatives are by the parameters within the
 /// cell.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -36,7 +38,7 @@ pub struct gusset_surface_point {
     pub vv: [f64; 3],
     /// The unit normal, to the side of S_u x S_v; 0 if there is none.
     pub normal: [f64; 3],
-    /// Of limits: the largest angle, in radians, to limits along other lines to the same point.
+    /// For limits: the largest angle, in radians, to limits along other lines to the same point.
     /// Small at the pole of a smooth surface, large at the tip of a cone, which has no normal.
     pub spread: f64,
     /// The principal curvatures, the greater first: positive where the surface bends towards the
@@ -49,7 +51,7 @@ pub struct gusset_surface_point {
     /// The Gaussian curvature.
     pub gaussian: f64,
     /// GUSSET_NORMAL_...
-    pub normal_kind: u32,
+    pub normal_kind: gusset_normal_kind,
     /// 1: there are curvatures; 0: they are 0, as the surface is not regular there.
     pub is_curved: u32,
 }

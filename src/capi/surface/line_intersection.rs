@@ -8,7 +8,7 @@ use crate::capi::input::{self, choice, lent};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::curve::Place;
-use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line};
+use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line, Lines};
 use glam::DVec3;
 use gusset_base::alloc;
 
@@ -36,7 +36,7 @@ pub const GUSSET_HITS_FIRST: gusset_hit_selection = 1;
 /// Any one: whether there is one.
 pub const GUSSET_HITS_ANY: gusset_hit_selection = 2;
 
-/// What a hit is.
+/// The kind of a hit.
 pub type gusset_hit_kind = u32;
 /// None.
 pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
@@ -68,7 +68,7 @@ pub struct gusset_surface_hit {
     pub reserved: u32,
 }
 
-/// Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+/// Where lines and a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
 pub struct gusset_surface_hits {
     ends: Vec<u64>,
     hits: Vec<gusset_surface_hit>,
@@ -83,21 +83,23 @@ handle! { gusset_surface_hits }
 pub struct gusset_surface_hits_view {
     /// sizeof(gusset_surface_hits_view), set by the caller.
     pub struct_size: usize,
-    /// How many lines were asked for; 1 for a curve.
-    pub line_count: usize,
+    /// How many were asked about: the lines, and after them the curve, if there is one.
+    pub query_count: usize,
     /// How many hits there are in all.
     pub hit_count: usize,
-    /// 0, then the end of each line's hits among all: line k has the hits from ends[k] until
-    /// ends[k + 1]. line_count + 1 numbers.
+    /// 0, then the end of each query's hits among all: query k has the hits from ends[k] until
+    /// ends[k + 1]. query_count + 1 numbers.
     pub ends: *const u64,
-    /// The hits, those of a line by rising t.
+    /// The hits, those of a query by rising t.
     pub hits: *const gusset_surface_hit,
-    /// Of a curve: three places a hit on it: that of the hit, and where its span begins and ends.
-    /// Else NULL.
+    /// For each hit of the curve three places on the curve: the hit, and where its span begins and
+    /// ends. NULL without a curve.
     pub on_curve: *const gusset_place,
+    /// The number of places on the curve.
+    pub on_curve_count: usize,
 }
 
-versioned! { gusset_surface_hits_view: 48 }
+versioned! { gusset_surface_hits_view: 56 }
 fixed! { gusset_line: 64, gusset_surface_hit: 112 }
 
 impl From<&Hit> for gusset_surface_hit {
@@ -129,44 +131,63 @@ pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
 
 c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
 
-/// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+/// Finds where lines, rays, segments and a curve in space meet a surface; for each line what a call
+/// with it alone gives.
 ///
-/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none
-/// is missed: where a line touches the surface or runs in it, a hit says from where to where.
+/// A point on a side between cells, on one that sheets share, at a joint of the curve's segments, or
+/// at a pole is found once, and none is missed: where a line or the curve touches the surface or runs
+/// in it, a hit says from where to where.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.
 /// @param lines count of them, at any alignment; NULL for none.
 /// @param count see lines.
+/// @param curve of degree 7 at most; NULL for none. Its hits come after those of the lines, in the
+///     order of the curve.
 /// @param selection GUSSET_HITS_...
 /// @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
-///     with the line that is not finite, has no direction, or ends before it begins; SIZE_OVERFLOW,
-///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
-///     threads.
+///     with the line that is not finite, has no direction, or ends before it begins, or for a degree;
+///     EMPTY_CURVE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in.
+///     About O(log cells) for each cell that the curve comes near to; bounded for each segment and
+///     cell that run in each other. Threads.
 /// @source Leus, "Carcasses on smooth surfaces", task c.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_surface_line_hits_create(
+pub unsafe extern "C" fn gusset_surface_hits_create(
     context: *const gusset_context,
     surface: *const gusset_surface,
     lines: *const gusset_line,
     count: usize,
+    curve: *const gusset_curve,
     selection: gusset_hit_selection,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
         let (surface, selection) = (read(surface)?, choice(selection)?);
-        let found = surface.lines(&self::lines(lines, count)?, selection, job)?;
-        let hits = alloc::collect(found.hits.iter().map(gusset_surface_hit::from))?;
-        Ok(gusset_surface_hits { ends: found.ends, hits, on_curve: Vec::new() })
+        let split = if curve.is_null() { 1.0 } else { 0.5 };
+        let Lines { mut ends, hits } = surface.lines(&self::lines(lines, count)?, selection, &job.part(0.0, split))?;
+        let mut hits = alloc::collect(hits.iter().map(gusset_surface_hit::from))?;
+        let mut on_curve = Vec::new();
+        if !curve.is_null() {
+            let found = surface.curve(&view(curve, "curve")?, selection, &job.part(split, 1.0))?;
+            let number = |place: Place| f64::from(place.segment) + place.t;
+            let hit = |&CurveHit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
+                (&Hit { at: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
+            };
+            let places = |hit: &CurveHit| [hit.at, hit.span[0], hit.span[1]].map(gusset_place::from);
+            alloc::extend(&mut hits, found.iter().map(hit))?;
+            on_curve = alloc::collect(found.iter().map(places))?;
+            alloc::push(&mut ends, hits.len() as u64)?;
+        }
+        Ok(gusset_surface_hits { ends, hits, on_curve })
     })
 }
 
-/// The first hit of each of many lines, rays or segments: that of least t, which
-/// gusset_surface_line_hits_create gives first.
+/// Finds the first hit of each of many lines, rays or segments: the hit of least t, which
+/// gusset_surface_hits_create gives first.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.
@@ -174,8 +195,7 @@ pub unsafe extern "C" fn gusset_surface_line_hits_create(
 /// @param count see lines.
 /// @param[out] hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
 ///     where there is none, and everywhere on failure.
-/// @return GUSSET_OK, or an error: those of gusset_surface_line_hits_create, MISALIGNED_ARGUMENT
-///     (hits).
+/// @return GUSSET_OK, or an error: those of gusset_surface_hits_create, MISALIGNED_ARGUMENT (hits).
 /// @complexity About O(log cells) a line; threads.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -199,47 +219,10 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     })
 }
 
-/// Where a curve in space meets a surface, in the order of the curve.
-///
-/// As for lines; a point at a joint of segments is found once too.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
-/// @param curve of degree 7 at most.
-/// @param selection GUSSET_HITS_...
-/// @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
-///     OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED.
-/// @complexity About O(log cells) for each cell that the curve comes near to; bounded for each
-///     segment and cell that run in each other; threads.
-/// @source Leus, task c.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_surface_curve_hits_create(
-    context: *const gusset_context,
-    surface: *const gusset_surface,
-    curve: *const gusset_curve,
-    selection: gusset_hit_selection,
-    hits: *mut *mut gusset_surface_hits,
-) -> gusset_status {
-    create(context, hits, "hits", |job| {
-        let (surface, curve) = (read(surface)?, view(curve, "curve")?);
-        let found = surface.curve(&curve, choice(selection)?, job)?;
-        let number = |place: Place| f64::from(place.segment) + place.t;
-        let hit = |&Hit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
-            (&Hit { at: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
-        };
-        let places = |hit: &CurveHit| [hit.at, hit.span[0], hit.span[1]].map(gusset_place::from);
-        let (hits, on_curve) = (alloc::collect(found.iter().map(hit))?, alloc::collect(found.iter().map(places))?);
-        Ok(gusset_surface_hits { ends: vec![0, found.len() as u64], hits, on_curve })
-    })
-}
-
 /// The hits, lent until they are destroyed.
 ///
 /// @param hits the hits.
-/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @param[out] view struct_size set by the caller; all else is overwritten.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -247,15 +230,16 @@ pub unsafe extern "C" fn gusset_surface_curve_hits_create(
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_hits_get_view(
     hits: *const gusset_surface_hits,
-    parts: *mut gusset_surface_hits_view,
+    view: *mut gusset_surface_hits_view,
 ) -> gusset_status {
-    lend!(hits, parts, |found| gusset_surface_hits_view {
+    lend!(hits, view, |found| gusset_surface_hits_view {
         struct_size: 0,
-        line_count: found.ends.len() - 1,
+        query_count: found.ends.len() - 1,
         hit_count: found.hits.len(),
         ends: lent(&found.ends),
         hits: lent(&found.hits),
         on_curve: lent(found.on_curve.as_flattened()),
+        on_curve_count: 3 * found.on_curve.len(),
     })
 }
 

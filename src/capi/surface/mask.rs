@@ -1,15 +1,17 @@
 //! C interface: masks of cells, the paper's cell regions: chains, diameters, cells and nodes.
 
+use crate::attributes::Domain;
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, fill};
+use crate::capi::input::{self, choice, fill};
+use crate::capi::mesh::origins::gusset_domain;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::{gusset_sheet, read};
 use crate::job::Job;
 use crate::surface::Sheet;
 use crate::surface::reference::{CellMask, Diameters, Lattice, chain, euler_characteristic, integer_diameter};
 
-/// What a cell region is like.
+/// Measures of a region of cells.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_mask_report {
@@ -125,67 +127,41 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     })
 }
 
-/// The cells of a mask, row after row: those that a search leaves.
+/// Lists the cells or the nodes of a mask, row after row. Its nodes are the corners of its cells, each
+/// once; lines that close the sheet count as the first ones.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheet the sheet.
 /// @param words the mask, as for gusset_sheet_mask_chain.
 /// @param count the mask, as for gusset_sheet_mask_chain.
-/// @param[out] cells receives row and column of each cell, two numbers each; NULL with capacity 0 to
+/// @param domain GUSSET_DOMAIN_...: faces are the cells, vertices and corners the nodes.
+/// @param[out] elements receives row and column of each, two numbers each; NULL with capacity 0 to
 ///     ask for the size.
-/// @param capacity how many cells it has room for.
-/// @param[out] written receives the number of cells.
+/// @param capacity how many elements it has room for.
+/// @param[out] written receives the number of elements.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
-///     words), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(cells / 64), and the cells of the mask.
+///     words), UNKNOWN_VALUE, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells / 64), and the cells of the mask; O(nodes) for nodes.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_mask_cells(
+pub unsafe extern "C" fn gusset_sheet_mask_elements(
     context: *const gusset_context,
     sheet: *const gusset_sheet,
     words: *const u64,
     count: usize,
-    cells: *mut u32,
+    domain: gusset_domain,
+    elements: *mut u32,
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
     guard_change(context, |job| {
-        let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        pairs((cells, capacity, "cells"), (region.count(), region.cells()), written, job)
-    })
-}
-
-/// The nodes of a mask, row after row: the corners of its cells, each once. Lines that close the
-/// sheet count as the first ones.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param words the mask, as for gusset_sheet_mask_chain.
-/// @param count the mask, as for gusset_sheet_mask_chain.
-/// @param[out] nodes receives row and column of each node, two numbers each; NULL with capacity 0 to
-///     ask for the size.
-/// @param capacity how many nodes it has room for.
-/// @param[out] written receives the number of nodes.
-/// @return GUSSET_OK, or an error: those of gusset_sheet_mask_cells.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_mask_nodes(
-    context: *const gusset_context,
-    sheet: *const gusset_sheet,
-    words: *const u64,
-    count: usize,
-    nodes: *mut u32,
-    capacity: usize,
-    written: *mut usize,
-) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    guard_change(context, |job| {
-        let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        pairs((nodes, capacity, "nodes"), (region.nodes().count(), region.nodes()), written, job)
+        let (written, region, out) = (written?, region(read(sheet)?, words, count)?, (elements, capacity, "elements"));
+        match choice(domain)? {
+            Domain::Faces => pairs(out, (region.count(), region.cells()), written, job),
+            Domain::Vertices | Domain::Corners => pairs(out, (region.nodes().count(), region.nodes()), written, job),
+        }
     })
 }
 

@@ -1,6 +1,7 @@
 //! C interface: the handle of a surface, which is sheets with an index; places on surfaces, and
 //! paths of them.
 
+pub mod cells;
 pub mod contour;
 pub mod curve;
 pub mod distance;
@@ -31,9 +32,30 @@ use gusset_base::alloc;
 /// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
 /// functions may use it from any thread, and many at the same time, each with a context of its own;
 /// it is destroyed when none uses it any more. It keeps what it needs of its sheets.
-pub struct gusset_surface(pub(crate) Surface<'static>);
+pub struct gusset_surface(pub(crate) Surface<'static>, pub(crate) Vec<gusset_surface_sheet>);
 
 handle! { gusset_surface }
+
+/// A sheet of a surface.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_sheet {
+    /// Cells in u: u runs from 0 to this. There is one more row of corners.
+    pub rows: usize,
+    /// Cells in v.
+    pub columns: usize,
+    /// The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
+    /// row after row. Cell (i, j) has the number first_cell + i * columns + j, which is its bit in
+    /// masks of gusset_surface_cells_view.
+    pub first_cell: u64,
+    /// The number of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1
+    /// each: where its values begin for GUSSET_CONTOUR_VALUES.
+    pub first_node: u64,
+    /// 1: closed in u.
+    pub closed_u: u32,
+    /// 1: closed in v.
+    pub closed_v: u32,
+}
 
 /// A place on a surface.
 #[repr(C)]
@@ -53,11 +75,13 @@ pub struct gusset_surface_place {
     pub v: f64,
 }
 
+/// How two surfaces touch.
+pub type gusset_contact_kind = u32;
 /// Two surfaces touch in a point: all round it they are apart, or overlap by no more than the
 /// tolerance.
-pub const GUSSET_CONTACT_POINT: u32 = 1;
+pub const GUSSET_CONTACT_POINT: gusset_contact_kind = 1;
 /// Two branches of an intersection cross in a point, or pass it within the tolerance.
-pub const GUSSET_CONTACT_CROSSING: u32 = 2;
+pub const GUSSET_CONTACT_CROSSING: gusset_contact_kind = 2;
 
 /// A point where two surfaces touch, to the tolerance: their normals there are parallel.
 #[repr(C)]
@@ -72,8 +96,8 @@ pub struct gusset_surface_contact {
     /// A length: near the contact, points of the one surface that are within the tolerance of the
     /// other one are within this distance of it, but for those on branches that cross there.
     pub radius: f64,
-    /// A GUSSET_CONTACT_ constant.
-    pub kind: u32,
+    /// GUSSET_CONTACT_...
+    pub kind: gusset_contact_kind,
     /// 0.
     pub reserved: u32,
 }
@@ -86,7 +110,7 @@ pub struct gusset_surface_options {
     pub struct_size: usize,
     /// A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
     pub tolerance: f64,
-    /// 1: with the cones of normals that gusset_surface_isophotes_create and
+    /// 1: with the cones of normals that isophotes (GUSSET_CONTOUR_ANGLE) and
     /// gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first such question
     /// builds them.
     pub cones: u32,
@@ -134,22 +158,37 @@ pub struct gusset_surface_paths_view {
     pub normals: *const f64,
     /// Where the points are on the surface.
     pub places: *const gusset_surface_place,
-    /// Of intersections of two surfaces: where they are on the second; else NULL.
+    /// For intersections: where they are on the second; else NULL.
     pub others: *const gusset_surface_place,
     /// Cells in which something may be that could not be resolved: tangency, coincidence, or pieces
     /// smaller than the tolerance.
     pub unresolved: *const gusset_surface_place,
     /// How many.
     pub unresolved_count: usize,
-    /// Of intersections of two surfaces: points where they touch.
+    /// For intersections: points where they touch.
     pub contacts: *const gusset_surface_contact,
     /// How many.
     pub contact_count: usize,
 }
 
 versioned! { gusset_surface_options: 16 reserved, gusset_surface_paths_view: 104 }
-fixed! { gusset_surface_place: 32, gusset_surface_contact: 88 }
+fixed! { gusset_surface_place: 32, gusset_surface_contact: 88, gusset_surface_sheet: 40 }
 c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROSSING => Crossing } }
+
+impl gusset_surface_sheet {
+    /// The sheets of a surface.
+    pub(crate) fn all(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
+        let (mut first_cell, mut first_node) = (0, 0);
+        alloc::collect((0..surface.len()).map(|k| {
+            let ([rows, columns], [closed_u, closed_v]) =
+                (surface.sheet(k).cells(), surface.sheet(k).is_closed().map(u32::from));
+            let sheet = gusset_surface_sheet { rows, columns, first_cell, first_node, closed_u, closed_v };
+            first_cell += (rows * columns) as u64;
+            first_node += ((rows + 1) * (columns + 1)) as u64;
+            sheet
+        }))
+    }
+}
 
 impl From<Place> for gusset_surface_place {
     fn from(place: Place) -> Self {
@@ -232,13 +271,14 @@ pub unsafe extern "C" fn gusset_surface_create(
         if with_cones {
             made.build_cones(&job.part(split, 1.0))?;
         }
-        Ok(gusset_surface(made))
+        let sheets = gusset_surface_sheet::all(&made)?;
+        Ok(gusset_surface(made, sheets))
     })
 }
 
 /// Frees a surface; NULL is allowed.
 ///
-/// What was found with it stays.
+/// Results that were found with it stay.
 ///
 /// @param[in,out] surface the handle; NULL is allowed.
 /// @since 0.1
@@ -250,7 +290,7 @@ pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
 /// The curves, lent until they are destroyed.
 ///
 /// @param paths the paths.
-/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @param[out] view struct_size set by the caller; all else is overwritten.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -258,9 +298,9 @@ pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_paths_get_view(
     paths: *const gusset_surface_paths,
-    parts: *mut gusset_surface_paths_view,
+    view: *mut gusset_surface_paths_view,
 ) -> gusset_status {
-    lend!(paths, parts, |paths| gusset_surface_paths_view {
+    lend!(paths, view, |paths| gusset_surface_paths_view {
         struct_size: 0,
         path_count: paths.closed.len(),
         point_count: paths.points.len(),

@@ -1,7 +1,7 @@
-//! C interface: the paper's search: diameters of cells, the logical scale, the normal by two
+//! C interface: the paper's search: the logical scale, the normal by two
 //! sections. It is the documented reference; to ask questions, use the index of a surface.
 
-use crate::capi::context::{answer, guard_change, gusset_context};
+use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::curve::{gusset_curve, view};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
@@ -16,12 +16,12 @@ use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
     AngleTarget, Arcs, Diameters, Figure, Goal, Object, SearchOptions, SearchOutcome, Sum, angle_incidence,
-    curvature_bound, figure_incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
+    figure_incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
 use glam::DVec3;
 
-/// What distances are measured from, or angles.
+/// The object from which distances or angles are measured.
 pub type gusset_reference_object = u32;
 /// The point.
 pub const GUSSET_REFERENCE_POINT: gusset_reference_object = 0;
@@ -41,7 +41,7 @@ pub const GUSSET_REFERENCE_SURFACE: gusset_reference_object = 6;
 /// The ray from the point along the direction.
 pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 
-/// What the paper's search looks for, and how.
+/// The task of the paper's search, and its method.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_task {
@@ -58,13 +58,13 @@ pub struct gusset_reference_task {
     /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells;
     /// not read for the nearest.
     pub within: f64,
-    /// Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
+    /// For GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
     pub angle: f64,
-    /// Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
-    /// paper's K d, see gusset_sheet_curvature_bound; 0: cones of normals instead, which are
+    /// For GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
+    /// paper's K d, see gusset_sheet_measure; 0: cones of normals instead, which are
     /// tighter.
     pub curvature: f64,
-    /// Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
+    /// For GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
     pub unsigned_normals: u32,
     /// 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
     pub by_rings: u32,
@@ -72,13 +72,13 @@ pub struct gusset_reference_task {
     pub by_rows: u32,
     /// 1: lines of nodes that a block covers from side to side are not left out at once.
     pub keep_lines: u32,
-    /// Of GUSSET_REFERENCE_CURVE: the curve; else not read.
+    /// For GUSSET_REFERENCE_CURVE: the curve; else not read.
     pub curve: *const gusset_curve,
-    /// Of GUSSET_REFERENCE_SURFACE: the surface; else not read.
+    /// For GUSSET_REFERENCE_SURFACE: the surface; else not read.
     pub surface: *const gusset_surface,
 }
 
-/// What the search did.
+/// A report on the search.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_report {
@@ -113,7 +113,7 @@ impl gusset_reference_task {
         })
     }
 
-    /// What distances are measured from; `None` for angles.
+    /// The object from which distances are measured; `None` for angles.
     fn figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         Ok(Some(match self.object {
@@ -166,66 +166,6 @@ impl gusset_reference_task {
         };
         Ok(angle_incidence(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
     }
-}
-
-/// Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param[out] euclidean receives for each cell, row after row, a bound of the distance between any
-///     two of its points.
-/// @param[out] intrinsic of the length of the shortest curve within the cell between them.
-/// @param capacity how many numbers each of the two has room for; either may be NULL, both with
-///     capacity 0.
-/// @param[out] written receives the number of cells.
-/// @param[out] max receives two numbers, the greatest of the first and of the second kind, the
-///     paper's d; may be NULL.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL,
-///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(cells), 16 bytes a cell; threads; the same bits for any number of them.
-/// @source Leus, eqs. (1) and (7); the bounds are ours.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_diameters(
-    context: *const gusset_context,
-    sheet: *const gusset_sheet,
-    euclidean: *mut f64,
-    intrinsic: *mut f64,
-    capacity: usize,
-    written: *mut usize,
-    max: *mut f64,
-) -> gusset_status {
-    let (written, max) =
-        (input::output(written, 0, "written"), input::optional_output(max.cast::<[f64; 2]>(), [0.0; 2], "max"));
-    guard_change(context, |job| {
-        let (written, max) = (written?, max?);
-        let found = Diameters::new(read(sheet)?, job)?;
-        for (buffer, sizes) in [(euclidean, &found.euclidean), (intrinsic, &found.intrinsic)] {
-            let room = if buffer.is_null() { 0 } else { capacity };
-            input::copy((buffer, room, "diameters"), sizes.all(), written, job)?;
-        }
-        input::set(max, [found.euclidean.greatest(), found.intrinsic.greatest()]);
-        Ok(())
-    })
-}
-
-/// Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param[out] bound receives the bound; infinite where the surface is not regular, as at poles.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(cells); threads.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_curvature_bound(
-    context: *const gusset_context,
-    sheet: *const gusset_sheet,
-    bound: *mut f64,
-) -> gusset_status {
-    answer(context, (bound, "bound"), 0.0, |job| Ok(curvature_bound(read(sheet)?, job)?))
 }
 
 /// The paper's search with its logical scale, corrected: which cells of a sheet may have a point
@@ -342,7 +282,7 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
 /// the normals at the cell's corners, cut the lines of the net; cubics through four crossings each
 /// have tangents that span the tangent plane.
 ///
-/// Of third order in the size of cells; the exact normals of the surface are had from a surface.
+/// They are of third order in the size of cells; the exact normals of the surface are had from a surface.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheet the sheet.

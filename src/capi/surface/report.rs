@@ -2,10 +2,11 @@
 
 use crate::capi::context::lend;
 use crate::capi::glue::versioned;
-use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::gusset_surface;
+use crate::capi::input::lent;
+use crate::capi::status::gusset_status;
+use crate::capi::surface::{gusset_surface, gusset_surface_sheet};
 
-/// What a surface is.
+/// Facts about a surface.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_report {
@@ -28,37 +29,16 @@ pub struct gusset_surface_report {
     pub high: [f64; 3],
     /// Bytes of the cones of normals; 0 as long as there are none: see gusset_surface_options.
     pub cone_bytes: usize,
+    /// The sheets, sheet_count of them, valid as long as the surface.
+    pub sheets: *const gusset_surface_sheet,
 }
 
-/// What a sheet of a surface is.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_surface_sheet_report {
-    /// sizeof(gusset_surface_sheet_report), set by the caller.
-    pub struct_size: usize,
-    /// Cells in u: u runs from 0 to this. There is one more row of corners.
-    pub rows: usize,
-    /// Cells in v.
-    pub columns: usize,
-    /// The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
-    /// row after row: of cell (i, j) it is first_cell + i * columns + j, the bit of masks of
-    /// gusset_surface_region_view.
-    pub first_cell: u64,
-    /// The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each:
-    /// where its values begin for gusset_surface_contours_create.
-    pub first_node: u64,
-    /// 1: closed in u.
-    pub closed_u: u32,
-    /// 1: closed in v.
-    pub closed_v: u32,
-}
+versioned! { gusset_surface_report: 96 }
 
-versioned! { gusset_surface_report: 96, gusset_surface_sheet_report: 48 }
-
-/// What a surface is.
+/// Reports on a surface and its sheets.
 ///
 /// @param surface the surface.
-/// @param[out] facts struct_size set by the caller; all else is overwritten.
+/// @param[out] report struct_size set by the caller; all else is overwritten.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(sheets).
 /// @since 0.1
@@ -66,9 +46,9 @@ versioned! { gusset_surface_report: 96, gusset_surface_sheet_report: 48 }
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_get_report(
     surface: *const gusset_surface,
-    facts: *mut gusset_surface_report,
+    report: *mut gusset_surface_report,
 ) -> gusset_status {
-    lend!(surface, facts, |gusset_surface(surface)| {
+    lend!(surface, report, |gusset_surface(surface, sheets)| {
         let [low, high] = surface.bounds().map(|corner| corner.to_array());
         gusset_surface_report {
             struct_size: 0,
@@ -80,44 +60,7 @@ pub unsafe extern "C" fn gusset_surface_get_report(
             low,
             high,
             cone_bytes: surface.cone_bytes(),
-        }
-    })
-}
-
-/// What a sheet of a surface is.
-///
-/// @param surface the surface.
-/// @param sheet its number, as in places.
-/// @param[out] facts struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NO_SUCH_ELEMENT (sheet).
-/// @complexity O(sheets).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_surface_get_sheet(
-    surface: *const gusset_surface,
-    sheet: usize,
-    facts: *mut gusset_surface_sheet_report,
-) -> gusset_status {
-    lend!(surface, facts, |gusset_surface(surface)| {
-        if sheet >= surface.len() {
-            return Err(Failure::no_such("sheet", sheet));
-        }
-        let (cells, closed) = (surface.sheet(sheet).cells(), surface.sheet(sheet).is_closed().map(u32::from));
-        let before = |more: usize| -> u64 {
-            (0..sheet)
-                .map(|k| surface.sheet(k).cells().map(|count| (count + more) as u64).iter().product::<u64>())
-                .sum()
-        };
-        gusset_surface_sheet_report {
-            struct_size: 0,
-            rows: cells[0],
-            columns: cells[1],
-            first_cell: before(0),
-            first_node: before(1),
-            closed_u: closed[0],
-            closed_v: closed[1],
+            sheets: lent(sheets),
         }
     })
 }

@@ -1,6 +1,7 @@
-//! C interface: sheets of smooth patches.
+//! C interface: sheets of smooth patches, through nodes.
 
 use crate::capi::context::{create, gusset_context};
+use crate::capi::curve::points;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag};
@@ -9,6 +10,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::job::Job;
 use crate::mesh::Scalar;
+use crate::surface::construct::{Tangents, Twists};
 use crate::surface::{Grid, MAX_NODES, Nodes, Scheme, Sheet};
 use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
@@ -29,6 +31,17 @@ pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
 /// The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant
 /// 3/128, tangents jump at nodes.
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
+
+/// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
+pub type gusset_twists = u32;
+/// From differences of the tangents over five nodes: fourth order.
+pub const GUSSET_TWISTS_DIFFERENCES: gusset_twists = 0;
+/// Adini's: from the nodes next to each.
+pub const GUSSET_TWISTS_ADINI: gusset_twists = 1;
+/// None: flat spots at nodes.
+pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
+/// They are given.
+pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
 
 /// Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
 /// bytes, one after the other. Normals are those of u (from row to row) and then v: opposite to
@@ -59,7 +72,26 @@ pub struct gusset_nodes {
     pub closed_v: u32,
 }
 
-versioned! { gusset_nodes: 64 }
+/// Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes:
+/// S_u is as long as the step from row to row.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_tangents {
+    /// sizeof(gusset_tangents), set by the caller.
+    pub struct_size: usize,
+    /// S_u at each node: x, y, z; towards the next row.
+    pub u: *const f64,
+    /// S_v at each node: towards the next column.
+    pub v: *const f64,
+    /// For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
+    pub twists: *const f64,
+    /// GUSSET_TWISTS_...
+    pub twist: gusset_twists,
+    /// 0.
+    pub reserved: u32,
+}
+
+versioned! { gusset_nodes: 64, gusset_tangents: 40 reserved }
 
 /// How the caller's nodes lie, in bytes.
 struct Layout {
@@ -91,7 +123,7 @@ pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>,
 const NODES_PER_REPORT: usize = 1 << 17;
 
 /// A copy of the caller's numbers, packed.
-pub(crate) fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
+fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
     let kind: Scalar = choice(nodes.scalar)?;
     let layout = Layout::of(nodes, kind.position_size() / 3)?;
     // Refused before anything is read.
@@ -114,7 +146,7 @@ pub(crate) fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<
 }
 
 /// The caller's numbers themselves.
-fn borrowed_nodes(nodes: &gusset_nodes, _: &Job<'_>) -> Result<Nodes<'static>, Failure> {
+fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
     let layout = Layout::of(nodes, 8)?;
     if choice::<Scalar>(nodes.scalar)? != Scalar::F64
         || !layout.row.is_multiple_of(8)
@@ -129,66 +161,81 @@ fn borrowed_nodes(nodes: &gusset_nodes, _: &Job<'_>) -> Result<Nodes<'static>, F
 
 c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
 
-/// A sheet through nodes, taken in either way.
-fn through(
-    nodes: *const gusset_nodes,
-    take: fn(&gusset_nodes, &Job<'_>) -> Result<Nodes<'static>, Failure>,
+/// The bicubic Hermite surface through nodes with the caller's tangents.
+fn with_tangents(
+    nodes: &Nodes<'_>,
+    closed: [bool; 2],
+    given: &gusset_tangents,
+    count: usize,
     job: &Job<'_>,
-) -> Result<gusset_sheet, Failure> {
-    let given = input::read(nodes, false, "nodes")?;
-    let nodes = take(&given, job)?;
-    let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
-    Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, choice(given.scheme)?)?)))
+) -> Result<Sheet<'static>, Failure> {
+    let [u, v] = [points(given.u, count, 3)?, points(given.v, count, 3)?];
+    let twists = if given.twist == GUSSET_TWISTS_GIVEN { points(given.twists, count, 3)? } else { Vec::new() };
+    let twists = match given.twist {
+        GUSSET_TWISTS_DIFFERENCES => Twists::Differences,
+        GUSSET_TWISTS_ADINI => Twists::Adini,
+        GUSSET_TWISTS_ZERO => Twists::Zero,
+        GUSSET_TWISTS_GIVEN => Twists::Given(&twists),
+        other => return Err(Failure::unknown("twist", other.into())),
+    };
+    Ok(Sheet::from_tangents(&Tangents { nodes, u: &u, v: &v, twists, closed }, job)?)
 }
 
-/// Makes a surface through a copy of nodes.
+/// Makes a surface through nodes: through a copy of them, through the caller's own memory, or the
+/// bicubic Hermite surface with given tangents, which is C1.
+///
+/// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are
+/// destroyed. They are f64, aligned to 8 bytes, and their strides are multiples of 8.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param nodes at any alignment, finite; of sheets for a surface the greatest coordinate in
-///     absolute terms is from 1e-30 to 1e37, or 0, however the sheet is made; repeated nodes and
-///     rows that are one point (poles) are allowed.
+/// @param nodes at any alignment, unless borrowed; finite. Repeated nodes and rows that are one point
+///     (poles) are allowed. For a surface the greatest coordinate in absolute terms is from
+///     1e-30 to 1e37, or 0; so it is for every kind of sheet.
+/// @param tangents NULL: the scheme of the nodes draws the surface. Else rows x columns vectors each,
+///     at any alignment, and the scheme is not read. The vectors of the repeated line of a closed
+///     direction are not read as tangents, but must be there.
+/// @param borrow 1: the sheet reads the caller's memory; 0: it copies the nodes. With tangents the
+///     sheet keeps patches in place of nodes, either way.
 /// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet),
-///     BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE,
-///     NOT_FINITE with the node, SIDES_DIFFER if a closed direction does not end where it begins,
-///     with the place of the largest gap, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes); 24 bytes a node.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the structs, sheet, borrowed
+///     nodes), BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, also for borrowed nodes that
+///     are f32 or have strides that are not multiples of 8, SIZE_OVERFLOW, UNKNOWN_VALUE (also twist,
+///     reserved, borrow), NOT_FINITE with the node, of a node, a tangent or a twist, SIDES_DIFFER if a
+///     closed direction does not end where it begins, with the place of the largest gap,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes); 24 bytes a node, none if they are borrowed, and with tangents 384 bytes a
+///     cell.
 /// @source Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
+pub unsafe extern "C" fn gusset_sheet_create(
     context: *const gusset_context,
     nodes: *const gusset_nodes,
+    tangents: *const gusset_tangents,
+    borrow: u32,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |job| through(nodes, copied_nodes, job))
-}
-
-/// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged
-/// until the sheet and all that was made of it are destroyed.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param nodes as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides
-///     multiples of 8.
-/// @param[out] sheet receives the result, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: as there; MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32
-///     and for strides that are no multiples of 8; CANCELLED.
-/// @complexity O(nodes); no memory a node.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_borrow_create(
-    context: *const gusset_context,
-    nodes: *const gusset_nodes,
-    sheet: *mut *mut gusset_sheet,
-) -> gusset_status {
-    create(context, sheet, "sheet", |job| through(nodes, borrowed_nodes, job))
+    create(context, sheet, "sheet", |job| {
+        let given = input::read(nodes, false, "nodes")?;
+        let with = if tangents.is_null() { None } else { Some(input::read(tangents, false, "tangents")?) };
+        let split = if with.is_some() { 0.1 } else { 1.0 };
+        let nodes = if flag(borrow, "borrow")? {
+            borrowed_nodes(&given)?
+        } else {
+            copied_nodes(&given, &job.part(0.0, split))?
+        };
+        let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+        Ok(gusset_sheet(match with {
+            Some(with) => with_tangents(&nodes, closed, &with, given.rows * given.columns, &job.part(split, 1.0))?,
+            None => Sheet::Grid(Grid::new(nodes, closed, choice(given.scheme)?)?),
+        }))
+    })
 }
 
 /// Frees a sheet; NULL is allowed.
 ///
-/// What was made of it keeps what it needs.
+/// Results that were made of it keep what they need.
 ///
 /// @param[in,out] sheet the handle; NULL is allowed.
 /// @since 0.1

@@ -1,4 +1,4 @@
-//! C interface: sheets from tangents, patches, splines, curves and frames.
+//! C interface: sheets from patches, splines, curves, frames and other sheets.
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
@@ -7,49 +7,21 @@ use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, choice, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
+use crate::capi::surface::sheet::gusset_sheet;
 use crate::curve::CurveView;
 use crate::error::Error;
 use crate::job::Job;
-use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions, Tangents, Twists};
+use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions};
 use crate::surface::{MAX_DEGREE, Patches, Sheet};
 use gusset_base::alloc;
 
-/// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
-pub type gusset_twists = u32;
-/// From differences of the tangents over five nodes: fourth order.
-pub const GUSSET_TWISTS_DIFFERENCES: gusset_twists = 0;
-/// Adini's: from the nodes next to each.
-pub const GUSSET_TWISTS_ADINI: gusset_twists = 1;
-/// None: flat spots at nodes.
-pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
-/// They are given.
-pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
-
-/// The surface through the nodes of a frame; that of its curves if some of them have corners, which
-/// would be rounded.
-pub const GUSSET_FRAME_NODES: u32 = 0;
+/// The surface that is made of a frame.
+pub type gusset_frame_surface = u32;
+/// The surface through the nodes of a frame; the surface of its curves if some of them have corners,
+/// which would be rounded.
+pub const GUSSET_FRAME_NODES: gusset_frame_surface = 0;
 /// Gordon's surface of the curves of a frame, which contains them.
-pub const GUSSET_FRAME_CURVES: u32 = 1;
-
-/// Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes:
-/// S_u is as long as the step from row to row.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_tangents {
-    /// sizeof(gusset_tangents), set by the caller.
-    pub struct_size: usize,
-    /// S_u at each node: x, y, z; towards the next row.
-    pub u: *const f64,
-    /// S_v at each node: towards the next column.
-    pub v: *const f64,
-    /// For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
-    pub twists: *const f64,
-    /// GUSSET_TWISTS_...
-    pub twist: gusset_twists,
-    /// 0.
-    pub reserved: u32,
-}
+pub const GUSSET_FRAME_CURVES: gusset_frame_surface = 1;
 
 /// A tensor-product B-spline, rational (NURBS) if it has weights that differ.
 ///
@@ -126,7 +98,7 @@ pub struct gusset_curve_net {
     pub closed_v: u32,
 }
 
-versioned! { gusset_tangents: 40 reserved, gusset_spline: 80, gusset_curve_net: 56 }
+versioned! { gusset_spline: 80, gusset_curve_net: 56 }
 
 c_enum! { kind: FrameSurface { GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves } }
 
@@ -138,45 +110,6 @@ fn curves<'a>(
 ) -> Result<Vec<CurveView<'a>>, Failure> {
     let handles = handle::list(handles, count, name)?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
-}
-
-/// Makes the bicubic Hermite surface through nodes with given tangents: C1.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param nodes as for gusset_sheet_from_nodes_create; the scheme is not used.
-/// @param tangents rows x columns vectors each; those of the repeated line of a closed direction
-///     are not read as tangents, but must be there; at any alignment.
-/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_sheet_from_nodes_create, among them
-///     NULL_ARGUMENT, BAD_STRUCT_SIZE and UNKNOWN_VALUE (twist, reserved) for the tangents, and
-///     NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW, OUT_OF_MEMORY,
-///     CANCELLED.
-/// @complexity O(nodes); 384 bytes a cell.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
-    context: *const gusset_context,
-    nodes: *const gusset_nodes,
-    tangents: *const gusset_tangents,
-    sheet: *mut *mut gusset_sheet,
-) -> gusset_status {
-    create(context, sheet, "sheet", |job| {
-        let (layout, given) = (input::read(nodes, false, "nodes")?, input::read(tangents, false, "tangents")?);
-        let (nodes, count) = (copied_nodes(&layout, &job.part(0.0, 0.1))?, layout.rows * layout.columns);
-        let [u, v] = [points(given.u, count, 3)?, points(given.v, count, 3)?];
-        let twists = if given.twist == GUSSET_TWISTS_GIVEN { points(given.twists, count, 3)? } else { Vec::new() };
-        let closed = [flag(layout.closed_u, "closed_u")?, flag(layout.closed_v, "closed_v")?];
-        let twists = match given.twist {
-            GUSSET_TWISTS_DIFFERENCES => Twists::Differences,
-            GUSSET_TWISTS_ADINI => Twists::Adini,
-            GUSSET_TWISTS_ZERO => Twists::Zero,
-            GUSSET_TWISTS_GIVEN => Twists::Given(&twists),
-            other => return Err(Failure::unknown("twist", other.into())),
-        };
-        let tangents = Tangents { nodes: &nodes, u: &u, v: &v, twists, closed };
-        Ok(gusset_sheet(Sheet::from_tangents(&tangents, &job.part(0.1, 1.0))?))
-    })
 }
 
 /// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their
@@ -286,7 +219,7 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 /// Between two nodes rows of equally many segments are matched segment by segment; else all of them
 /// are cut where any one has a joint: there may be more cells than meshes of the net. The surface
 /// is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
-/// (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a
+/// (gusset_sheet_measure tells). Polylines, segments of degree 1, are kept with their creases; for a
 /// smooth surface draw curves through their points first, with gusset_outline_create.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -370,7 +303,7 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param frame may be destroyed afterwards.
-/// @param kind GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES.
+/// @param kind GUSSET_FRAME_...
 /// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
 ///     NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or
@@ -382,7 +315,7 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
 pub unsafe extern "C" fn gusset_sheet_from_frame_create(
     context: *const gusset_context,
     frame: *const gusset_frame,
-    kind: u32,
+    kind: gusset_frame_surface,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {

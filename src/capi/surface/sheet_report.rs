@@ -1,7 +1,7 @@
-//! C interface to reports on sheets: size, degree, closure and poles, and estimates and bounds of
-//! their error for each cell.
+//! C interface to reports on sheets: size, degree, closure and poles; diameters, curvature, creases,
+//! and estimates and bounds of their error for each cell.
 
-use crate::capi::context::{answer, guard, gusset_context, lend};
+use crate::capi::context::{guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
@@ -9,8 +9,9 @@ use crate::capi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
 use crate::surface::Sheet;
+use crate::surface::reference::{Diameters, curvature_bound};
 
-/// What a sheet is.
+/// Facts about a sheet.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_report {
@@ -36,10 +37,10 @@ pub struct gusset_sheet_report {
     pub pole_v0: u32,
     /// 1: the side v = columns is.
     pub pole_v1: u32,
-    /// Of a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
+    /// For a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
     /// included; 0 of any other sheet.
     pub deviation: f64,
-    /// Of a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
+    /// For a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
     /// parameter runs evenly; NULL of any other sheet. Valid as long as the sheet.
     pub knots_u: *const f64,
     /// The knots of columns: columns + 1.
@@ -48,10 +49,10 @@ pub struct gusset_sheet_report {
 
 versioned! { gusset_sheet_report: 56 }
 
-/// Tells what a sheet is.
+/// Reports what a sheet is.
 ///
 /// @param sheet the sheet.
-/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @param[out] report struct_size set by the caller; all else is overwritten.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(cells at the sides).
 /// @since 0.1
@@ -59,9 +60,9 @@ versioned! { gusset_sheet_report: 56 }
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_get_report(
     sheet: *const gusset_sheet,
-    parts: *mut gusset_sheet_report,
+    report: *mut gusset_sheet_report,
 ) -> gusset_status {
-    lend!(sheet, parts, |gusset_sheet(sheet)| {
+    lend!(sheet, report, |gusset_sheet(sheet)| {
         let ([rows, columns], [closed_u, closed_v]) = (sheet.cells(), sheet.is_closed().map(u32::from));
         let [[pole_u0, pole_u1], [pole_v0, pole_v1]] = sheet.poles().map(|pair| pair.map(u32::from));
         let (degree, is_grid) = match sheet {
@@ -89,6 +90,59 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
     })
 }
 
+/// The numbers of a whole sheet that are wanted.
+pub type gusset_sheet_measure_flags = u32;
+/// `diameter` and `intrinsic_diameter`.
+pub const GUSSET_SHEET_MEASURE_DIAMETERS: gusset_sheet_measure_flags = 1;
+/// `curvature_bound`.
+pub const GUSSET_SHEET_MEASURE_CURVATURE: gusset_sheet_measure_flags = 2;
+/// `crease`.
+pub const GUSSET_SHEET_MEASURE_CREASE: gusset_sheet_measure_flags = 4;
+
+/// Numbers of a whole sheet; 0 if they were not asked for.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_sheet_measures {
+    /// sizeof(gusset_sheet_measures), set by the caller.
+    pub struct_size: usize,
+    /// The greatest of the diameters of cells, the paper's d: a bound of the distance between any two
+    /// points of a cell.
+    pub diameter: f64,
+    /// The greatest of the intrinsic diameters of cells.
+    pub intrinsic_diameter: f64,
+    /// A bound of the principal curvatures in absolute terms, from control nets: the paper's K.
+    /// Infinite where the surface is not regular, as at poles.
+    pub curvature_bound: f64,
+    /// The largest angle between the normals on both sides of borders between cells, in radians: 0,
+    /// or rounding, where the surface is smooth.
+    pub crease: f64,
+}
+
+/// Arrays that receive a number for each cell, row after row: number i * columns + j is that of cell
+/// (i, j). NULL: the number is not computed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_cell_arrays {
+    /// sizeof(gusset_cell_arrays), set by the caller.
+    pub struct_size: usize,
+    /// How many numbers each array has room for, at least the cells of the sheet.
+    pub capacity: usize,
+    /// Bounds of the distance between any two points of the cell, from its control net.
+    pub diameters: *mut f64,
+    /// Bounds of the length of the shortest curve within the cell between any two of its points.
+    pub intrinsic_diameters: *mut f64,
+    /// Estimates of how far a surface through nodes is from the smooth one that they were taken
+    /// from, at equal parameters: C h^4 times the fourth derivatives, from differences of nodes. No
+    /// bound; infinite for fewer than 5 nodes in a direction; 0 if the patches were given.
+    pub errors: *mut f64,
+    /// Bounds of how far the surface is from the bilinear patch through the cell's corners.
+    pub bilinear: *mut f64,
+    /// Bounds of how far the surface is from the two triangles that either diagonal makes.
+    pub triangles: *mut f64,
+}
+
+versioned! { gusset_sheet_measures: 40, gusset_cell_arrays: 56 }
+
 /// A buffer for a number a cell, if one is wanted.
 fn buffer<'a>(
     pointer: *mut f64,
@@ -106,65 +160,85 @@ fn buffer<'a>(
     input::results(pointer, needed, name).map(Some)
 }
 
-/// Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i,
-/// j).
+/// Measures a sheet and its cells: diameters, estimates and bounds of their error, curvature, creases.
+/// Computes only what is asked for.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheet the sheet.
-/// @param[out] errors an estimate of how far a surface through nodes is from the smooth one that
-///     they were taken from, at equal parameters: C h^4 times the fourth derivatives, from
-///     differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the
-///     patches were given.
-/// @param[out] bilinear a bound of how far the surface is from the bilinear patch through the
-///     cell's corners.
-/// @param[out] triangles from the two triangles that either diagonal makes. Each may be NULL.
-/// @param capacity how many numbers each has room for.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value
-///     is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then.
-/// @complexity O(cells); threads.
+/// @param parts GUSSET_SHEET_MEASURE_..., added: what measures receives; 0: everything.
+/// @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is written
+///     to them on failure.
+/// @param[out] measures struct_size set by the caller; all else is overwritten; NULL if only cells
+///     are wanted.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE (parts), BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(cells), 16 bytes a cell for each of diameters, errors and distances; threads; the
+///     same bits for any number of them.
+/// @source Leus, eqs. (1) and (7); the bounds are ours.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_estimates(
+pub unsafe extern "C" fn gusset_sheet_measure(
     context: *const gusset_context,
     sheet: *const gusset_sheet,
-    errors: *mut f64,
-    bilinear: *mut f64,
-    triangles: *mut f64,
-    capacity: usize,
+    parts: gusset_sheet_measure_flags,
+    cells: *const gusset_cell_arrays,
+    measures: *mut gusset_sheet_measures,
 ) -> gusset_status {
-    guard(context, |job| {
-        let sheet = &handle::get(sheet, "sheet")?.0;
+    let out = if measures.is_null() { Ok(None) } else { input::output_struct(measures, "measures").map(Some) };
+    guard_change(context, |job| {
+        let (out, sheet) = (out?, &handle::get(sheet, "sheet")?.0);
+        let cells = input::read(cells, true, "cells")?;
+        let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
+        if parts & !all != 0 {
+            return Err(Failure::unknown("parts", parts.into()));
+        }
+        let is_wanted = |part| out.is_some() && (parts == 0 || parts & part != 0);
         let needed = sheet.cells().iter().product();
-        let wanted = [(errors, "errors"), (bilinear, "bilinear"), (triangles, "triangles")];
-        let [errors, bilinear, triangles] = wanted.map(|(to, name)| buffer(to, needed, capacity, name));
-        let (errors, bilinear, triangles) = (errors?, bilinear?, triangles?);
-        let estimates = errors.is_some().then(|| sheet.interpolation_errors(&job.part(0.0, 0.5))).transpose()?;
-        let flat =
-            (bilinear.is_some() || triangles.is_some()).then(|| sheet.flatnesses(&job.part(0.5, 1.0))).transpose()?;
+        let wanted = [
+            (cells.diameters, "diameters"),
+            (cells.intrinsic_diameters, "intrinsic_diameters"),
+            (cells.errors, "errors"),
+            (cells.bilinear, "bilinear"),
+            (cells.triangles, "triangles"),
+        ];
+        let [euclidean, intrinsic, errors, bilinear, triangles] =
+            wanted.map(|(to, name)| buffer(to, needed, cells.capacity, name));
+        let (euclidean, intrinsic, errors) = (euclidean?, intrinsic?, errors?);
+        let (bilinear, triangles) = (bilinear?, triangles?);
+
+        let with_diameters = is_wanted(GUSSET_SHEET_MEASURE_DIAMETERS);
+        let with_sizes = with_diameters || euclidean.is_some() || intrinsic.is_some();
+        let sizes = with_sizes.then(|| Diameters::new(sheet, &job.part(0.0, 0.2))).transpose()?;
+        let estimates = errors.is_some().then(|| sheet.interpolation_errors(&job.part(0.2, 0.4))).transpose()?;
+        let is_flat_wanted = bilinear.is_some() || triangles.is_some();
+        let flat = is_flat_wanted.then(|| sheet.flatnesses(&job.part(0.4, 0.6))).transpose()?;
+        let with_curvature = is_wanted(GUSSET_SHEET_MEASURE_CURVATURE);
+        let curvature = with_curvature.then(|| curvature_bound(sheet, &job.part(0.6, 0.8))).transpose()?;
+        let with_crease = is_wanted(GUSSET_SHEET_MEASURE_CREASE);
+        let crease = with_crease.then(|| sheet.crease(&job.part(0.8, 1.0))).transpose()?;
+        job.memory()?;
+
+        let greatest = |sizes: &Diameters| [sizes.euclidean.greatest(), sizes.intrinsic.greatest()];
+        let [diameter, intrinsic_diameter] = sizes.as_ref().filter(|_| with_diameters).map_or([0.0; 2], greatest);
+        if let Some(sizes) = sizes {
+            euclidean.into_iter().for_each(|to| to.copy_from_slice(sizes.euclidean.all()));
+            intrinsic.into_iter().for_each(|to| to.copy_from_slice(sizes.intrinsic.all()));
+        }
         errors.into_iter().zip(estimates).for_each(|(to, from)| to.copy_from_slice(&from));
         for (to, k) in [(bilinear, 0), (triangles, 1)] {
             to.into_iter().zip(&flat).for_each(|(to, from)| to.iter_mut().zip(from).for_each(|(x, y)| *x = y[k]));
         }
+        if let Some(out) = out {
+            out.write(gusset_sheet_measures {
+                struct_size: 0,
+                diameter,
+                intrinsic_diameter,
+                curvature_bound: curvature.unwrap_or(0.0),
+                crease: crease.unwrap_or(0.0),
+            });
+        }
         Ok(())
     })
-}
-
-/// The largest angle between the normals on both sides of borders between cells, in radians: 0, or
-/// rounding, where the surface is smooth.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param[out] crease receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(cells); threads.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_crease(
-    context: *const gusset_context,
-    sheet: *const gusset_sheet,
-    crease: *mut f64,
-) -> gusset_status {
-    answer(context, (crease, "crease"), 0.0, |job| Ok(handle::get(sheet, "sheet")?.0.crease(job)?))
 }

@@ -210,9 +210,9 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Paths> {
         let axis = direction(axis, "direction")?;
-        rising(angles, "angles")?;
+        rising(angles, "levels")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "angles", angle))?;
+        angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "levels", angle))?;
         let mut search = IsophoteSearch {
             surface: self,
             frame: frame(axis),

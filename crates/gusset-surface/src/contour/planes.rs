@@ -10,12 +10,12 @@ use gusset_base::error::Result;
 /// Parallel planes.
 #[derive(Debug, Clone, Copy)]
 pub struct Planes<'a> {
-    /// A point of the plane of offset 0.
+    /// A point of the plane of level 0.
     pub point: DVec3,
     /// Not 0; of any length.
     pub normal: DVec3,
     /// How far the planes are from the point, along the normal; rising.
-    pub offsets: &'a [f64],
+    pub levels: &'a [f64],
 }
 
 /// The blocks, row and column, that planes at `offsets` from `point` may cross; `counts`: of blocks

@@ -36,7 +36,7 @@ impl Surface<'_> {
     pub fn section(&self, planes: &Planes<'_>, spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
         let normal = direction(planes.normal, "normal")?;
         finite(planes.point, "point")?;
-        rising(planes.offsets, "offsets")?;
+        rising(planes.levels, "levels")?;
         let chord = self.chord(spacing)?;
         let max_coordinate = self.max_coordinate().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
@@ -45,7 +45,7 @@ impl Surface<'_> {
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
             let lattice = Lattice::of(sheet);
-            let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.offsets, rounding_error)?;
+            let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.levels, rounding_error)?;
             let block = |k: usize| blocks[k];
             let jumps = !matches!(sheet, Sheet::Grid(_));
             let found = match sheet {
@@ -56,15 +56,15 @@ impl Surface<'_> {
                     // The normal is a unit vector: what the surface deviates by, its product with
                     // the normal does at most.
                     let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + rounding_error;
-                    let source = Nodal { axes, value, levels: planes.offsets, rounding_error, excess, deviation };
+                    let source = Nodal { axes, value, levels: planes.levels, rounding_error, excess, deviation };
                     ContourSearch { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::Cubic(cells) => {
-                    let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, rounding_error };
+                    let source = Plane { cells, normal, origin: planes.point, levels: planes.levels, rounding_error };
                     ContourSearch { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::High(cells) => {
-                    let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, rounding_error };
+                    let source = Plane { cells, normal, origin: planes.point, levels: planes.levels, rounding_error };
                     ContourSearch { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
             };

@@ -1,0 +1,170 @@
+//! C interface: cells of a surface near a point, and pairs of cells of two surfaces near each other.
+
+use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::glue::{fixed, versioned};
+use crate::capi::handle::{self, handle};
+use crate::capi::input::{self, lent};
+use crate::capi::status::gusset_status;
+use crate::capi::surface::{gusset_surface, read};
+use crate::surface::Region;
+use gusset_base::alloc;
+
+/// A cell of a surface.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_cell {
+    /// The sheet.
+    pub sheet: u32,
+    /// The row of the cell.
+    pub row: u32,
+    /// Its column.
+    pub column: u32,
+}
+
+/// Cells of a surface, or pairs of cells of two surfaces. Opaque and immutable; it keeps nothing of
+/// the surfaces.
+pub struct gusset_surface_cells {
+    cells: Vec<gusset_surface_cell>,
+    others: Vec<gusset_surface_cell>,
+    whole: Vec<u32>,
+    mask: Vec<u64>,
+    first: Vec<u64>,
+}
+
+handle! { gusset_surface_cells }
+
+/// The cells. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_cells_view {
+    /// sizeof(gusset_surface_cells_view), set by the caller.
+    pub struct_size: usize,
+    /// The cells, rising by sheet, row, column. For pairs: the cell of the first surface, by the
+    /// sheets of both, then rising by row, column.
+    pub cells: *const gusset_surface_cell,
+    /// How many cells or pairs.
+    pub cell_count: usize,
+    /// For pairs: the cell of the second surface; else NULL.
+    pub others: *const gusset_surface_cell,
+    /// For a region, by cell: 1 if all of the cell is within the radius; else NULL.
+    pub whole: *const u32,
+    /// For a region: a bit for each cell of all sheets, 1 for those of the region; else NULL. The bit
+    /// of cell (i, j) of sheet k, which has c columns, is b = first[k] + i * c + j: mask[b / 64] >>
+    /// (b % 64) & 1.
+    pub mask: *const u64,
+    /// The number of words of the mask.
+    pub word_count: usize,
+    /// For a region, by sheet: its first bit; then the number of bits. Else NULL.
+    pub first: *const u64,
+    /// For a region: the number of sheets; else 0.
+    pub sheet_count: usize,
+}
+
+versioned! { gusset_surface_cells_view: 72 }
+fixed! { gusset_surface_cell: 12 }
+
+/// Finds the cells that have a point within a radius of a query: the paper's region, with its
+/// logical scale.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param query x, y, z, up to 1e150, at any alignment.
+/// @param radius at least 0; INFINITY: all cells.
+/// @param[out] cells receives all cells that have such a point, and no others but such as come
+///     within the tolerance of the radius or could not be decided in bounded work; for
+///     gusset_surface_cells_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+///     (radius; a coordinate beyond 1e150), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells found, and one bit a cell).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_region_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    query: *const f64,
+    radius: f64,
+    cells: *mut *mut gusset_surface_cells,
+) -> gusset_status {
+    create(context, cells, "cells", |job| {
+        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
+        let Region { cells, whole, mask, first } = surface.region(query, radius, job)?;
+        let cell = |[sheet, row, column]: [u32; 3]| gusset_surface_cell { sheet, row, column };
+        Ok(gusset_surface_cells {
+            cells: alloc::collect(cells.into_iter().map(cell))?,
+            others: Vec::new(),
+            whole: alloc::collect(whole.into_iter().map(u32::from))?,
+            mask,
+            first,
+        })
+    })
+}
+
+/// Finds the pairs of cells of two surfaces that may be as near to each other as `within`: all that
+/// are, and few others.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param other the other surface.
+/// @param within a length, finite; 0: cells that may meet.
+/// @param[out] cells receives the pairs, for gusset_surface_cells_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
+///     TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED.
+/// @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    other: *const gusset_surface,
+    within: f64,
+    cells: *mut *mut gusset_surface_cells,
+) -> gusset_status {
+    create(context, cells, "cells", |job| {
+        let found = read(surface)?.candidates(&handle::get(other, "other")?.0, within, job)?;
+        let part = |which: usize| {
+            alloc::collect(found.iter().map(move |pair| {
+                let [row, column] = pair.cells[which];
+                gusset_surface_cell { sheet: pair.sheets[which], row, column }
+            }))
+        };
+        let (cells, others) = (part(0)?, part(1)?);
+        Ok(gusset_surface_cells { cells, others, whole: Vec::new(), mask: Vec::new(), first: Vec::new() })
+    })
+}
+
+/// Lends the cells until they are destroyed.
+///
+/// @param cells the cells.
+/// @param[out] view struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_cells_get_view(
+    cells: *const gusset_surface_cells,
+    view: *mut gusset_surface_cells_view,
+) -> gusset_status {
+    lend!(cells, view, |found| gusset_surface_cells_view {
+        struct_size: 0,
+        cells: lent(&found.cells),
+        cell_count: found.cells.len(),
+        others: lent(&found.others),
+        whole: lent(&found.whole),
+        mask: lent(&found.mask),
+        word_count: found.mask.len(),
+        first: lent(&found.first),
+        sheet_count: found.first.len().saturating_sub(1),
+    })
+}
+
+/// Frees cells; NULL is allowed.
+///
+/// @param[in,out] cells the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_cells_destroy(cells: *mut gusset_surface_cells) {
+    handle::destroy(cells);
+}
