@@ -180,6 +180,10 @@ class ConcatenateOptions(Structure):
         ("equalise_index", c_uint32), ("twist", c_uint32), ("turn", c_uint32)]
 
 
+class StreamView(Structure):
+    _fields_ = [("struct_size", c_size_t), ("data", c_void_p), ("size", c_size_t)]
+
+
 class StreamOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("rows_per_block", c_size_t), ("mode", c_uint32), ("bits", c_uint32), ("per_axis", c_uint32),
@@ -412,7 +416,7 @@ class Library:
             gluing.matrix = matrix.ctypes.data
         else:
             gluing.sides = SIDES[sides]
-        self._check(self.c.gusset_net_create(self.one_thread.address, byref(arrays), byref(gluing), byref(address)))
+        self._check(self.c.gusset_net_create(self.one_thread.address, byref(arrays), byref(gluing), 0, byref(address)))
         return Handle(self.c, "gusset_net_destroy", address)
 
     def net_move(self, net, motion):
@@ -448,9 +452,9 @@ class Library:
         return Handle(self.c, "gusset_stream_destroy", address)
 
     def stream_bytes(self, stream):
-        data, size = c_void_p(), c_size_t()
-        self._check(self.c.gusset_stream_get_view(stream.address, byref(data), byref(size)))
-        return array(data.value, size.value, np.uint8).copy()
+        view = sized(StreamView)
+        self._check(self.c.gusset_stream_get_view(stream.address, byref(view)))
+        return array(view.data, view.size, np.uint8).copy()
 
     def net_decode(self, data, automatic=False):
         context, address = self.automatic if automatic else self.one_thread, c_void_p()

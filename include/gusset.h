@@ -4591,6 +4591,11 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
+ * Where the coordinates of a net are.
+ */
+typedef uint32_t gusset_net_memory;
+
+/**
  * What a field does, and what its values are. An axis and those that follow it: y and z after x, z
  * and x after y, x and y after z.
  */
@@ -4663,6 +4668,36 @@ typedef struct gusset_field {
 } gusset_field;
 
 /**
+ * What a net is compared with. All zeros: with itself.
+ */
+typedef struct gusset_net_analysis_options {
+    /**
+     * sizeof(gusset_net_analysis_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The net after the deformation, of the same size; NULL: what the fields make of the net.
+     */
+    const struct gusset_net *after;
+    /**
+     * The fields, as for gusset_net_deform; none beside `after`.
+     */
+    const struct gusset_field *fields;
+    /**
+     * The number of fields.
+     */
+    size_t field_count;
+    /**
+     * The time, as for gusset_net_deform.
+     */
+    double time;
+    /**
+     * Lengths up to it, at least 0 and finite, are none.
+     */
+    double tolerance;
+} gusset_net_analysis_options;
+
+/**
  * An analysis, lent: valid until gusset_net_analysis_destroy.
  */
 typedef struct gusset_net_analysis_view {
@@ -4682,13 +4717,12 @@ typedef struct gusset_net_analysis_view {
     size_t link_count;
     /**
      * Of each cell, its new area divided by its old one; negative where the surface is folded over
-     * or, after gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is
-     * not there.
+     * or, if fields are analysed, space is mirrored; NaN if it had none, or is not there.
      */
     const double *cells;
     /**
-     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after
-     * gusset_net_analysis_create.
+     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL if nets are
+     * compared.
      */
     const double *determinants;
     /**
@@ -4696,7 +4730,8 @@ typedef struct gusset_net_analysis_view {
      */
     size_t cell_count;
     /**
-     * The links that have become a point and are not glued: see gusset_net_absorb.
+     * The links that have become a point and are not glued: see `links` of
+     * gusset_glue_options.
      */
     const uint32_t *contracted;
     /**
@@ -4735,31 +4770,55 @@ typedef struct gusset_net_analysis_view {
 } gusset_net_analysis_view;
 
 /**
- * A direction within a net.
- */
-typedef uint32_t gusset_direction;
-
-/**
  * Which rows, or columns, are replicated.
  */
 typedef uint32_t gusset_replication;
 
 /**
- * How a net is reformatted.
+ * A symmetry of the rectangle of nodes. Nodes stay where they are in space, and so do normals.
  */
-typedef struct gusset_reformat_options {
+typedef uint32_t gusset_net_turn;
+
+/**
+ * How a copy of a net differs from it. All zeros: not at all. A part is taken first; then it is
+ * made compact, enlarged, turned and converted.
+ */
+typedef struct gusset_net_copy_options {
     /**
-     * sizeof(gusset_reformat_options), set by the caller.
+     * sizeof(gusset_net_copy_options), set by the caller.
      */
     size_t struct_size;
     /**
-     * The rows of nodes wanted, no fewer than there are; 0 for as many as there are.
+     * The first row of the part that is copied.
+     */
+    size_t row_first;
+    /**
+     * The number of rows of the part, at least 2; 0: all from row_first on.
+     */
+    size_t row_count;
+    /**
+     * The first column of the part.
+     */
+    size_t column_first;
+    /**
+     * The number of columns of the part, at least 2; 0: all from column_first on.
+     */
+    size_t column_count;
+    /**
+     * The number of rows of nodes after replication, no fewer than there are; 0: as many as there
+     * are. Links between copies of a row are contracted, and the surface stays.
      */
     size_t rows;
     /**
-     * The columns, likewise.
+     * The number of columns of nodes, likewise.
      */
     size_t columns;
+    /**
+     * 1: rows and columns that repeat the one before them are left out. The links between the two
+     * are all contracted, and coordinates and links along them are equal. Two rows and two columns
+     * stay, and so do those on which a bridge ends. 0 or 1.
+     */
+    uint32_t compact;
     /**
      * GUSSET_REPLICATE_... for rows.
      */
@@ -4776,7 +4835,92 @@ typedef struct gusset_reformat_options {
      * Read for GUSSET_REPLICATE_AT: the column.
      */
     uint32_t column_index;
-} gusset_reformat_options;
+    /**
+     * The symmetry that rows and columns undergo: GUSSET_NET_TURN_...
+     */
+    gusset_net_turn turn;
+    /**
+     * GUSSET_F32 or GUSSET_F64: the type of the coordinates. From double to float they are rounded,
+     * and nodes whose coordinates are too large become missing. 0: the type of the net.
+     */
+    uint32_t scalar;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_copy_options;
+
+/**
+ * The groups of a net, lent: valid until gusset_net_groups_destroy.
+ */
+typedef struct gusset_net_groups_view {
+    /**
+     * sizeof(gusset_net_groups_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One more than the number of groups: group k is members[offsets[k]] up to
+     * members[offsets[k + 1]], without the latter. Groups are in the order of their first nodes.
+     */
+    struct gusset_indices offsets;
+    /**
+     * The nodes of all groups, each group's in order.
+     */
+    struct gusset_indices members;
+} gusset_net_groups_view;
+
+/**
+ * What a local gluing is of.
+ */
+typedef uint32_t gusset_gluing_place;
+
+/**
+ * One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
+ */
+typedef uint32_t gusset_gluing_type;
+
+/**
+ * A local gluing of a net: where it is, and what it is in the letters of the paper's Fig. 4.
+ */
+typedef struct gusset_gluing_occurrence {
+    /**
+     * GUSSET_GLUING_PLACE_NODE: at the node `element`, a type n(a, b); GUSSET_GLUING_PLACE_CELL: of
+     * the cell `element`, a type c(a, b).
+     */
+    gusset_gluing_place place;
+    /**
+     * The node, row * columns + column, or the cell, row * (columns - 1) + column.
+     */
+    uint32_t element;
+    /**
+     * One of GUSSET_TYPE_...
+     */
+    gusset_gluing_type kind;
+    /**
+     * Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
+     * for all; 1 for a diagonal.
+     */
+    uint32_t a;
+    /**
+     * Of a node with two glued links, 1 if they are adjacent and 2 if they are opposite; of a cell
+     * with two, how many of the other links lie between them, 0 or 1; 2 for a diagonal; UINT32_MAX
+     * for types that have one letter.
+     */
+    uint32_t b;
+    /**
+     * How many nodes the gluing makes one.
+     */
+    uint32_t node_order;
+    /**
+     * How many links it makes one; 1 if none.
+     */
+    uint32_t link_order;
+    /**
+     * How many nodes of the net are one point there: more than node_order where gluings meet, as
+     * at a pole.
+     */
+    uint32_t class_size;
+} gusset_gluing_occurrence;
 
 /**
  * Which cells count.
@@ -4879,13 +5023,6 @@ typedef struct gusset_net_complex_view {
 } gusset_net_complex_view;
 
 /**
- * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z:
- * their coordinates, float or double as the net's are, to be changed in place. Return nonzero to
- * stop. It must neither use the net or the context nor throw nor longjmp.
- */
-typedef int (*gusset_rows_fn)(void *user, size_t first, size_t count, void *x, void *y, void *z);
-
-/**
  * What a gusset_gluing glues.
  */
 typedef uint32_t gusset_gluing_kind;
@@ -4917,51 +5054,87 @@ typedef struct gusset_gluing {
 } gusset_gluing;
 
 /**
- * One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
+ * How a net is glued. The steps are taken in the order of the fields; all zeros: none.
  */
-typedef uint32_t gusset_gluing_type;
+typedef struct gusset_glue_options {
+    /**
+     * sizeof(gusset_glue_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Read if `detect` is 1: the largest distance of nodes that lie together, at least 0 and finite,
+     * in the unit of the coordinates.
+     */
+    double tolerance;
+    /**
+     * Pairs of nodes that are glued, at any alignment.
+     */
+    const struct gusset_gluing *gluings;
+    /**
+     * The number of gluings.
+     */
+    size_t gluing_count;
+    /**
+     * Links that are contracted, such as those of gusset_net_analysis_view; numbered as for
+     * GUSSET_GLUING_LINK, at any alignment.
+     */
+    const uint32_t *links;
+    /**
+     * The number of links.
+     */
+    size_t link_count;
+    /**
+     * 1: what coordinates tell replaces what was glued, before anything else. Neighbours that lie
+     * together are glued, and runs of two and more nodes of the sides that do, forwards or
+     * backwards. The orientation of faces stays. 0 or 1.
+     */
+    uint32_t detect;
+    /**
+     * 1: every link whose ends are one point already, by way of others, is contracted, and seams
+     * that links then say are dropped. Nets that glue the same neighbours have the same matrix in
+     * this canonical form, which `detect` gives too. 0 or 1.
+     */
+    uint32_t saturate;
+    /**
+     * 1: all nodes that are glued to each other get the position of the first of them, bit for bit.
+     * 0: positions stay.
+     */
+    uint32_t snap;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_glue_options;
 
 /**
- * A local gluing of a net: where it is, and what it is in the letters of the paper's Fig. 4.
+ * How a net is glued, in its one form, and how many parts that has.
  */
-typedef struct gusset_gluing_occurrence {
+typedef struct gusset_net_gluing_report {
     /**
-     * 0: at the node `element`, a type n(a, b); 1: of the cell `element`, a type c(a, b).
+     * sizeof(gusset_net_gluing_report), set by the caller.
      */
-    uint32_t on_cell;
+    size_t struct_size;
     /**
-     * The node, row * columns + column, or the cell, row * (columns - 1) + column.
+     * The bytes of the characteristic matrix: 2 * rows * columns.
      */
-    uint32_t element;
+    size_t matrix_size;
     /**
-     * One of GUSSET_TYPE_...
+     * The number of seams.
      */
-    gusset_gluing_type kind;
+    size_t seam_count;
     /**
-     * Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
-     * for all; 1 for a diagonal.
+     * The number of bridges.
      */
-    uint32_t a;
+    size_t bridge_count;
     /**
-     * Of a node with two glued links, 1 if they are adjacent and 2 if they are opposite; of a cell
-     * with two, how many of the other links lie between them, 0 or 1; 2 for a diagonal; UINT32_MAX
-     * for types that have one letter.
+     * The sides if they say all about the links of the net, else UINT32_MAX: then the matrix does.
      */
-    uint32_t b;
+    gusset_sides sides;
     /**
-     * How many nodes the gluing makes one.
+     * 1 if faces are taken the other way round.
      */
-    uint32_t node_order;
-    /**
-     * How many links it makes one; 1 if none.
-     */
-    uint32_t link_order;
-    /**
-     * How many nodes of the net are one point there: more than node_order where gluings meet, as
-     * at a pole.
-     */
-    uint32_t class_size;
-} gusset_gluing_occurrence;
+    uint32_t reversed;
+} gusset_net_gluing_report;
 
 /**
  * The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units:
@@ -4987,6 +5160,11 @@ typedef struct gusset_bridge_properties {
      */
     uint64_t user;
 } gusset_bridge_properties;
+
+/**
+ * A direction within a net.
+ */
+typedef uint32_t gusset_direction;
 
 /**
  * What is done with the cells between two nets that were joined.
@@ -5099,7 +5277,12 @@ typedef struct gusset_bridge {
 } gusset_bridge;
 
 /**
- * What gusset_net_measure finds.
+ * What gusset_net_measure computes: a sum of these.
+ */
+typedef uint32_t gusset_net_measures;
+
+/**
+ * What gusset_net_measure finds; 0 for what is not asked for.
  */
 typedef struct gusset_net_measure_report {
     /**
@@ -5108,7 +5291,7 @@ typedef struct gusset_net_measure_report {
     size_t struct_size;
     /**
      * The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones; for
-     * others see gusset_net_bilinear_area.
+     * others see bilinear_area.
      */
     double area;
     /**
@@ -5128,30 +5311,30 @@ typedef struct gusset_net_measure_report {
      * The largest.
      */
     double high[3];
-} gusset_net_measure_report;
-
-/**
- * The body, of density 1, that a closed net encloses.
- */
-typedef struct gusset_net_moment_report {
     /**
-     * sizeof(gusset_net_moment_report), set by the caller.
+     * The area of the bilinear patches of all cells, to rounding: on cells that are not plane more
+     * than `area`. A patch that is folded over itself counts with all its sheets.
      */
-    size_t struct_size;
+    double bilinear_area;
     /**
-     * The volume; negative if the normals look inwards.
+     * A bound of the error of bilinear_area.
      */
-    double volume;
+    double bilinear_error;
     /**
-     * The centre of mass; NaN if the volume is 0.
+     * The volume of the body, of density 1, that a closed net encloses; negative if the normals look
+     * inwards.
+     */
+    double body_volume;
+    /**
+     * The centre of mass of the body; NaN if its volume is 0.
      */
     double centroid[3];
     /**
-     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2
-     * and so on, beside it those of -x y and so on.
+     * The tensor of inertia of the body about its centroid, row after row: on the diagonal the
+     * integrals of y^2 + z^2 and so on, beside it those of -x y and so on.
      */
     double inertia[9];
-} gusset_net_moment_report;
+} gusset_net_measure_report;
 
 /**
  * How plane the cells of a net are.
@@ -5313,6 +5496,11 @@ typedef struct gusset_heights {
      */
     uint32_t scalar;
 } gusset_heights;
+
+/**
+ * What the cells of a grid are in a mesh.
+ */
+typedef uint32_t gusset_grid_cells;
 
 /**
  * Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
@@ -5498,6 +5686,39 @@ typedef struct gusset_net_primitive {
  * How positions between nodes are found.
  */
 typedef uint32_t gusset_interpolation;
+
+/**
+ * What is done to the visibility of an entry.
+ */
+typedef uint32_t gusset_visibility;
+
+/**
+ * The changes of an entry of a scene. All zeros: none.
+ */
+typedef struct gusset_scene_changes {
+    /**
+     * sizeof(gusset_scene_changes), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The net that replaces the one of the entry, as it is now; NULL: it stays. The entry keeps its
+     * index, its groups and its transform.
+     */
+    const struct gusset_net *net;
+    /**
+     * The place of the entry in the space of the groups that it is in, twelve finite numbers; NULL:
+     * it stays.
+     */
+    const struct gusset_transform *transform;
+    /**
+     * GUSSET_VISIBILITY_...
+     */
+    gusset_visibility visibility;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_scene_changes;
 
 /**
  * What an entry of a scene is.
@@ -5730,6 +5951,24 @@ typedef struct gusset_stream_options {
      */
     uint32_t reserved;
 } gusset_stream_options;
+
+/**
+ * The bytes of a stream, lent: valid until gusset_stream_destroy.
+ */
+typedef struct gusset_stream_view {
+    /**
+     * sizeof(gusset_stream_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The first byte.
+     */
+    const void *data;
+    /**
+     * The number of bytes.
+     */
+    size_t size;
+} gusset_stream_view;
 
 /**
  * What the first bytes of a stream say.
@@ -7282,6 +7521,16 @@ typedef struct gusset_intersection_options {
 #define GUSSET_DOMAIN_FACES 2
 
 /**
+ * In memory of the library's: the caller's are copied.
+ */
+#define GUSSET_NET_MEMORY_COPY 0
+
+/**
+ * In the caller's memory.
+ */
+#define GUSSET_NET_MEMORY_BORROW 1
+
+/**
  * Along rows, from column to column.
  */
 #define GUSSET_DIRECTION_RIGHT 0
@@ -7321,6 +7570,56 @@ typedef struct gusset_intersection_options {
  * None: sizes that differ are refused. For gusset_join_options only.
  */
 #define GUSSET_REPLICATE_REFUSE 5
+
+/**
+ * Rows and columns stay.
+ */
+#define GUSSET_NET_TURN_NONE 0
+
+/**
+ * A quarter of a turn: the last column becomes the first row.
+ */
+#define GUSSET_NET_TURN_QUARTER 1
+
+/**
+ * Half a turn: the last row and the last column come first.
+ */
+#define GUSSET_NET_TURN_HALF 2
+
+/**
+ * Three quarters of a turn: the first column becomes the last row.
+ */
+#define GUSSET_NET_TURN_THREE_QUARTERS 3
+
+/**
+ * The last column comes first.
+ */
+#define GUSSET_NET_TURN_FLIP_COLUMNS 4
+
+/**
+ * The last row comes first.
+ */
+#define GUSSET_NET_TURN_FLIP_ROWS 5
+
+/**
+ * Rows and columns are exchanged.
+ */
+#define GUSSET_NET_TURN_TRANSPOSE 6
+
+/**
+ * Rows and columns are exchanged, both backwards.
+ */
+#define GUSSET_NET_TURN_ANTITRANSPOSE 7
+
+/**
+ * Of a node: which of its links have become a point.
+ */
+#define GUSSET_GLUING_PLACE_NODE 0
+
+/**
+ * Of a cell: what it has become.
+ */
+#define GUSSET_GLUING_PLACE_CELL 1
 
 /**
  * All.
@@ -7647,7 +7946,8 @@ typedef struct gusset_intersection_options {
 
 /**
  * The two sides coincide, to a tolerance, and are one: the links between them are contracted.
- * Nodes stay where they are; where they coincide not quite, gusset_net_snap makes them equal.
+ * Nodes stay where they are; where they coincide not quite, `snap` of gusset_glue_options makes
+ * them equal.
  */
 #define GUSSET_BRIDGE_WELD 2
 
@@ -7667,6 +7967,21 @@ typedef struct gusset_intersection_options {
 #define GUSSET_BRIDGE_THREAD 2
 
 /**
+ * area, volume, area_vector, low and high.
+ */
+#define GUSSET_NET_MEASURES_EXTENT 1
+
+/**
+ * bilinear_area and bilinear_error; about ten times the work.
+ */
+#define GUSSET_NET_MEASURES_BILINEAR 2
+
+/**
+ * body_volume, centroid and inertia; about ten times the work.
+ */
+#define GUSSET_NET_MEASURES_BODY 4
+
+/**
  * Quads, and triangles where a side of a cell is one point.
  */
 #define GUSSET_NET_QUADS 0
@@ -7681,6 +7996,16 @@ typedef struct gusset_intersection_options {
  * Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
  */
 #define GUSSET_NET_TRIANGLES_FIXED 2
+
+/**
+ * Each is a quad, or a triangle of a fan round a pole.
+ */
+#define GUSSET_GRID_CELLS_QUADS 0
+
+/**
+ * Each is two triangles, a quad cut along either diagonal, or a triangle of a fan round a pole.
+ */
+#define GUSSET_GRID_CELLS_TRIANGLES 1
 
 /**
  * Straight.
@@ -7811,6 +8136,21 @@ typedef struct gusset_intersection_options {
 #define GUSSET_SCENE_GROUP 1
 
 /**
+ * It stays as it is.
+ */
+#define GUSSET_VISIBILITY_KEEP 0
+
+/**
+ * The entry is shown.
+ */
+#define GUSSET_VISIBILITY_SHOW 1
+
+/**
+ * The entry is hidden, with all that is in it.
+ */
+#define GUSSET_VISIBILITY_HIDE 2
+
+/**
  * Rounded to some number of bits, and compressed.
  */
 #define GUSSET_STREAM_QUANTISED 0
@@ -7890,7 +8230,7 @@ typedef struct gusset_intersection_options {
 
 /**
  * A warning: the ends of link `element`, between neighbours, are one point by way of others, and
- * it is not contracted itself: see gusset_net_saturate.
+ * it is not contracted itself: see `saturate` of gusset_glue_options.
  */
 #define GUSSET_NET_FINDING_LOOP 2
 
@@ -10608,88 +10948,34 @@ gusset_status gusset_winged_faces_get_view(const struct gusset_winged_faces *fac
                                            struct gusset_winged_faces_view *view);
 
 /**
- * Makes a net of a copy of the caller's coordinates.
+ * Makes a net of the caller's coordinates: of a copy of them, or in the caller's own memory.
+ *
+ * A net in the caller's memory changes the caller's coordinates with its own.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param arrays the coordinates, rows x columns numbers each, at any alignment; any numbers: a
- *     node with one that is NaN or infinite is missing.
+ * @param view the coordinates, rows x columns numbers each; any numbers: a node with one that is
+ *     NaN or infinite is missing. For GUSSET_NET_MEMORY_COPY they have any alignment. For
+ *     GUSSET_NET_MEMORY_BORROW they are aligned to their scalar type, without gaps in rows,
+ *     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
+ *     and unmoved until the net is destroyed.
  * @param gluing NULL for a sheet.
+ * @param memory GUSSET_NET_MEMORY_COPY or GUSSET_NET_MEMORY_BORROW.
  * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
- *     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with
- *     the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
- * @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it
- * all.
+ *     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
+ *     BAD_SEAM with the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
+ * @complexity O(nodes + pairs of seams); 12 or 24 bytes a node for a copy, and 1/4 where sides do
+ *     not say it all. In the caller's memory O(1) without a matrix and seams.
  * @source Deryagin, "Model of the tetragonal regular network".
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_create(const struct gusset_context *context,
-                                const struct gusset_net_view *arrays,
+                                const struct gusset_net_view *view,
                                 const struct gusset_net_gluing *gluing,
+                                gusset_net_memory memory,
                                 struct gusset_net **net);
-
-/**
- * Makes a net in the caller's own memory: operations that change coordinates change the caller's.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
- *     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
- *     and unmoved until the net is destroyed.
- * @param gluing NULL for a sheet.
- * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
- *     NULL_ARGUMENT, OVERLAP.
- * @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a
- * node, or 1/4 byte.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_borrow_create(const struct gusset_context *context,
-                                       const struct gusset_net_view *arrays,
-                                       const struct gusset_net_gluing *gluing,
-                                       struct gusset_net **net);
-
-/**
- * Makes a copy of a net, with its bridges, in memory of the library's.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net unchanged.
- * @param[out] copy receives it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
- * @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
- *     of the two is changed.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_clone_create(const struct gusset_context *context,
-                                      const struct gusset_net *net,
-                                      struct gusset_net **copy);
-
-/**
- * Makes a copy of a net, with its gluing and its bridges, with coordinates of another type.
- *
- * From double to float coordinates are rounded, and nodes whose coordinates are too large for it
- * become missing.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param scalar GUSSET_F32 or GUSSET_F64.
- * @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
- *     OUT_OF_MEMORY.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_convert_create(const struct gusset_context *context,
-                                        const struct gusset_net *net,
-                                        uint32_t scalar,
-                                        struct gusset_net **converted);
 
 /**
  * Destroys a net; NULL is allowed.
@@ -10704,7 +10990,7 @@ GUSSET_API void gusset_net_destroy(struct gusset_net *net);
  * changed or destroyed.
  *
  * @param net the net.
- * @param[out] arrays its struct_size set.
+ * @param[out] view its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -10712,17 +10998,17 @@ GUSSET_API void gusset_net_destroy(struct gusset_net *net);
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_get_view(const struct gusset_net *net,
-                                  struct gusset_net_view *arrays);
+                                  struct gusset_net_view *view);
 
 /**
  * Lends the coordinates to be written, valid until the next call with this net.
  *
- * Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
- * scene is copied first.
+ * Nodes that are glued must be kept equal: see `snap` of gusset_glue_options. Memory shared with a
+ * copy or a scene is copied first.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] net the net.
- * @param[out] arrays receives the arrays; struct_size is set by the caller.
+ * @param[out] view receives the arrays; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: those of gusset_net_get_view, OUT_OF_MEMORY.
  * @complexity O(1), or O(nodes) if memory is copied.
  * @since 0.1
@@ -10731,7 +11017,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_edit(const struct gusset_context *context,
                               struct gusset_net *net,
-                              struct gusset_net_view *arrays);
+                              struct gusset_net_view *view);
 
 /**
  * Copies the coordinates of a net to the caller's matrices.
@@ -10740,7 +11026,7 @@ gusset_status gusset_net_edit(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
- * @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
+ * @param view where they go, of the net's rows and columns, in any layout and of either scalar
  *     type: double to float is rounded.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
  *     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, CANCELLED.
@@ -10751,20 +11037,24 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net *net,
-                              const struct gusset_net_view *arrays);
+                              const struct gusset_net_view *view);
 
 /**
  * Compares a net after a deformation with what it was before: what is newly glued, torn, folded
  * over, stretched.
  *
+ * The net stays as it is. The deformation is another net, or what fields would do: then the analysis
+ * has the determinants of their Jacobian too.
+ *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param before what it was; its gluing counts.
- * @param after what it is, of the same size.
- * @param tolerance lengths up to it, at least 0 and finite, are none.
+ * @param net the net before the deformation; its gluing counts.
+ * @param options the deformation; NULL for none.
  * @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
- *     CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes), 24 bytes a node.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (fields beside
+ *     `after`), OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly
+ *     glued is no surface), OUT_OF_MEMORY, CANCELLED, and those of gusset_net_deform.
+ * @complexity O(nodes), 24 bytes a node. For fields O(nodes x fields), and 8 bytes a cell and a copy
+ *     of the net besides.
  * @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
  *     neither follows from gluing nor implies it.
  * @since 0.1
@@ -10772,41 +11062,15 @@ gusset_status gusset_net_read(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_analysis_create(const struct gusset_context *context,
-                                         const struct gusset_net *before,
-                                         const struct gusset_net *after,
-                                         double tolerance,
+                                         const struct gusset_net *net,
+                                         const struct gusset_net_analysis_options *options,
                                          struct gusset_net_analysis **analysis);
-
-/**
- * The same of what fields would do to a net, which stays as it is, with the determinants of their
- * Jacobian.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param fields as for gusset_net_deform.
- * @param count as for gusset_net_deform.
- * @param time as for gusset_net_deform.
- * @param tolerance as for gusset_net_analysis_create.
- * @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_net_analysis_create and of gusset_net_deform.
- * @complexity O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy of the net.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_analysis_of_fields_create(const struct gusset_context *context,
-                                                   const struct gusset_net *net,
-                                                   const struct gusset_field *fields,
-                                                   size_t count,
-                                                   double time,
-                                                   double tolerance,
-                                                   struct gusset_net_analysis **analysis);
 
 /**
  * Lends an analysis.
  *
  * @param analysis the analysis.
- * @param[out] parts its struct_size set.
+ * @param[out] view its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -10814,7 +11078,7 @@ gusset_status gusset_net_analysis_of_fields_create(const struct gusset_context *
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *analysis,
-                                           struct gusset_net_analysis_view *parts);
+                                           struct gusset_net_analysis_view *view);
 
 /**
  * Destroys an analysis; NULL is allowed.
@@ -10825,156 +11089,33 @@ gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *ana
 GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
 
 /**
- * Contracts links of a net: the gluings that a hard deformation has brought about made part of it.
+ * Makes a copy of a net, with its gluing and its bridges: of all of it or of a part, with more or
+ * fewer rows and columns, turned, or with coordinates of another type.
  *
- * Positions stay what they are: follow it with gusset_net_snap.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
- * @param count see links.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
- *     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED; the net is unchanged then.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_absorb(const struct gusset_context *context,
-                                struct gusset_net *net,
-                                const uint32_t *links,
-                                size_t count);
-
-/**
- * A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the
- * bridges that cross it.
- *
- * Links that lead back are within it if all rows, or all columns, are.
+ * A copy that differs in nothing shares the memory of the net until one of the two is changed. A
+ * part keeps the links, runs of seams and bridges within it. It keeps links that lead back if it
+ * has all rows, or all columns. A part, a compact, a turned or a larger net keeps the bits of its
+ * coordinates.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param row_first its first row.
- * @param row_count how many rows, at least 2.
- * @param column_first its first column.
- * @param column_count how many columns, at least 2.
- * @param[out] part receives it, for gusset_net_destroy, as for all functions of this group; NULL
- *     on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below
- *     2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite corners
- *     one), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes of the part), and O(contracted links).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_part_create(const struct gusset_context *context,
-                                     const struct gusset_net *net,
-                                     size_t row_first,
-                                     size_t row_count,
-                                     size_t column_first,
-                                     size_t column_count,
-                                     struct gusset_net **part);
-
-/**
- * The net with rows and columns exchanged.
- *
- * The surface stays as it is in space, and so do its normals: faces are taken the other way round
- * from then on.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param[out] transposed receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_transpose_create(const struct gusset_context *context,
-                                          const struct gusset_net *net,
-                                          struct gusset_net **transposed);
-
-/**
- * The net the other way round.
- *
- * Normals stay, as for gusset_net_transpose_create.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param direction GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
- *     last row.
- * @param[out] flipped receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: as there, UNKNOWN_VALUE.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_flip_create(const struct gusset_context *context,
-                                     const struct gusset_net *net,
-                                     gusset_direction direction,
-                                     struct gusset_net **flipped);
-
-/**
- * The net turned.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param quarters how many quarters of a turn, any number: after one, the last column is the first
- *     row; negative ones turn back.
- * @param[out] turned receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: as gusset_net_transpose_create.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_turn_create(const struct gusset_context *context,
-                                     const struct gusset_net *net,
-                                     int32_t quarters,
-                                     struct gusset_net **turned);
-
-/**
- * A larger net that is the same surface: rows and columns are replicated, and the links between
- * copies contracted.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param options NULL for the defaults.
- * @param[out] reformatted receives the result, for gusset_net_destroy; NULL on failure.
+ * @param net unchanged.
+ * @param options NULL for a copy that differs in nothing.
+ * @param[out] copy receives it, for gusset_net_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index beyond the net),
- *     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes).
+ *     UNKNOWN_VALUE, NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part beyond the
+ *     net, fewer rows or columns than there are, an index beyond the net), CROSSING_CELL (only what
+ *     is outside the part made opposite corners one), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes) for each step; O(1) for a copy that differs in nothing, unless the net is in
+ *     the caller's memory.
  * @source Deryagin, "Reformatting".
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_reformat_create(const struct gusset_context *context,
-                                         const struct gusset_net *net,
-                                         const struct gusset_reformat_options *options,
-                                         struct gusset_net **reformatted);
-
-/**
- * The net without the rows and columns that are the one before them again: links between the two
- * all contracted, coordinates and links along them the same.
- *
- * The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and
- * those that a bridge ends on.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param[out] compacted receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_compact_create(const struct gusset_context *context,
-                                        const struct gusset_net *net,
-                                        struct gusset_net **compacted);
+gusset_status gusset_net_copy_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     const struct gusset_net_copy_options *options,
+                                     struct gusset_net **copy);
 
 /**
  * Makes missing every node of which a coordinate is `value`, the number that stands for what a
@@ -10992,208 +11133,6 @@ GUSSET_MUST_USE
 gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
                                        struct gusset_net *net,
                                        double value);
-
-/**
- * Finds out what surface a net is once glued nodes are one.
- *
- * What it finds is no error.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param cells GUSSET_NET_CELLS_...
- * @param[out] quotient receives the result, for gusset_net_complex_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
- *     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_complex_create(const struct gusset_context *context,
-                                        const struct gusset_net *net,
-                                        gusset_net_cells cells,
-                                        struct gusset_net_complex **quotient);
-
-/**
- * Lends what is known of a complex.
- *
- * @param quotient the complex.
- * @param[out] report receives the report; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
-                                          struct gusset_net_complex_view *report);
-
-/**
- * Destroys a complex; NULL is allowed.
- *
- * @param[in,out] quotient the handle; NULL is allowed.
- * @since 0.1
- */
-GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *quotient);
-
-/**
- * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping,
- * animation and projection.
- *
- * The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all,
- * to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay
- * missing. Fields that are defined everywhere are not watched for overflow: a node that they make
- * too large for its type is infinite then, and missing. Whatever the error, no node is moved.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param fields `count` of them.
- * @param count see fields.
- * @param time for fields with keys; a net is deformed from what it is now, so that animations
- *     deform a copy of the net at rest.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis,
- *     easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node,
- *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes x fields), twice that if a field is not defined everywhere.
- * @threads The same bits for any number of threads.
- * @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_deform(const struct gusset_context *context,
-                                struct gusset_net *net,
-                                const struct gusset_field *fields,
-                                size_t count,
-                                double time);
-
-/**
- * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as
- * gusset_net_snap does.
- *
- * If it stops, the status is CANCELLED and what was done stays done.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param map called on this thread, from the first node to the last, each time for consecutive
- *     nodes: as many as a row or a few thousand.
- * @param user passed on.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_deform_rows(const struct gusset_context *context,
-                                     struct gusset_net *net,
-                                     gusset_rows_fn map,
-                                     void *user);
-
-/**
- * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
- * stay together, nodes without a normal stay.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param distance a length of either sign, finite.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY,
- *     CANCELLED.
- * @complexity O(nodes), and as much memory as the coordinates take.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_displace(const struct gusset_context *context,
-                                  struct gusset_net *net,
-                                  double distance);
-
-/**
- * Gives all nodes that are glued to each other the position of the first of them, bit for bit.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param[out] moved receives how many nodes got other bits; may be NULL.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_MEMORY.
- * @complexity O(rows + columns) if the net is glued along its sides alone, else O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_snap(const struct gusset_context *context,
-                              struct gusset_net *net,
-                              uint64_t *moved);
-
-/**
- * Glues nodes of a net; positions stay what they are.
- *
- * On failure the net is as it was.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param gluings count of them, done as a whole or not at all; at any alignment.
- * @param count see gluings.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (kind, mask,
- *     reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or cell),
- *     BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite
- *     corners would be glued: the nineteenth local gluing, which no surface allows),
- *     OUT_OF_MEMORY.
- * @complexity O(nodes + glued pairs).
- * @source Deryagin, "Local gluings of nodes".
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_glue(const struct gusset_context *context,
-                              struct gusset_net *net,
-                              const struct gusset_gluing *gluings,
-                              size_t count);
-
-/**
- * Unglues pairs of nodes: their links are free, and seams that have them are cut there.
- *
- * Nodes that are still glued by way of others stay one point; pairs that are not glued are left
- * alone.
- *
- * On failure the net is as it was.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param gluings as for gusset_net_glue.
- * @param count as for gusset_net_glue.
- * @param separation 0, or how far apart what becomes separate is moved, in the unit of the
- *     coordinates: each piece of a point that falls apart moves by half of it towards the mean of
- *     its neighbours (of those that do not fall apart themselves, if there are any); one without
- *     neighbours, or in the middle of them, stays.
- * @param[out] moved receives the number of pieces that moved; NULL if it is not wanted.
- * @return GUSSET_OK, or an error: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite
- *     number from 0 on).
- * @complexity O(nodes), and a sort of the pairs.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_unglue(const struct gusset_context *context,
-                                struct gusset_net *net,
-                                const struct gusset_gluing *gluings,
-                                size_t count,
-                                double separation,
-                                size_t *moved);
-
-/**
- * Contracts every link whose ends are one point already, by way of others, and drops seams that
- * links then say: the canonical form, in which nets that glue the same neighbours have the same
- * matrix.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_saturate(const struct gusset_context *context,
-                                  struct gusset_net *net);
 
 /**
  * Writes for each node the smallest node that is the same point.
@@ -11234,23 +11173,18 @@ gusset_status gusset_net_groups_create(const struct gusset_context *context,
                                        struct gusset_net_groups **groups);
 
 /**
- * Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the
- * latter; its nodes are in order, and groups are in the order of their first nodes.
- *
- * offsets.count is one more than the number of groups. Valid until the groups are destroyed.
+ * Lends the groups.
  *
  * @param groups the groups.
- * @param[out] offsets receives the offsets.
- * @param[out] members receives the members.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @param[out] view receives the groups; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_groups_get_view(const struct gusset_net_groups *groups,
-                                         struct gusset_indices *offsets,
-                                         struct gusset_indices *members);
+                                         struct gusset_net_groups_view *view);
 
 /**
  * Destroys groups; NULL is allowed.
@@ -11261,13 +11195,15 @@ gusset_status gusset_net_groups_get_view(const struct gusset_net_groups *groups,
 GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
 
 /**
- * The local gluing at a node: which of its links have become a point.
+ * Finds the local gluing at a node or of a cell.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
- * @param node its number, row * columns + column.
- * @param cyclic 0, or 1 to count links that lead back to the first row or column too.
- * @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE.
+ * @param place GUSSET_GLUING_PLACE_NODE or GUSSET_GLUING_PLACE_CELL.
+ * @param element the node, row * columns + column, or the cell, row * (columns - 1) + column.
+ * @param cyclic 0, or 1 to count links of a node that lead back to the first row or column too.
+ * @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL for a node;
+ *     GUSSET_TYPE_NONE for a node without glued links and for a quad.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
  *     NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
@@ -11277,29 +11213,12 @@ GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_classify_node(const struct gusset_context *context,
-                                       const struct gusset_net *net,
-                                       uint32_t node,
-                                       uint32_t cyclic,
-                                       gusset_gluing_type *found);
-
-/**
- * What a cell has become.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param cell its number, row * (columns - 1) + column.
- * @param[out] found receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad.
- * @return GUSSET_OK, or an error: as gusset_net_classify_node.
- * @complexity O(1) for a net that its sides describe, else O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_classify_cell(const struct gusset_context *context,
-                                       const struct gusset_net *net,
-                                       uint32_t cell,
-                                       gusset_gluing_type *found);
+gusset_status gusset_net_classify(const struct gusset_context *context,
+                                  const struct gusset_net *net,
+                                  gusset_gluing_place place,
+                                  uint32_t element,
+                                  uint32_t cyclic,
+                                  gusset_gluing_type *found);
 
 /**
  * Counts the local gluings of a net by type.
@@ -11347,6 +11266,155 @@ gusset_status gusset_net_gluing_occurrences(const struct gusset_context *context
                                             size_t *written);
 
 /**
+ * Finds out what surface a net is once glued nodes are one.
+ *
+ * What it finds is no error.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param cells GUSSET_NET_CELLS_...
+ * @param[out] quotient receives the result, for gusset_net_complex_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
+ *     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_net_cells cells,
+                                        struct gusset_net_complex **quotient);
+
+/**
+ * Lends what is known of a complex.
+ *
+ * @param quotient the complex.
+ * @param[out] view receives it; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
+                                          struct gusset_net_complex_view *view);
+
+/**
+ * Destroys a complex; NULL is allowed.
+ *
+ * @param[in,out] quotient the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *quotient);
+
+/**
+ * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping,
+ * animation and projection.
+ *
+ * The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all,
+ * to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay
+ * missing. Fields that are defined everywhere are not watched for overflow: a node that they make
+ * too large for its type is infinite then, and missing. Whatever the error, no node is moved.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param fields `count` of them.
+ * @param count see fields.
+ * @param time for fields with keys; a net is deformed from what it is now, so that animations
+ *     deform a copy of the net at rest.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis,
+ *     easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node,
+ *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes x fields), twice that if a field is not defined everywhere.
+ * @threads The same bits for any number of threads.
+ * @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_field *fields,
+                                size_t count,
+                                double time);
+
+/**
+ * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
+ * stay together, nodes without a normal stay.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param distance a length of either sign, finite.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(nodes), and as much memory as the coordinates take.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_displace(const struct gusset_context *context,
+                                  struct gusset_net *net,
+                                  double distance);
+
+/**
+ * Glues nodes of a net, and gives glued nodes one position.
+ *
+ * The options are done as a whole or not at all: on failure the net is as it was.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param options what is glued.
+ * @param[out] moved receives the number of nodes that got other bits; NULL if it is not wanted.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+ *     (kind, mask, reserved, a flag), OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT
+ *     (the link, node or cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell
+ *     (both pairs of opposite corners would be glued: the nineteenth local gluing, which no surface
+ *     allows), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes + glued pairs), and a sort of the nodes of the sides for `detect`. For `snap`
+ *     alone O(rows + columns) if the net is glued along its sides alone, else O(nodes).
+ * @source Deryagin, "Local gluings of nodes".
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_glue(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              const struct gusset_glue_options *options,
+                              uint64_t *moved);
+
+/**
+ * Unglues pairs of nodes: their links are free, and seams that have them are cut there.
+ *
+ * Nodes that are still glued by way of others stay one point; pairs that are not glued are left
+ * alone.
+ *
+ * On failure the net is as it was.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param gluings count of them, done as a whole or not at all; at any alignment.
+ * @param count see gluings.
+ * @param separation 0, or how far apart what becomes separate is moved, in the unit of the
+ *     coordinates: each piece of a point that falls apart moves by half of it towards the mean of
+ *     its neighbours (of those that do not fall apart themselves, if there are any); one without
+ *     neighbours, or in the middle of them, stays.
+ * @param[out] moved receives the number of pieces that moved; NULL if it is not wanted.
+ * @return GUSSET_OK, or an error: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite
+ *     number from 0 on).
+ * @complexity O(nodes), and a sort of the pairs.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_unglue(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_gluing *gluings,
+                                size_t count,
+                                double separation,
+                                uint64_t *moved);
+
+/**
  * Glues a net otherwise; positions stay what they are.
  *
  * On failure the net is as it was.
@@ -11365,62 +11433,31 @@ gusset_status gusset_net_set_gluing(const struct gusset_context *context,
                                     const struct gusset_net_gluing *gluing);
 
 /**
- * How a net is glued, in its one form.
+ * Tells how a net is glued, and writes its characteristic matrix and its seams.
+ *
+ * A buffer that is NULL, with capacity 0, is not wanted; the report has the sizes that both need. On
+ * failure the report is cleared, and the buffers may be written in part.
  *
  * @param net the net.
- * @param[out] sides receives the sides if they say all about its links, else UINT32_MAX: then see
- *     gusset_net_get_matrix.
- * @param[out] seam_count receives the number of seams.
- * @param[out] reversed receives 1 if faces are taken the other way round. NULL for what is not
- *     wanted.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
- * @complexity O(1).
+ * @param[out] matrix room for matrix_capacity bytes, of which report->matrix_size are written as
+ *     gusset_net_gluing has them.
+ * @param matrix_capacity see matrix.
+ * @param[out] seams room for seam_capacity seams, of which report->seam_count are written.
+ * @param seam_capacity see seams.
+ * @param[out] report its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     BUFFER_TOO_SMALL, OUT_OF_MEMORY.
+ * @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_get_topology(const struct gusset_net *net,
-                                      gusset_sides *sides,
-                                      size_t *seam_count,
-                                      uint32_t *reversed);
-
-/**
- * Writes the characteristic matrix of a net as gusset_net_gluing has it.
- *
- * @param net the net.
- * @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
- * @param capacity see matrix.
- * @param[out] written receives that number. NULL and 0 ask for it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
- *     written but the number), OUT_OF_MEMORY.
- * @complexity O(nodes).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_get_matrix(const struct gusset_net *net,
+gusset_status gusset_net_get_gluing(const struct gusset_net *net,
                                     uint8_t *matrix,
-                                    size_t capacity,
-                                    size_t *written);
-
-/**
- * Writes the seams of a net.
- *
- * @param net the net.
- * @param[out] seams room for capacity of them.
- * @param capacity see seams.
- * @param[out] written receives their number. NULL and 0 ask for it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
- *     written but the number).
- * @complexity O(seams).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_get_seams(const struct gusset_net *net,
-                                   struct gusset_seam *seams,
-                                   size_t capacity,
-                                   size_t *written);
+                                    size_t matrix_capacity,
+                                    struct gusset_seam *seams,
+                                    size_t seam_capacity,
+                                    struct gusset_net_gluing_report *report);
 
 /**
  * Joins nets side by side to one, in one pass.
@@ -11482,21 +11519,10 @@ gusset_status gusset_net_split_create(const struct gusset_context *context,
                                       struct gusset_net **second);
 
 /**
- * The number of bridges of a net.
- *
- * @param net the net.
- * @param[out] count receives it.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_bridge_count(const struct gusset_net *net, size_t *count);
-
-/**
  * A bridge of a net.
  *
  * @param net the net.
- * @param index its number, below gusset_net_bridge_count.
+ * @param index its number, below bridge_count of gusset_net_gluing_report.
  * @param[out] bridge its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     NO_SUCH_ELEMENT.
@@ -11515,7 +11541,7 @@ gusset_status gusset_net_get_bridge(const struct gusset_net *net,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] net the net.
- * @param index of the bridge, below gusset_net_bridge_count.
+ * @param index of the bridge, below bridge_count of gusset_net_gluing_report.
  * @param mode GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
  * @param tolerance how far nodes that are welded may be apart, at least 0.
  * @param properties NULL leaves them.
@@ -11536,17 +11562,18 @@ gusset_status gusset_net_set_bridge(const struct gusset_context *context,
                                     const struct gusset_bridge_properties *properties);
 
 /**
- * Measures a net: area, volume, box.
+ * Measures a net: areas, volumes, box, centroid, inertia.
  *
- * Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
- * for the bilinear patches of the cells (divergence theorem). Where squares or cubes of coordinates
- * overflow, beyond about 1e77, results are infinite or NaN.
+ * Cells that touch a missing node or belong to a hidden bridge are not there. Volumes, centroid and
+ * inertia are exact but for rounding for the bilinear patches of the cells (divergence theorem).
+ * Where squares or cubes of coordinates overflow, beyond about 1e77, results are infinite or NaN.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
- * @param[out] measures its struct_size set.
+ * @param measures a sum of GUSSET_NET_MEASURES_...: only these are computed.
+ * @param[out] report its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     OUT_OF_MEMORY, CANCELLED.
+ *     UNKNOWN_VALUE (measures), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes), no memory.
  * @threads From any thread; the same bits for any number of threads.
  * @since 0.1
@@ -11555,59 +11582,21 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_measure(const struct gusset_context *context,
                                  const struct gusset_net *net,
-                                 struct gusset_net_measure_report *measures);
-
-/**
- * Computes the area of the bilinear patches of all cells of a net, to rounding: on cells that are
- * not plane more than that of gusset_net_measure.
- *
- * Cells that are not there do not count; a patch that is folded over itself counts with all its
- * sheets.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param[out] area receives the area.
- * @param[out] error receives a bound of its error; may be NULL.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes), some ten times the work of gusset_net_measure; no memory.
- * @threads From any thread; the same bits for any number of threads.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_bilinear_area(const struct gusset_context *context,
-                                       const struct gusset_net *net,
-                                       double *area,
-                                       double *error);
-
-/**
- * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly
- * but for rounding for the bilinear patches of its cells.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param net the net.
- * @param[out] moments its struct_size set.
- * @return GUSSET_OK, or an error: those of gusset_net_measure, and about ten times the work.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_moments(const struct gusset_context *context,
-                                 const struct gusset_net *net,
-                                 struct gusset_net_moment_report *moments);
+                                 gusset_net_measures measures,
+                                 struct gusset_net_measure_report *report);
 
 /**
  * Tells how plane the cells of a net are: whether it can be clad with plane quads.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
- * @param tolerance at least 0, for the count in the summary.
+ * @param tolerance at least 0, for the count in the report.
  * @param[out] cells a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
  *     corners are from the plane that lies evenly between them, as a part of its longer diagonal;
  *     0 for triangles and less, NaN for cells that are not there.
  * @param capacity its size; NULL and 0 if it is not wanted.
  * @param[out] written receives the number of cells.
- * @param[out] summary its struct_size set.
+ * @param[out] report its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes), 8 bytes a cell.
@@ -11621,7 +11610,7 @@ gusset_status gusset_net_planarity(const struct gusset_context *context,
                                    double *cells,
                                    size_t capacity,
                                    size_t *written,
-                                   struct gusset_net_planarity_report *summary);
+                                   struct gusset_net_planarity_report *report);
 
 /**
  * Makes the mesh of a net.
@@ -11726,53 +11715,36 @@ gusset_status gusset_net_from_heights_create(const struct gusset_context *contex
                                              struct gusset_net **net);
 
 /**
- * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of
+ * Finds rows and columns in a mesh: cells in a rectangle, which may be closed round, with fans of
  * triangles round a pole at its first and last row, or either.
  *
- * Rows run as the first quad says, and round if only one direction is closed.
+ * Vertices and their bits are kept. Rows of quads run as the first quad says, and round if only one
+ * direction is closed. If cells are two triangles, the grid lends the first of the two. Where
+ * several pairings of triangles make a grid, as if all diagonals run one way, one is taken, always
+ * the same for the same mesh. For a torus it may be one that closes with a shift, with other rows
+ * and columns than the torus was made from. Tubes and tori whose diagonals run without any rule may
+ * be refused, and so are fans of fewer than six triangles at the pole of an open sheet; at least one
+ * row of quads is needed.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh see gusset_mesh_view.
- * @param face a face of the component that is meant; UINT32_MAX: the mesh must be one grid.
+ * @param cells GUSSET_GRID_CELLS_QUADS or GUSSET_GRID_CELLS_TRIANGLES.
+ * @param face a face of the component that is meant, for quads; UINT32_MAX: the mesh must be one
+ *     grid.
  * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of the view, NO_GRID with a face that shows it,
- *     OUT_OF_MEMORY, CANCELLED.
- * @complexity O(H log d) for H half-edges and vertices of degree d.
+ * @return GUSSET_OK, or an error: those of the view, UNKNOWN_VALUE (cells, or a face beside
+ *     triangles), NO_GRID with a face that shows it, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles
+ *     whose poles do not show by their degrees some attempts of that.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_grid_create(const struct gusset_context *context,
                                      const struct gusset_mesh_view *mesh,
+                                     gusset_grid_cells cells,
                                      uint32_t face,
                                      struct gusset_net_grid **grid);
-
-/**
- * Finds rows and columns in a mesh of triangles: a grid of quads, each cut in two along either
- * diagonal, which may be closed round, with fans of triangles round a pole at its first and last
- * row.
- *
- * Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
- * Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
- * taken, always the same for the same mesh; of a torus that may be one that closes with a shift,
- * so that rows and columns are others than it was made from. Tubes and tori whose diagonals run
- * without any rule may be refused, and so are fans of fewer than six triangles at the pole of an
- * open sheet; at least one row of quads is needed.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param mesh triangles; see gusset_mesh_view.
- * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of the view, NO_GRID with a triangle that shows it,
- *     OUT_OF_MEMORY, CANCELLED.
- * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets whose poles do
- *     not show by their degrees some attempts of that.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_triangle_grid_create(const struct gusset_context *context,
-                                              const struct gusset_mesh_view *mesh,
-                                              struct gusset_net_grid **grid);
 
 /**
  * Destroys a grid; NULL is allowed.
@@ -11802,7 +11774,7 @@ gusset_status gusset_net_grid_net_create(const struct gusset_context *context,
  * Lends where the net was found.
  *
  * @param grid the grid.
- * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @param[out] view receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -11810,7 +11782,7 @@ gusset_status gusset_net_grid_net_create(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
-                                       struct gusset_net_grid_view *parts);
+                                       struct gusset_net_grid_view *view);
 
 /**
  * Makes the net at a time on the way from one net to another of the same rows, columns, type and
@@ -11827,7 +11799,7 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
  * @param path one of GUSSET_MORPH_...
  * @param[out] between receives the net, for gusset_net_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (path),
- *     OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see gusset_net_reformat_create),
+ *     OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see gusset_net_copy_options),
  *     MIXED_SCALARS, GLUINGS_DIFFER with the node, ORIENTATION_CONFLICT (one is reversed),
  *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes).
@@ -12030,12 +12002,13 @@ gusset_status gusset_scene_create(const struct gusset_context *context,
 GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 
 /**
- * Adds a net, in no group yet, as it is now: what is done to the handle later does not change the
- * scene.
+ * Adds a net as it is now, or an empty group, in no group yet.
+ *
+ * What is done to the handle of the net later does not change the scene.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] scene the scene.
- * @param net the net.
+ * @param net the net; NULL for a group.
  * @param[out] entry receives its index.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY.
  * @complexity O(1), and O(nodes) for a net in the caller's memory.
@@ -12043,46 +12016,10 @@ GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_scene_add_net(const struct gusset_context *context,
-                                   struct gusset_scene *scene,
-                                   const struct gusset_net *net,
-                                   uint32_t *entry);
-
-/**
- * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
- * its transform.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] scene the scene.
- * @param entry its index.
- * @param net the net.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the
- *     entry (also for a group), OUT_OF_MEMORY.
- * @complexity O(1), and O(nodes) for a net in the caller's memory.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_scene_set_net(const struct gusset_context *context,
-                                   struct gusset_scene *scene,
-                                   uint32_t entry,
-                                   const struct gusset_net *net);
-
-/**
- * Adds an empty group, in no group yet.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] scene the scene.
- * @param[out] entry receives its index.
- * @return GUSSET_OK, or an error: as gusset_scene_add_net.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_scene_add_group(const struct gusset_context *context,
-                                     struct gusset_scene *scene,
-                                     uint32_t *entry);
+gusset_status gusset_scene_add(const struct gusset_context *context,
+                               struct gusset_scene *scene,
+                               const struct gusset_net *net,
+                               uint32_t *entry);
 
 /**
  * Puts an entry into a group, behind what is in it; again, if it is in it already.
@@ -12140,49 +12077,33 @@ gusset_status gusset_scene_remove(const struct gusset_context *context,
                                   uint32_t entry);
 
 /**
- * Places an entry in the space of the groups that it is in.
+ * Changes an entry: its net, its transform, its visibility.
+ *
+ * On failure the entry is as it was.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] scene the scene.
  * @param entry its index.
- * @param transform twelve finite numbers.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
- *     OUT_OF_RANGE.
- * @complexity O(1).
+ * @param changes what changes.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE (visibility), NO_SUCH_ELEMENT with the entry (also for a net in place of a
+ *     group), OUT_OF_RANGE (the transform), OUT_OF_MEMORY.
+ * @complexity O(1), and O(nodes) for a net in the caller's memory.
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_scene_set_transform(const struct gusset_context *context,
-                                         struct gusset_scene *scene,
-                                         uint32_t entry,
-                                         const struct gusset_transform *transform);
-
-/**
- * Shows an entry, or hides it and all that is in it.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] scene the scene.
- * @param entry its index.
- * @param visible 1 or 0.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
- *     UNKNOWN_VALUE.
- * @complexity O(1).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_scene_set_visible(const struct gusset_context *context,
-                                       struct gusset_scene *scene,
-                                       uint32_t entry,
-                                       uint32_t visible);
+gusset_status gusset_scene_set_entry(const struct gusset_context *context,
+                                     struct gusset_scene *scene,
+                                     uint32_t entry,
+                                     const struct gusset_scene_changes *changes);
 
 /**
  * What an entry is.
  *
  * @param scene the scene.
  * @param entry its index.
- * @param[out] out its struct_size set.
+ * @param[out] report its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     NO_SUCH_ELEMENT.
  * @complexity O(1).
@@ -12192,7 +12113,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_scene_get_entry(const struct gusset_scene *scene,
                                      uint32_t entry,
-                                     struct gusset_scene_entry_report *out);
+                                     struct gusset_scene_entry_report *report);
 
 /**
  * The net of an entry, as a handle that shares its memory until it is changed.
@@ -12240,7 +12161,7 @@ gusset_status gusset_scene_get_children(const struct gusset_context *context,
  * How much is in a scene.
  *
  * @param scene the scene.
- * @param[out] counts its struct_size set.
+ * @param[out] report its struct_size set.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     OUT_OF_MEMORY.
  * @complexity O(entries + children), however many instances there are.
@@ -12249,7 +12170,7 @@ gusset_status gusset_scene_get_children(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
-                                      struct gusset_scene_report *counts);
+                                      struct gusset_scene_report *report);
 
 /**
  * All instances and where they are: each behind the group that it is in, children in order.
@@ -12383,20 +12304,18 @@ gusset_status gusset_net_encode_create(const struct gusset_context *context,
                                        struct gusset_stream **stream);
 
 /**
- * Lends the bytes of a stream, valid until it is destroyed.
+ * Lends the bytes of a stream.
  *
  * @param stream the stream.
- * @param[out] data receives where they are.
- * @param[out] size receives how many they are.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @param[out] view receives the bytes; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_stream_get_view(const struct gusset_stream *stream,
-                                     const void **data,
-                                     size_t *size);
+                                     struct gusset_stream_view *view);
 
 /**
  * Destroys a stream; NULL is allowed.
@@ -12412,7 +12331,7 @@ GUSSET_API void gusset_stream_destroy(struct gusset_stream *stream);
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param data its first 128 bytes, or more.
  * @param size how many there are.
- * @param[out] info its struct_size set.
+ * @param[out] report its struct_size set.
  * @return GUSSET_OK, or an error: BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT,
  *     BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -12423,7 +12342,7 @@ GUSSET_MUST_USE
 gusset_status gusset_stream_inspect(const struct gusset_context *context,
                                     const void *data,
                                     size_t size,
-                                    struct gusset_stream_report *info);
+                                    struct gusset_stream_report *report);
 
 /**
  * Makes the net of a stream.
@@ -12595,7 +12514,7 @@ gusset_status gusset_net_validation_create(const struct gusset_context *context,
  * Lends the findings.
  *
  * @param validation the validation.
- * @param[out] report receives the report; struct_size is set by the caller.
+ * @param[out] view receives the findings; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(log findings).
  * @since 0.1
@@ -12603,7 +12522,7 @@ gusset_status gusset_net_validation_create(const struct gusset_context *context,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_validation_get_view(const struct gusset_net_validation *validation,
-                                             struct gusset_net_validation_view *report);
+                                             struct gusset_net_validation_view *view);
 
 /**
  * Destroys a validation; NULL is allowed.
@@ -12612,27 +12531,6 @@ gusset_status gusset_net_validation_get_view(const struct gusset_net_validation 
  * @since 0.1
  */
 GUSSET_API void gusset_net_validation_destroy(struct gusset_net_validation *validation);
-
-/**
- * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more
- * nodes of its sides that do, forwards or backwards.
- *
- * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are
- * taken stays. On failure the net is as it was.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[in,out] net the net.
- * @param tolerance as for gusset_net_validation_create.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
- *     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(nodes), and a sort of the nodes of the sides.
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_detect_gluing(const struct gusset_context *context,
-                                       struct gusset_net *net,
-                                       double tolerance);
 
 /**
  * What a status means, in a few English words.

@@ -19,7 +19,7 @@ static gusset_net_view grid(void) {
 static gusset_net *net_of(const gusset_net_gluing *gluing) {
     gusset_net *net = NULL;
     const gusset_net_view arrays = grid();
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, gluing, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, gluing, GUSSET_NET_MEMORY_COPY, &net));
     return net;
 }
 
@@ -27,29 +27,30 @@ static void creation(void) {
     gusset_net *net = (gusset_net *)misaligned();
     gusset_net_view arrays = grid(), bad;
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, NULL, NULL, &net));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, NULL, NULL, GUSSET_NET_MEMORY_COPY, &net));
     CHECK(net == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_COPY, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, NULL, 2, &net));
     bad = arrays, bad.rows = 1;
-    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.columns = 0;
-    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.rows = SIZE_MAX;
-    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.scalar = 0;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.y = NULL;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.row_stride = 15;
-    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.column_stride = 3;
-    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     bad = arrays, bad.row_stride = SIZE_MAX;
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_COPY, &net));
     CHECK(net == NULL);
     gusset_net_destroy(NULL);
 }
@@ -64,7 +65,7 @@ static void layouts(void) {
         const double value = k;
         memcpy(bytes + 1 + 8 * k, &value, 8);
     }
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_COPY, &net));
     view.struct_size = sizeof view;
     EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(view.rows == 3 && view.columns == 4 && view.scalar == GUSSET_F64 && view.column_stride == 8);
@@ -88,17 +89,17 @@ static void borrowing(void) {
     gusset_net *net = NULL, *copy = NULL;
 
     bad.y = x + 4;
-    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_borrow_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_BORROW, &net));
     bad = arrays, bad.x = (char *)x + 1;
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_borrow_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_BORROW, &net));
     bad = arrays, bad.column_stride = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_borrow_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_BORROW, &net));
     bad = arrays, bad.z = NULL;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_borrow_create(context, &bad, NULL, &net));
-    EXPECT(GUSSET_OK, gusset_net_borrow_create(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &bad, NULL, GUSSET_NET_MEMORY_BORROW, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_BORROW, &net));
     EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(view.x == x && view.y == y && view.z == z && view.row_stride == 16);
-    EXPECT(GUSSET_OK, gusset_net_clone_create(context, net, &copy));
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, NULL, &copy));
     EXPECT(GUSSET_OK, gusset_net_edit(context, net, &view));
     CHECK(view.x == x);
     ((float *)view.x)[0] = 7;
@@ -107,7 +108,7 @@ static void borrowing(void) {
     CHECK(view.x != x && ((const float *)view.x)[0] == 0.0f);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_edit(context, NULL, &view));
     gusset_net_destroy(copy);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_clone_create(context, NULL, &copy));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_copy_create(context, NULL, NULL, &copy));
     CHECK(copy == NULL);
     gusset_net_destroy(net);
 }
@@ -118,7 +119,7 @@ static void sharing(void) {
     gusset_net_view first = {0}, second = {0};
     first.struct_size = second.struct_size = sizeof first;
 
-    EXPECT(GUSSET_OK, gusset_net_clone_create(context, net, &copy));
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, NULL, &copy));
     EXPECT(GUSSET_OK, gusset_net_get_view(net, &first));
     EXPECT(GUSSET_OK, gusset_net_get_view(copy, &second));
     CHECK(first.x == second.x);
@@ -131,46 +132,56 @@ static void sharing(void) {
     gusset_net_destroy(copy);
 }
 
+static gusset_net_gluing_report report_of(const gusset_net *net) {
+    gusset_net_gluing_report report = {0};
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_net_get_gluing(net, NULL, 0, NULL, 0, &report));
+    return report;
+}
+
 static void gluing(void) {
+    gusset_net_gluing_report report;
     gusset_net_gluing gluing = {0};
     gusset_seam seam = {0, 0, 1, 0, 2, 3, -1, 0, 3, 0}, read[1];
     gusset_net *net = NULL;
     gusset_net_view arrays = grid();
     uint8_t matrix[24] = {0}, got[24];
-    uint32_t sides = 5, reversed = 5;
-    size_t count = 5;
 
     gluing.struct_size = sizeof gluing;
     gluing.sides = 64;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     gluing.sides = GUSSET_SIDES_TUBE, gluing.matrix = matrix;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     gluing.sides = 0, matrix[0] = 2;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     matrix[0] = 0, gluing.matrix = NULL, gluing.reversed = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     gluing.reversed = 0, gluing.seam_count = 1;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     gluing.seams = &seam, seam.count = 4;
-    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     /* One pair again and again is refused at once, not walked. */
     seam.count = UINT32_MAX, seam.row_step_a = seam.row_step_b = 0;
-    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     seam.row_step_a = 1, seam.row_step_b = -1;
     seam.count = 3, seam.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     seam.reserved = 0;
 
     /* A Moebius strip. */
     net = net_of(&gluing);
-    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, &count, &reversed));
-    CHECK(sides == GUSSET_SIDES_SHEET && count == 1 && reversed == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_seams(net, NULL, 1, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_seams(net, NULL, 1, &count));
-    EXPECT(GUSSET_OK, gusset_net_get_seams(net, NULL, 0, &count));
-    CHECK(count == 1);
-    EXPECT(GUSSET_OK, gusset_net_get_seams(net, read, 1, &count));
-    CHECK(read[0].count == 3);
+    report = report_of(net);
+    CHECK(report.sides == GUSSET_SIDES_SHEET && report.seam_count == 1 && report.reversed == 0);
+    CHECK(report.bridge_count == 0 && report.matrix_size == 24);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_gluing(net, NULL, 0, NULL, 1, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_gluing(net, NULL, 0, NULL, 1, &report));
+    CHECK(report.seam_count == 0 && report.matrix_size == 0);
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_get_gluing(net, NULL, 0, read, 0, &report));
+    EXPECT(GUSSET_OK, gusset_net_get_gluing(net, NULL, 0, read, 1, &report));
+    CHECK(read[0].count == 3 && report.seam_count == 1);
+    report.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_get_gluing(net, NULL, 0, read, 1, &report));
+    report.struct_size = sizeof report;
 
     /* Closed rows, said by the matrix, are sides. */
     memset(&gluing, 0, sizeof gluing);
@@ -178,13 +189,12 @@ static void gluing(void) {
     gluing.matrix = matrix;
     matrix[3] = matrix[11] = matrix[19] = 1;
     EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, &gluing));
-    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, &count, NULL));
-    CHECK(sides == GUSSET_SIDES_TUBE && count == 0);
-    EXPECT(GUSSET_OK, gusset_net_get_matrix(net, NULL, 0, &count));
-    CHECK(count == 24);
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_get_matrix(net, got, 23, &count));
-    EXPECT(GUSSET_OK, gusset_net_get_matrix(net, got, 24, &count));
-    CHECK(memcmp(got, matrix, 24) == 0);
+    report = report_of(net);
+    CHECK(report.sides == GUSSET_SIDES_TUBE && report.seam_count == 0 && report.matrix_size == 24);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_gluing(net, NULL, 24, NULL, 0, &report));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_get_gluing(net, got, 23, NULL, 0, &report));
+    EXPECT(GUSSET_OK, gusset_net_get_gluing(net, got, 24, read, 1, &report));
+    CHECK(memcmp(got, matrix, 24) == 0 && report.seam_count == 0);
 
     /* Both diagonals of a cell: refused, and nothing is lost. */
     {
@@ -192,17 +202,13 @@ static void gluing(void) {
         gluing.matrix = NULL, gluing.seams = cross, gluing.seam_count = 2;
         EXPECT(GUSSET_ERROR_CROSSING_CELL, gusset_net_set_gluing(context, net, &gluing));
         gluing.seam_count = 1;
-        EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, NULL, NULL));
-        CHECK(sides == GUSSET_SIDES_TUBE);
+        CHECK(report_of(net).sides == GUSSET_SIDES_TUBE);
         EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, &gluing));
-        EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, &count, NULL));
-        CHECK(sides == GUSSET_SIDES_SHEET && count == 1);
+        CHECK(report_of(net).sides == GUSSET_SIDES_SHEET && report_of(net).seam_count == 1);
     }
     EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, NULL));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_set_gluing(context, NULL, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_topology(NULL, &sides, NULL, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_matrix(NULL, NULL, 0, &count));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_seams(NULL, NULL, 0, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_gluing(NULL, NULL, 0, NULL, 0, &report));
     gusset_net_destroy(net);
 }
 
@@ -213,9 +219,11 @@ static void other_orders_and_types(void) {
     gusset_net_view arrays = {sizeof arrays,       2, 3, (void *)(uintptr_t)columns[0], (void *)(uintptr_t)columns[1],
                                 (void *)(uintptr_t)columns[2], 8, 16, GUSSET_F64,        0},
                       view = {0};
+    gusset_net_copy_options options = {0};
     gusset_net *net = NULL, *single = NULL;
 
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    options.struct_size = sizeof options, options.scalar = GUSSET_F32;
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_COPY, &net));
     view.struct_size = sizeof view;
     EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(((const double *)view.x)[2] == 2 && ((const double *)view.y)[3] == 5 && ((const double *)view.x)[5] == 2);
@@ -224,14 +232,23 @@ static void other_orders_and_types(void) {
     CHECK(memcmp(back, columns, sizeof back) == 0);
     arrays.row_stride = 16;
     EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_read(context, net, &arrays));
-    EXPECT(GUSSET_OK, gusset_net_convert_create(context, net, GUSSET_F32, &single));
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &options, &single));
     EXPECT(GUSSET_OK, gusset_net_get_view(single, &view));
     CHECK(view.scalar == GUSSET_F32 && ((const float *)view.y)[3] == 5.0f && isinf(((const float *)view.z)[0]));
     gusset_net_destroy(single);
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_convert_create(context, net, 0, &single));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_copy_create(context, NULL, &options, &single));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_copy_create(context, net, &options, NULL));
+    options.scalar = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_copy_create(context, net, &options, &single));
     CHECK(single == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_convert_create(context, NULL, GUSSET_F32, &single));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_convert_create(context, net, GUSSET_F32, NULL));
+    /* The type that the net has already is no change: the memory is shared. */
+    options.scalar = GUSSET_F64;
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &options, &single));
+    arrays.struct_size = sizeof arrays;
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &arrays));
+    EXPECT(GUSSET_OK, gusset_net_get_view(single, &view));
+    CHECK(view.x == arrays.x && view.scalar == GUSSET_F64);
+    gusset_net_destroy(single);
     gusset_net_destroy(net);
 }
 
@@ -240,11 +257,13 @@ static void nothing_is_lost(void) {
     gusset_net *net = net_of(NULL);
     gusset_net_view before = {0}, after = {0};
     gusset_operation far_away = {GUSSET_OPERATION_TRANSLATE, 0, {1e39}};
+    gusset_glue_options snap = {0};
     gusset_scene *scene = NULL;
     uint64_t moved = 777;
     uint32_t entry = 777;
 
     before.struct_size = after.struct_size = sizeof before;
+    snap.struct_size = sizeof snap, snap.snap = 1;
     EXPECT(GUSSET_OK, gusset_net_get_view(net, &before));
     EXPECT(GUSSET_ERROR_FIELD_UNDEFINED, gusset_net_transform(context, net, &far_away, 1));
     far_away.values[0] = 1e37;
@@ -253,9 +272,9 @@ static void nothing_is_lost(void) {
     CHECK(((const float *)after.x)[3] == 1e37f);
     EXPECT(GUSSET_OK, gusset_scene_create(context, &scene));
     gusset_context_cancel(context);
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_snap(context, net, &moved));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_glue(context, net, &snap, &moved));
     CHECK(moved == 0);
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_scene_add_group(context, scene, &entry));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_scene_add(context, scene, NULL, &entry));
     CHECK(entry == UINT32_MAX);
     after.x = &moved;
     EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_edit(context, net, &after));

@@ -19,7 +19,7 @@ static gusset_net *grid(size_t rows, size_t columns, double shift, gusset_sides 
         y[k] = (double)(k / columns);
         z[k] = 0;
     }
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     return net;
 }
 
@@ -39,53 +39,79 @@ static int has_size(const gusset_net *net, size_t rows, size_t columns) {
 
 static void arranged(void) {
     gusset_net *net = grid(3, 5, 0, GUSSET_SIDES_TUBE), *out = (gusset_net *)misaligned(), *back = NULL;
-    gusset_reformat_options options = {sizeof options, 5, 0, GUSSET_REPLICATE_AT, GUSSET_REPLICATE_LAST, 1, 0}, bad;
+    /* Number (0, 0) of x and y, and the number of rows, under each symmetry. */
+    static const double turned[8][3] = {{0, 0, 3}, {4, 0, 5}, {4, 2, 3}, {0, 2, 5}, {4, 0, 3}, {0, 2, 3}, {0, 0, 5}, {4, 2, 5}};
+    const gusset_net_copy_options none = {.struct_size = sizeof none};
+    const gusset_net_copy_options part = {
+        .struct_size = sizeof part, .row_first = 1, .row_count = 2, .column_first = 2, .column_count = 3};
+    const gusset_net_copy_options larger = {.struct_size = sizeof larger,
+                                            .rows = 5,
+                                            .row_replication = GUSSET_REPLICATE_AT,
+                                            .column_replication = GUSSET_REPLICATE_LAST,
+                                            .row_index = 1};
+    gusset_net_copy_options given;
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_part_create(context, NULL, 0, 2, 0, 2, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_copy_create(context, NULL, &part, &out));
     CHECK(out == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_part_create(context, net, 0, 2, 0, 2, NULL));
-    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_part_create(context, net, 0, 1, 0, 2, &out));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_part_create(context, net, 2, 2, 0, 2, &out));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_part_create(context, net, 0, 2, SIZE_MAX, 2, &out));
-    EXPECT(GUSSET_OK, gusset_net_part_create(context, net, 1, 2, 2, 3, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_copy_create(context, net, &part, NULL));
+    given = part, given.row_count = 1;
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_copy_create(context, net, &given, &out));
+    given = part, given.row_first = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_copy_create(context, net, &given, &out));
+    given = part, given.column_first = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_copy_create(context, net, &given, &out));
+    given.column_count = 0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_copy_create(context, net, &given, &out));
+    CHECK(out == NULL);
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &part, &out));
     CHECK(has_size(out, 2, 3) && at(out, 0, 0, 0) == 2 && at(out, 1, 1, 2) == 2);
     gusset_net_destroy(out);
-
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transpose_create(context, NULL, &out));
-    EXPECT(GUSSET_OK, gusset_net_transpose_create(context, net, &out));
-    CHECK(has_size(out, 5, 3) && at(out, 0, 4, 1) == 4);
-    gusset_net_destroy(out);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_flip_create(context, NULL, GUSSET_DIRECTION_DOWN, &out));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_flip_create(context, net, 2, &out));
-    EXPECT(GUSSET_OK, gusset_net_flip_create(context, net, GUSSET_DIRECTION_RIGHT, &out));
-    CHECK(at(out, 0, 0, 0) == 4 && at(out, 1, 0, 0) == 0);
-    gusset_net_destroy(out);
-    EXPECT(GUSSET_OK, gusset_net_flip_create(context, net, GUSSET_DIRECTION_DOWN, &out));
-    CHECK(at(out, 0, 0, 0) == 0 && at(out, 1, 0, 0) == 2);
-    gusset_net_destroy(out);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_turn_create(context, NULL, 1, &out));
-    EXPECT(GUSSET_OK, gusset_net_turn_create(context, net, -2147483647, &out));
-    CHECK(has_size(out, 5, 3));
+    given = none, given.row_first = 1; /* as many rows as there are from there on, and all columns */
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &given, &out));
+    CHECK(has_size(out, 2, 5) && at(out, 1, 0, 0) == 1);
     gusset_net_destroy(out);
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_reformat_create(context, NULL, &options, &out));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_reformat_create(context, net, NULL, &out));
-    bad = options, bad.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_reformat_create(context, net, &bad, &out));
-    bad = options, bad.row_replication = GUSSET_REPLICATE_REFUSE;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_reformat_create(context, net, &bad, &out));
-    bad = options, bad.rows = 2;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_reformat_create(context, net, &bad, &out));
-    bad = options, bad.row_index = 3;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_reformat_create(context, net, &bad, &out));
-    bad = options, bad.columns = SIZE_MAX;
-    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_reformat_create(context, net, &bad, &out));
+    for (uint32_t turn = 0; turn < 8; ++turn) {
+        given = none, given.turn = turn;
+        EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &given, &out));
+        CHECK(at(out, 0, 0, 0) == turned[turn][0] && at(out, 1, 0, 0) == turned[turn][1]);
+        CHECK(has_size(out, (size_t)turned[turn][2], (size_t)(8 - turned[turn][2])));
+        gusset_net_destroy(out);
+    }
+    given.turn = GUSSET_NET_TURN_TRANSPOSE;
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &given, &out));
+    CHECK(at(out, 0, 4, 1) == 4);
+    gusset_net_destroy(out);
+    given.turn = 8;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_copy_create(context, net, &given, &out));
+    given = none, given.compact = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_copy_create(context, net, &given, &out));
+    given = none, given.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_copy_create(context, net, &given, &out));
+
+    given = larger, given.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_copy_create(context, net, &given, &out));
+    given = larger, given.row_replication = GUSSET_REPLICATE_REFUSE;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_copy_create(context, net, &given, &out));
+    given = larger, given.rows = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_copy_create(context, net, &given, &out));
+    given = larger, given.row_index = 3;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_copy_create(context, net, &given, &out));
+    given = larger, given.columns = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_copy_create(context, net, &given, &out));
     CHECK(out == NULL);
-    EXPECT(GUSSET_OK, gusset_net_reformat_create(context, net, &options, &out));
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &larger, &out));
     CHECK(has_size(out, 5, 5) && at(out, 1, 3, 0) == 1 && at(out, 1, 4, 0) == 2);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_compact_create(context, NULL, &back));
-    EXPECT(GUSSET_OK, gusset_net_compact_create(context, out, &back));
+    given = none, given.compact = 1;
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, out, &given, &back));
     CHECK(has_size(back, 3, 5));
+    gusset_net_destroy(back);
+    /* Several steps: a part of what was enlarged, compact, turned and in floats. */
+    given.row_count = 4, given.turn = GUSSET_NET_TURN_QUARTER, given.scalar = GUSSET_F32;
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, out, &given, &back));
+    CHECK(has_size(back, 5, 2));
+    gusset_net_destroy(back);
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, NULL, &back));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_clear_no_data(context, NULL, 1));
     EXPECT(GUSSET_OK, gusset_net_clear_no_data(context, back, 4));
     CHECK(isnan(at(back, 1, 0, 4)) && at(back, 1, 1, 3) == 1);
@@ -151,7 +177,7 @@ static void joined(void) {
     gusset_concatenate_options options, bad;
     gusset_bridge bridge;
     gusset_bridge_properties given = {1, 2, 3, 4};
-    size_t count = 7;
+    gusset_net_gluing_report report;
 
     memset(&options, 0, sizeof options);
     options.struct_size = sizeof options;
@@ -191,11 +217,9 @@ static void joined(void) {
     options.properties = given;
     EXPECT(GUSSET_OK, gusset_net_concatenate_create(context, unaligned_nets, 2, &options, &out));
     CHECK(has_size(out, 4, 7) && at(out, 0, 0, 4) == 9);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bridge_count(NULL, &count));
-    CHECK(count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bridge_count(out, NULL));
-    EXPECT(GUSSET_OK, gusset_net_bridge_count(out, &count));
-    CHECK(count == 1);
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_net_get_gluing(out, NULL, 0, NULL, 0, &report));
+    CHECK(report.bridge_count == 1);
     bridge.struct_size = sizeof bridge;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_get_bridge(out, 1, &bridge));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_bridge(out, 0, NULL));

@@ -8,7 +8,7 @@ static gusset_net *square(void) {
     static float x[4] = {0, 1, 0, 1}, y[4] = {0, 0, 1, 1}, z[4];
     const gusset_net_view arrays = {sizeof arrays, 2, 2, x, y, z, 0, 0, GUSSET_F32, 0};
     gusset_net *net = NULL;
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_COPY, &net));
     return net;
 }
 
@@ -16,23 +16,24 @@ static void editing(void) {
     gusset_scene *scene = (gusset_scene *)misaligned();
     gusset_net *net = square(), *shared = NULL;
     gusset_transform move = {{1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0}}, bad = move;
+    const gusset_transform identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+    gusset_scene_changes changes;
     gusset_scene_entry_report entry;
     gusset_scene_report counts;
     gusset_scene_instance instances[4];
-    uint32_t a = 7, group = 7, other = 7, children[2] = {9, 9};
+    uint32_t a = 7, group = 7, other = 7, spare = 7, children[2] = {9, 9};
     size_t written = 7;
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_create(context, NULL));
     EXPECT(GUSSET_OK, gusset_scene_create(context, &scene));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add_net(context, NULL, net, &a));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add(context, NULL, net, &a));
     CHECK(a == UINT32_MAX);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add_net(context, scene, NULL, &a));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add_net(context, scene, net, NULL));
-    EXPECT(GUSSET_OK, gusset_scene_add_net(context, scene, net, &a));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add_group(context, NULL, &group));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add_group(context, scene, NULL));
-    EXPECT(GUSSET_OK, gusset_scene_add_group(context, scene, &group));
-    EXPECT(GUSSET_OK, gusset_scene_add_group(context, scene, &other));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add(context, scene, net, NULL));
+    EXPECT(GUSSET_OK, gusset_scene_add(context, scene, net, &a));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add(context, NULL, NULL, &group));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add(context, scene, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_scene_add(context, scene, NULL, &group));
+    EXPECT(GUSSET_OK, gusset_scene_add(context, scene, NULL, &other));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_add_child(context, NULL, group, a));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_add_child(context, scene, a, group));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_add_child(context, scene, group, 17));
@@ -42,16 +43,37 @@ static void editing(void) {
     EXPECT(GUSSET_OK, gusset_scene_add_child(context, scene, other, group));
     EXPECT(GUSSET_ERROR_SCENE_CYCLE, gusset_scene_add_child(context, scene, group, other));
 
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_transform(context, NULL, a, &move));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_transform(context, scene, a, NULL));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_transform(context, scene, 3, &move));
+    memset(&changes, 0, sizeof changes);
+    changes.struct_size = sizeof changes, changes.transform = &move;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_entry(context, NULL, a, &changes));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_entry(context, scene, a, NULL));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_entry(context, scene, 3, &changes));
+    EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, group, &changes));
+    /* All or nothing: what is hidden with a transform that is refused stays shown. */
     bad.rows[6] = INFINITY;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_scene_set_transform(context, scene, a, &bad));
-    EXPECT(GUSSET_OK, gusset_scene_set_transform(context, scene, group, &move));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_visible(context, NULL, a, 0));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_scene_set_visible(context, scene, a, 2));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_visible(context, scene, UINT32_MAX, 0));
-    EXPECT(GUSSET_OK, gusset_scene_set_visible(context, scene, a, 1));
+    changes.transform = &bad, changes.visibility = GUSSET_VISIBILITY_HIDE;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_scene_set_entry(context, scene, group, &changes));
+    changes.transform = (const gusset_transform *)misaligned();
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_scene_set_entry(context, scene, a, &changes));
+    changes.transform = NULL, changes.visibility = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_scene_set_entry(context, scene, a, &changes));
+    changes.visibility = GUSSET_VISIBILITY_HIDE;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_entry(context, scene, UINT32_MAX, &changes));
+    EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, a, &changes));
+    changes.visibility = GUSSET_VISIBILITY_SHOW, changes.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_scene_set_entry(context, scene, a, &changes));
+    entry.struct_size = sizeof entry;
+    EXPECT(GUSSET_OK, gusset_scene_get_entry(scene, a, &entry));
+    CHECK(entry.kind == GUSSET_SCENE_NET && entry.visible == 0);
+    changes.reserved = 0;
+    EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, a, &changes));
+    changes.visibility = GUSSET_VISIBILITY_KEEP;
+    EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, a, &changes));
+    EXPECT(GUSSET_OK, gusset_scene_get_entry(scene, a, &entry));
+    CHECK(entry.visible == 1);
+    changes.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_scene_set_entry(context, scene, a, &changes));
+    changes.struct_size = sizeof changes;
 
     entry.struct_size = sizeof entry;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_entry(NULL, group, &entry));
@@ -64,10 +86,16 @@ static void editing(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_net_create(context, scene, group, &shared));
     CHECK(shared == NULL);
     EXPECT(GUSSET_OK, gusset_scene_net_create(context, scene, a, &shared));
-    EXPECT(GUSSET_OK, gusset_scene_set_net(context, scene, a, shared));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_net(context, scene, group, shared));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_net(context, scene, a, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_net(context, NULL, a, shared));
+    changes.net = shared;
+    EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, a, &changes));
+    changes.visibility = GUSSET_VISIBILITY_HIDE, changes.transform = &identity;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_entry(context, scene, group, &changes));
+    EXPECT(GUSSET_OK, gusset_scene_get_entry(scene, group, &entry));
+    CHECK(entry.visible == 1 && memcmp(&entry.transform, &move, sizeof move) == 0);
+    changes.net = (const gusset_net *)scene;
+    EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_scene_set_entry(context, scene, a, &changes));
+    EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_scene_add(context, scene, changes.net, &spare));
+    CHECK(spare == UINT32_MAX);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_children(context, NULL, group, children, 2, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_children(context, scene, group, children, 2, NULL));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_get_children(context, scene, a, children, 2, &written));
@@ -110,6 +138,7 @@ static void flattening(void) {
     gusset_scene *scene = NULL, *back = (gusset_scene *)misaligned();
     gusset_net *net = square(), *flat = (gusset_net *)misaligned();
     const gusset_transform move = {{1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0}};
+    gusset_scene_changes changes = {.struct_size = sizeof changes};
     gusset_concatenate_options options;
     gusset_net_view view;
     gusset_scene_report counts;
@@ -120,9 +149,10 @@ static void flattening(void) {
     EXPECT(GUSSET_ERROR_EMPTY_SCENE, gusset_scene_flatten_create(context, scene, NULL, &flat));
     CHECK(flat == NULL);
     for (int k = 0; k < 2; k++) {
-        EXPECT(GUSSET_OK, gusset_scene_add_net(context, scene, net, &entries[k]));
+        EXPECT(GUSSET_OK, gusset_scene_add(context, scene, net, &entries[k]));
     }
-    EXPECT(GUSSET_OK, gusset_scene_set_transform(context, scene, entries[1], &move));
+    changes.transform = &move;
+    EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, entries[1], &changes));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_flatten_create(context, NULL, NULL, &flat));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_flatten_create(context, scene, NULL, NULL));
     memset(&options, 0, sizeof options);
@@ -149,7 +179,7 @@ static void flattening(void) {
 
     /* Each group has the one before twice: 2^65 instances and more. */
     for (int k = 0; k < 64; k++) {
-        EXPECT(GUSSET_OK, gusset_scene_add_group(context, scene, &groups[k]));
+        EXPECT(GUSSET_OK, gusset_scene_add(context, scene, NULL, &groups[k]));
         const uint32_t below = k == 0 ? entries[0] : groups[k - 1];
         EXPECT(GUSSET_OK, gusset_scene_add_child(context, scene, groups[k], below));
         EXPECT(GUSSET_OK, gusset_scene_add_child(context, scene, groups[k], below));

@@ -15,7 +15,7 @@ static gusset_net *sheet(void) {
     for (int k = 0; k < NODES; k++) {
         x[k] = k % COLUMNS, y[k] = k / COLUMNS, z[k] = 0;
     }
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_COPY, &net));
     return net;
 }
 
@@ -35,7 +35,7 @@ static gusset_net *prism(void) {
         py[k] = pole ? 0 : corners[k % 5][1];
         pz[k] = row < 2 ? -1 : 1;
     }
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, &gluing, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, &gluing, GUSSET_NET_MEMORY_COPY, &net));
     return net;
 }
 
@@ -45,6 +45,14 @@ static gusset_net_view view(const gusset_net *net) {
     arrays.struct_size = sizeof arrays;
     EXPECT(GUSSET_OK, gusset_net_get_view(net, &arrays));
     return arrays;
+}
+
+static gusset_net_gluing_report gluing_of(const gusset_net *net) {
+    gusset_net_gluing_report report;
+    memset(&report, 0, sizeof report);
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_net_get_gluing(net, NULL, 0, NULL, 0, &report));
+    return report;
 }
 
 static double x_of(const gusset_net *net, int node) { return ((const double *)view(net).x)[node]; }
@@ -63,7 +71,6 @@ static void transforms(void) {
     gusset_net *net = sheet();
     gusset_operation chain[7], bad;
     unsigned char odd[sizeof chain + 1];
-    uint32_t reversed = 0;
 
     chain[0] = operation(GUSSET_OPERATION_TRANSLATE, 1, 0, 0, 0);
     chain[1] = operation(GUSSET_OPERATION_ROTATE, 0, 0, 5, quarter);
@@ -78,8 +85,7 @@ static void transforms(void) {
     EXPECT(GUSSET_OK, gusset_net_transform(context, net, (const gusset_operation *)(const void *)(odd + 1), 7));
     /* (3, 2) -> (4, 2), there and back, x2, x / 2, + 10 */
     CHECK(fabs(x_of(net, 2 * COLUMNS + 3) - 14) < 1e-14 && fabs(y_of(net, 2 * COLUMNS + 3) - 4) < 1e-14);
-    EXPECT(GUSSET_OK, gusset_net_get_topology(net, NULL, NULL, &reversed));
-    CHECK(reversed == 1);
+    CHECK(gluing_of(net).reversed == 1);
     EXPECT(GUSSET_OK, gusset_net_transform(context, net, NULL, 0));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transform(context, net, NULL, 1));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transform(context, NULL, chain, 1));
@@ -214,35 +220,24 @@ static void wrong_fields(void) {
     gusset_net_destroy(net);
 }
 
-static int lift(void *user, size_t first, size_t count, void *px, void *py, void *pz) {
-    size_t *calls = user;
-    if (first == 0 && *calls > 100) {
-        return 1;
-    }
-    CHECK(px != NULL && py != NULL);
-    for (size_t k = 0; k < count; k++) {
-        ((double *)pz)[k] = (double)(first + k);
-    }
-    *calls += count;
-    return 0;
-}
-
 static void functions_of_the_host(void) {
     gusset_net *net = prism();
-    size_t nodes = 0;
+    gusset_net_view lent = view(net);
+    gusset_glue_options snap = {.struct_size = sizeof snap, .snap = 1};
     uint64_t moved = 7;
-    EXPECT(GUSSET_OK, gusset_net_deform_rows(context, net, lift, &nodes));
-    CHECK(nodes == 20);
-    /* Snapped: the last row is one point, its first. */
-    CHECK(((const double *)view(net).z)[19] == 15.0);
-    nodes = 1000;
-    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_deform_rows(context, net, lift, &nodes));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform_rows(context, net, NULL, &nodes));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform_rows(context, NULL, lift, &nodes));
-    EXPECT(GUSSET_OK, gusset_net_snap(context, net, &moved));
+    EXPECT(GUSSET_OK, gusset_net_edit(context, net, &lent));
+    for (size_t k = 0; k < 20; k++) {
+        ((double *)lent.z)[k] = (double)k;
+    }
+    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &snap, &moved));
+    /* The last row is one point, its first: of four nodes, and so of the first row; two rows are closed. */
+    CHECK(moved == 10 && ((const double *)view(net).z)[19] == 15.0);
+    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &snap, &moved));
     CHECK(moved == 0);
-    EXPECT(GUSSET_OK, gusset_net_snap(context, net, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_snap(context, NULL, &moved));
+    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &snap, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, NULL, &snap, &moved));
+    snap.snap = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &snap, &moved));
     EXPECT(GUSSET_OK, gusset_net_displace(context, net, 0.25));
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_displace(context, net, NAN));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_displace(context, NULL, 1));
@@ -253,37 +248,50 @@ static void analyses(void) {
     const double radius = (COLUMNS - 1) / (4 * acos(0.0));
     gusset_net *net = sheet(), *after = sheet();
     gusset_net_analysis *analysis = (gusset_net_analysis *)misaligned();
+    gusset_net_analysis_options options, bad;
     gusset_net_analysis_view parts;
     gusset_field wrap = field(GUSSET_FIELD_CYLINDER_WRAP, GUSSET_AXIS_Y, radius, 0, 0, 0);
     gusset_field stand = field(GUSSET_FIELD_AFFINE, 0, 0, 0, 1, 0), both[2];
     const uint32_t bad_link = 2 * NODES;
+    gusset_glue_options glue = {.struct_size = sizeof glue, .snap = 1};
     uint64_t moved = 0;
-    uint32_t sides = 0;
 
     /* About y the arc is z and the height x: exchange them first. */
     stand.values[5] = 1, stand.values[8] = -1;
     both[0] = stand, both[1] = wrap;
     memset(&parts, 0, sizeof parts);
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_of_fields_create(context, NULL, both, 2, 0, 1e-9, &analysis));
+    memset(&options, 0, sizeof options);
+    options.struct_size = sizeof options;
+    options.fields = both, options.field_count = 2, options.tolerance = 1e-9;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_create(context, NULL, &options, &analysis));
     CHECK(analysis == NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analysis_of_fields_create(context, net, both, 2, 0, -1, &analysis));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_of_fields_create(context, net, both, 2, 0, 1e-9, NULL));
-    EXPECT(GUSSET_OK, gusset_net_analysis_of_fields_create(context, net, both, 2, 0, 1e-9, &analysis));
+    bad = options, bad.tolerance = -1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analysis_create(context, net, &bad, &analysis));
+    bad = options, bad.after = after;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_analysis_create(context, net, &bad, &analysis));
+    bad = options, bad.fields = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_create(context, net, &bad, &analysis));
+    bad = options, bad.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_analysis_create(context, net, &bad, &analysis));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_create(context, net, &options, NULL));
+    CHECK(analysis == NULL);
+    EXPECT(GUSSET_OK, gusset_net_analysis_create(context, net, &options, &analysis));
     EXPECT(GUSSET_OK, gusset_net_analysis_get_view(analysis, &parts));
     CHECK(parts.link_count == 2 * NODES && parts.cell_count == CELLS && parts.determinants != NULL && parts.soft == 0);
     CHECK(parts.contracted_count == ROWS && parts.contracted[0] == 2 * (COLUMNS - 1) && parts.stars[0] == 0);
     CHECK(parts.torn_count == 0 && parts.torn == NULL && parts.folded_count == 0);
     CHECK(fabs(parts.determinants[0] - 1) < 1e-7);
     EXPECT(GUSSET_OK, gusset_net_deform(context, net, both, 2, 0));
-    EXPECT(GUSSET_OK, gusset_net_absorb(context, net, parts.contracted, parts.contracted_count));
-    EXPECT(GUSSET_OK, gusset_net_snap(context, net, &moved));
-    CHECK(moved == ROWS);
-    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, NULL, NULL));
-    CHECK(sides == GUSSET_SIDES_TUBE);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_absorb(context, net, &bad_link, 1));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_absorb(context, net, NULL, 1));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_absorb(context, NULL, &bad_link, 0));
+    glue.links = parts.contracted, glue.link_count = parts.contracted_count;
+    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &glue, &moved));
+    CHECK(moved == ROWS && gluing_of(net).sides == GUSSET_SIDES_TUBE);
+    glue.links = &bad_link, glue.link_count = 1;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_glue(context, net, &glue, NULL));
+    glue.links = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, net, &glue, NULL));
+    glue.links = &bad_link, glue.link_count = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_glue(context, net, &glue, NULL));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_get_view(NULL, &parts));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_get_view(analysis, NULL));
     parts.struct_size = 8;
@@ -291,15 +299,23 @@ static void analyses(void) {
     gusset_net_analysis_destroy(analysis);
 
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_net_analysis_create(context, after, after, 0, &analysis));
+    memset(&options, 0, sizeof options);
+    options.struct_size = sizeof options, options.after = after;
+    EXPECT(GUSSET_OK, gusset_net_analysis_create(context, after, &options, &analysis));
     EXPECT(GUSSET_OK, gusset_net_analysis_get_view(analysis, &parts));
     CHECK(parts.soft == 1 && parts.determinants == NULL && parts.links[0] == 1.0 && parts.cells[CELLS - 1] == 1.0);
     gusset_net_analysis_destroy(analysis);
     gusset_net_analysis_destroy(NULL);
+    /* No deformation. */
+    EXPECT(GUSSET_OK, gusset_net_analysis_create(context, after, NULL, &analysis));
+    EXPECT(GUSSET_OK, gusset_net_analysis_get_view(analysis, &parts));
+    CHECK(parts.soft == 1 && parts.links[0] == 1.0 && fabs(parts.determinants[0] - 1) < 1e-7);
+    gusset_net_analysis_destroy(analysis);
     gusset_net_destroy(net);
     net = prism();
-    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_analysis_create(context, net, after, 0, &analysis));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analysis_create(context, net, net, NAN, &analysis));
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_analysis_create(context, net, &options, &analysis));
+    options.after = net, options.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analysis_create(context, net, &options, &analysis));
     CHECK(analysis == NULL);
     gusset_net_destroy(net);
     gusset_net_destroy(after);
@@ -311,7 +327,6 @@ static void normals_and_measures(void) {
     uint64_t without = 9;
     size_t written = 7;
     gusset_net_measure_report measures;
-    gusset_net_moment_report moments;
     gusset_net_planarity_report summary;
     gusset_net_view own = view(net);
 
@@ -326,19 +341,21 @@ static void normals_and_measures(void) {
     EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_normals(context, net, nx, ny, own.y, 20, &without));
 
     measures.struct_size = sizeof measures;
-    moments.struct_size = sizeof moments;
     summary.struct_size = sizeof summary;
-    EXPECT(GUSSET_OK, gusset_net_measure(context, net, &measures));
+    EXPECT(GUSSET_OK, gusset_net_measure(context, net, GUSSET_NET_MEASURES_EXTENT, &measures));
     CHECK(measures.volume == 8 && measures.area == 24 && measures.low[0] == -1 && measures.high[2] == 1);
     CHECK(measures.area_vector[0] == 0 && measures.area_vector[1] == 0 && measures.area_vector[2] == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, NULL, &measures));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, net, NULL));
-    EXPECT(GUSSET_OK, gusset_net_moments(context, net, &moments));
-    CHECK(fabs(moments.volume - 8) < 1e-13 && fabs(moments.centroid[2]) < 1e-15);
-    CHECK(fabs(moments.inertia[0] - 16.0 / 3) < 1e-13 && fabs(moments.inertia[1]) < 1e-13);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_moments(context, NULL, &moments));
-    moments.struct_size = 0;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_moments(context, net, &moments));
+    CHECK(measures.bilinear_area == 0 && measures.body_volume == 0 && measures.inertia[0] == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, NULL, GUSSET_NET_MEASURES_EXTENT, &measures));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, net, GUSSET_NET_MEASURES_EXTENT, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_measure(context, net, 8, &measures));
+    EXPECT(GUSSET_OK, gusset_net_measure(context, net, GUSSET_NET_MEASURES_BODY, &measures));
+    CHECK(fabs(measures.body_volume - 8) < 1e-13 && fabs(measures.centroid[2]) < 1e-15 && measures.volume == 0);
+    CHECK(fabs(measures.inertia[0] - 16.0 / 3) < 1e-13 && fabs(measures.inertia[1]) < 1e-13);
+    EXPECT(GUSSET_OK, gusset_net_measure(context, net, 0, &measures));
+    CHECK(measures.area == 0 && measures.body_volume == 0);
+    measures.struct_size = 0;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_measure(context, net, GUSSET_NET_MEASURES_EXTENT, &measures));
     EXPECT(GUSSET_OK, gusset_net_planarity(context, net, 0, NULL, 0, &written, &summary));
     CHECK(written == 12 && summary.worst == 0 && summary.above == 0);
     EXPECT(GUSSET_OK, gusset_net_planarity(context, net, 0, cells, 12, &written, &summary));
@@ -353,17 +370,16 @@ static void normals_and_measures(void) {
 
 static void areas_and_plane_cells(void) {
     gusset_net *net = sheet();
-    double area = -1, error = -1;
+    gusset_net_measure_report measures;
     uint8_t fixed[NODES] = {0};
     gusset_planarise_options options;
     gusset_planarise_report report;
 
-    EXPECT(GUSSET_OK, gusset_net_bilinear_area(context, net, &area, &error));
-    CHECK(fabs(area - CELLS) < 1e-12 && error < 1e-12);
-    EXPECT(GUSSET_OK, gusset_net_bilinear_area(context, net, &area, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bilinear_area(context, net, NULL, &error));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bilinear_area(context, NULL, &area, &error));
-    CHECK(area == 0);
+    measures.struct_size = sizeof measures;
+    EXPECT(GUSSET_OK, gusset_net_measure(context, net, GUSSET_NET_MEASURES_BILINEAR, &measures));
+    CHECK(fabs(measures.bilinear_area - CELLS) < 1e-12 && measures.bilinear_error < 1e-12 && measures.area == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, NULL, GUSSET_NET_MEASURES_BILINEAR, &measures));
+    CHECK(measures.bilinear_area == 0);
 
     memset(&options, 0, sizeof options);
     memset(&report, 0, sizeof report);
@@ -399,6 +415,7 @@ static void areas_and_plane_cells(void) {
 static void morphs(void) {
     gusset_net *net = sheet(), *closed = prism(), *between = (gusset_net *)misaligned(), *single = NULL;
     const gusset_net_gluing tube = {.struct_size = sizeof tube, .sides = GUSSET_SIDES_TUBE};
+    const gusset_net_copy_options floats = {.struct_size = sizeof floats, .scalar = GUSSET_F32};
 
     EXPECT(GUSSET_OK, gusset_net_morph_create(context, net, net, 0.5, GUSSET_MORPH_RIGID, &between));
     CHECK(fabs(x_of(between, 1) - 1) < 1e-12);
@@ -411,10 +428,10 @@ static void morphs(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_morph_create(context, net, NULL, 0.5, 0, &between));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_morph_create(context, net, net, 0.5, 0, NULL));
     EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_morph_create(context, net, closed, 0.5, 0, &between));
-    EXPECT(GUSSET_OK, gusset_net_convert_create(context, net, GUSSET_F32, &single));
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &floats, &single));
     EXPECT(GUSSET_ERROR_MIXED_SCALARS, gusset_net_morph_create(context, net, single, 0.5, 0, &between));
     gusset_net_destroy(single);
-    EXPECT(GUSSET_OK, gusset_net_clone_create(context, net, &single));
+    EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, NULL, &single));
     EXPECT(GUSSET_OK, gusset_net_set_gluing(context, single, &tube));
     EXPECT(GUSSET_ERROR_GLUINGS_DIFFER, gusset_net_morph_create(context, net, single, 0.5, 0, &between));
     gusset_net_destroy(single);
@@ -425,6 +442,7 @@ static void morphs(void) {
 static void sizes(void) {
     gusset_net *net = sheet(), *made = (gusset_net *)misaligned(), *levels[GUSSET_PYRAMID_LEVELS];
     const uint32_t link = 2 * (2 * COLUMNS + 3);
+    const gusset_glue_options glue = {.struct_size = sizeof glue, .links = &link, .link_count = 1};
     uint32_t rows[ROWS], columns[COLUMNS];
     double deviation = -1;
     size_t count = 0;
@@ -471,7 +489,7 @@ static void sizes(void) {
         gusset_net_destroy(levels[k]);
     }
 
-    EXPECT(GUSSET_OK, gusset_net_absorb(context, net, &link, 1));
+    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &glue, NULL));
     EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_resample_create(context, net, 9, 9, 0, &made));
     EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_decimate_create(context, net, 0, NULL, NULL, NULL, &made));
     EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_pyramid_create(context, net, 0, levels, 32, &count));

@@ -20,7 +20,7 @@ static gusset_net *sheet(void) {
     arrays.rows = ROWS, arrays.columns = COLUMNS;
     arrays.x = x, arrays.y = y, arrays.z = z;
     arrays.scalar = GUSSET_F32;
-    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, GUSSET_NET_MEMORY_COPY, &net));
     return net;
 }
 
@@ -41,6 +41,12 @@ static const float *heights(const gusset_net *net) {
     return (const float *)arrays.z;
 }
 
+static void bytes_of(const gusset_stream *stream, const void **data, size_t *size) {
+    gusset_stream_view view = {.struct_size = sizeof view};
+    EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &view));
+    *data = view.data, *size = view.size;
+}
+
 static void there_and_back(const gusset_net *net) {
     const gusset_stream_mode modes[] = {GUSSET_STREAM_QUANTISED, GUSSET_STREAM_LOSSLESS, GUSSET_STREAM_RAW};
     size_t m, k;
@@ -52,7 +58,7 @@ static void there_and_back(const gusset_net *net) {
         const void *data = NULL;
         size_t size = 0;
         EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, &made, &stream));
-        EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
+        bytes_of(stream, &data, &size);
         memset(&info, 0, sizeof info);
         info.struct_size = sizeof info;
         EXPECT(GUSSET_OK, gusset_stream_inspect(context, data, 128, &info));
@@ -79,7 +85,7 @@ static void damaged(const gusset_net *net) {
     size_t size = 0, k;
     unsigned char *copy;
     EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, NULL, &stream));
-    EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
+    bytes_of(stream, &data, &size);
     copy = malloc(size);
     if (copy == NULL) {
         return;
@@ -115,8 +121,7 @@ static void damaged(const gusset_net *net) {
 static void wrong_options(const gusset_net *net) {
     gusset_stream_options made = options(GUSSET_STREAM_QUANTISED);
     gusset_stream *stream = NULL;
-    const void *data = net;
-    size_t size = 1;
+    gusset_stream_view view = {.struct_size = sizeof view, .data = net, .size = 1};
     made.bits = 25;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_encode_create(context, net, &made, &stream));
     made.bits = 7;
@@ -135,10 +140,11 @@ static void wrong_options(const gusset_net *net) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_encode_create(context, net, NULL, NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_encode_create(context, misaligned(), NULL, &stream));
     CHECK(stream == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(NULL, &data, &size));
-    CHECK(data == NULL && size == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(stream, NULL, &size));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(stream, &data, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(NULL, &view));
+    CHECK(view.data == NULL && view.size == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(stream, NULL));
+    view.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stream_get_view(stream, &view));
     gusset_stream_destroy(NULL);
 }
 
@@ -153,7 +159,7 @@ static void in_pieces(const gusset_net *net) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_encode_create(context, net, &made, &stream));
     made.per_axis = 0;
     EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, &made, &stream));
-    EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
+    bytes_of(stream, &data, &size);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_create(context, 0, NULL));
     EXPECT(GUSSET_OK, gusset_stream_decoder_create(context, 0, &decoder));
     EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_stream_decoder_preview_create(context, decoder, &back));

@@ -23,6 +23,21 @@ static gusset_net *net_of(const gusset_net_primitive *primitive) {
     return net;
 }
 
+static gusset_status glue(gusset_net *net, const gusset_gluing *gluings, size_t count) {
+    const gusset_glue_options options = {.struct_size = sizeof options, .gluings = gluings, .gluing_count = count};
+    return gusset_net_glue(context, net, &options, NULL);
+}
+
+static gusset_status detect(gusset_net *net, double tolerance) {
+    const gusset_glue_options options = {.struct_size = sizeof options, .detect = 1, .tolerance = tolerance};
+    return gusset_net_glue(context, net, &options, NULL);
+}
+
+static gusset_status saturate(gusset_net *net) {
+    const gusset_glue_options options = {.struct_size = sizeof options, .saturate = 1};
+    return gusset_net_glue(context, net, &options, NULL);
+}
+
 static gusset_net_complex_view surface(const gusset_net *net, gusset_net_complex **complex) {
     gusset_net_complex_view report;
     report.struct_size = sizeof report;
@@ -65,7 +80,7 @@ static void shapes(void) {
         CHECK(!!(report.properties & GUSSET_NET_CLOSED) == (expected[kind][1] == 0));
         CHECK(!!(report.properties & GUSSET_NET_ORIENTABLE) == !(kind >= GUSSET_NET_MOEBIUS && kind < GUSSET_NET_PILLOW));
         CHECK(violations(net, 0) == 0);
-        EXPECT(GUSSET_OK, gusset_net_detect_gluing(context, net, 0));
+        EXPECT(GUSSET_OK, detect(net, 0));
         CHECK(violations(net, 0) == 0);
         gusset_net_complex_destroy(complex);
         gusset_net_destroy(net);
@@ -126,67 +141,86 @@ static void gluing(void) {
     for (uint32_t type = 0; type < 18; type++) {
         gluing.mask = type;
         gluing.element = type < GUSSET_TYPE_TOP_BOTTOM ? 14 : 12;
-        EXPECT(GUSSET_OK, gusset_net_glue(context, net, &gluing, 1));
+        EXPECT(GUSSET_OK, glue(net, &gluing, 1));
         if (type < GUSSET_TYPE_TOP_BOTTOM) {
-            EXPECT(GUSSET_OK, gusset_net_classify_node(context, net, 14, 0, &found));
+            EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_NODE, 14, 0, &found));
         } else {
-            EXPECT(GUSSET_OK, gusset_net_classify_cell(context, net, 12, &found));
+            EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_CELL, 12, 0, &found));
         }
         CHECK(found == type);
         EXPECT(GUSSET_OK, gusset_net_histogram(context, net, nodes, cells));
         CHECK((type < GUSSET_TYPE_TOP_BOTTOM ? nodes : cells)[type] >= 1);
         EXPECT(GUSSET_OK, gusset_net_unglue(context, net, &gluing, 1, 0, NULL));
-        EXPECT(GUSSET_OK, gusset_net_classify_cell(context, net, 12, &found));
+        EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_CELL, 12, 0, &found));
         CHECK(found == GUSSET_TYPE_NONE);
     }
     /* The nineteenth is refused, and the first half of the batch with it. */
     for (uint32_t k = 0; k < 2; k++) {
         two[k].kind = GUSSET_GLUING_DIAGONAL, two[k].element = 12, two[k].mask = k + 1;
     }
-    EXPECT(GUSSET_ERROR_CROSSING_CELL, gusset_net_glue(context, net, two, 2));
-    EXPECT(GUSSET_OK, gusset_net_classify_cell(context, net, 12, &found));
+    EXPECT(GUSSET_ERROR_CROSSING_CELL, glue(net, two, 2));
+    EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_CELL, 12, 0, &found));
     CHECK(found == GUSSET_TYPE_NONE);
 
     gluing.mask = 18;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
     gluing.kind = 6;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
     gluing.kind = GUSSET_GLUING_LINK;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
     gluing.mask = 0, gluing.element = 72;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, glue(net, &gluing, 1));
     gluing.element = 0, gluing.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
     gluing.reserved = 0, gluing.kind = GUSSET_GLUING_STAR, gluing.mask = 16;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, glue(net, &gluing, 1));
     gluing.mask = 256;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
     gluing.mask = 1, gluing.element = 36;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, glue(net, &gluing, 1));
     gluing.kind = GUSSET_GLUING_CELL, gluing.element = 25;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, glue(net, &gluing, 1));
     gluing.kind = GUSSET_GLUING_DIAGONAL, gluing.element = 0, gluing.mask = 3;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
     gluing.kind = GUSSET_GLUING_SEAM, gluing.mask = 0;
-    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_glue(context, net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_BAD_SEAM, glue(net, &gluing, 1));
     gluing.seam.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, net, NULL, 1));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, NULL, &gluing, 0));
-    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_glue(context, net, &gluing, SIZE_MAX));
-    EXPECT(GUSSET_OK, gusset_net_glue(context, net, NULL, 0));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, glue(net, &gluing, 1));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, glue(net, NULL, 1));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, glue(NULL, &gluing, 0));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, glue(net, &gluing, SIZE_MAX));
+    EXPECT(GUSSET_OK, glue(net, NULL, 0));
+    {
+        gusset_glue_options bad = {.struct_size = sizeof bad, .detect = 2};
+        EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &bad, NULL));
+        bad.detect = 0, bad.saturate = 2;
+        EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &bad, NULL));
+        bad.saturate = 0, bad.reserved = 1;
+        EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &bad, NULL));
+        bad.struct_size = 8;
+        EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_glue(context, net, &bad, NULL));
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, net, NULL, NULL));
+        /* With a gluing that is refused nothing is done: neither what is detected nor what is snapped. */
+        gusset_glue_options all = {.struct_size = sizeof all, .gluings = two, .gluing_count = 2, .detect = 1, .snap = 1};
+        uint64_t moved = 9;
+        EXPECT(GUSSET_ERROR_CROSSING_CELL, gusset_net_glue(context, net, &all, &moved));
+        CHECK(moved == 0);
+        EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_CELL, 12, 0, &found));
+        CHECK(found == GUSSET_TYPE_NONE);
+    }
 
     /* Three sides of a cell, and so the fourth. */
     memset(&gluing, 0, sizeof gluing);
     gluing.kind = GUSSET_GLUING_CELL, gluing.element = 0, gluing.mask = 7;
-    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &gluing, 1));
-    EXPECT(GUSSET_OK, gusset_net_saturate(context, net));
+    EXPECT(GUSSET_OK, glue(net, &gluing, 1));
+    EXPECT(GUSSET_OK, saturate(net));
     {
         uint8_t matrix[72];
-        EXPECT(GUSSET_OK, gusset_net_get_matrix(net, matrix, 72, &count));
+        gusset_net_gluing_report report = {.struct_size = sizeof report};
+        EXPECT(GUSSET_OK, gusset_net_get_gluing(net, matrix, 72, NULL, 0, &report));
         CHECK(matrix[6] == 1);
     }
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_saturate(context, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, saturate(NULL));
     EXPECT(GUSSET_OK, gusset_net_classes(context, net, NULL, 0, &count));
     CHECK(count == 36);
     EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_classes(context, net, classes, 35, &count));
@@ -200,9 +234,9 @@ static void gluing(void) {
 static void separation(void) {
     gusset_net_primitive primitive = shape(GUSSET_NET_TUBE);
     gusset_gluing links[3];
+    gusset_net_gluing_report report = {.struct_size = sizeof report};
     gusset_net *net;
-    size_t moved = 9;
-    uint32_t sides = 9;
+    uint64_t moved = 9;
 
     primitive.rows = 3, primitive.columns = 9;
     net = net_of(&primitive);
@@ -216,8 +250,8 @@ static void separation(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_unglue(context, NULL, links, 3, 0, NULL));
     EXPECT(GUSSET_OK, gusset_net_unglue(context, net, links, 3, 0.25, &moved));
     CHECK(moved == 6);
-    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, NULL, NULL));
-    CHECK(sides == GUSSET_SIDES_SHEET);
+    EXPECT(GUSSET_OK, gusset_net_get_gluing(net, NULL, 0, NULL, 0, &report));
+    CHECK(report.sides == GUSSET_SIDES_SHEET);
     gusset_net_destroy(net);
 }
 
@@ -225,34 +259,37 @@ static void groups_and_types(void) {
     gusset_net_primitive primitive = shape(GUSSET_NET_SPHERE);
     gusset_net *net = net_of(&primitive);
     gusset_net_groups *groups = NULL;
-    gusset_indices offsets, members;
+    gusset_net_groups_view view = {.struct_size = sizeof view};
     gusset_gluing_type found = 99;
     uint64_t counts[18];
 
     EXPECT(GUSSET_OK, gusset_net_groups_create(context, net, &groups));
-    EXPECT(GUSSET_OK, gusset_net_groups_get_view(groups, &offsets, &members));
+    EXPECT(GUSSET_OK, gusset_net_groups_get_view(groups, &view));
     /* Two poles and 31 nodes of the seam. */
-    CHECK(offsets.count == 34 && offsets.data[1] == 65 && members.count == 2 * 65 + 31 * 2);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_get_view(NULL, &offsets, &members));
-    CHECK(offsets.count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_get_view(groups, NULL, &members));
+    CHECK(view.offsets.count == 34 && view.offsets.data[1] == 65 && view.members.count == 2 * 65 + 31 * 2);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_get_view(NULL, &view));
+    CHECK(view.offsets.count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_get_view(groups, NULL));
+    view.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_groups_get_view(groups, &view));
     gusset_net_groups_destroy(groups);
     gusset_net_groups_destroy(NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_create(context, NULL, &groups));
     CHECK(groups == NULL);
 
     /* A node of the seam: its link to the first column counts if asked for. */
-    EXPECT(GUSSET_OK, gusset_net_classify_node(context, net, 2 * 65 - 1, 1, &found));
+    EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_NODE, 2 * 65 - 1, 1, &found));
     CHECK(found == GUSSET_TYPE_HORIZONTAL);
-    EXPECT(GUSSET_OK, gusset_net_classify_node(context, net, 2 * 65 - 1, 0, &found));
+    EXPECT(GUSSET_OK, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_NODE, 2 * 65 - 1, 0, &found));
     CHECK(found == GUSSET_TYPE_NONE);
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_classify_node(context, net, 0, 2, &found));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_classify_node(context, net, 33 * 65, 0, &found));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify_node(context, NULL, 0, 0, &found));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify_node(context, net, 0, 0, NULL));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_classify_cell(context, net, 32 * 64, &found));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify_cell(context, net, 0, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify_cell(context, NULL, 0, &found));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_NODE, 0, 2, &found));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_NODE, 33 * 65, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify(context, NULL, GUSSET_GLUING_PLACE_NODE, 0, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_NODE, 0, 0, NULL));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_CELL, 32 * 64, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify(context, net, GUSSET_GLUING_PLACE_CELL, 0, 0, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_classify(context, net, 2, 0, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_classify(context, NULL, GUSSET_GLUING_PLACE_CELL, 0, 0, &found));
     EXPECT(GUSSET_OK, gusset_net_histogram(context, net, NULL, counts));
     CHECK(counts[GUSSET_TYPE_HORIZONTAL] == 2 * 64);
     EXPECT(GUSSET_OK, gusset_net_histogram(context, net, counts, NULL));
@@ -304,7 +341,7 @@ static void surfaces_and_checks(void) {
 
     {
         gusset_gluing link = {0};
-        EXPECT(GUSSET_OK, gusset_net_glue(context, net, &link, 1));
+        EXPECT(GUSSET_OK, glue(net, &link, 1));
     }
     CHECK(violations(net, 0.01) == 1 && violations(net, 1) == 0);
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_validation_create(context, net, -1, &validation));
@@ -321,9 +358,9 @@ static void surfaces_and_checks(void) {
     gusset_net_validation_destroy(validation);
     gusset_net_validation_destroy(NULL);
 
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_detect_gluing(context, net, NAN));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_detect_gluing(context, NULL, 0));
-    EXPECT(GUSSET_OK, gusset_net_detect_gluing(context, net, 0));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, detect(net, NAN));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, detect(NULL, 0));
+    EXPECT(GUSSET_OK, detect(net, 0));
     CHECK(violations(net, 0) == 0);
     gusset_net_destroy(net);
 }

@@ -15,8 +15,8 @@ Net net_of_grid(const Grid &grid) { return Net::from_points(grid.rows, grid.colu
 Grid rough(std::size_t n, uint32_t seed = 1) { return random_grid(n, seed, 0.8); }
 
 template <class Function>
-Row on_net(const char *name, double bytes, Function function) {
-    return {name, "net", 4096, 0, 1, 1, bytes, [=](std::size_t n) {
+Row on_net(const char *name, double bytes, Function function, const char *family = "net") {
+    return {name, family, 4096, 0, 1, 1, bytes, [=](std::size_t n) {
                 const auto net = std::make_shared<Net>(net_of_grid(rough(n)));
                 return making([=](const Context &context) { return function(*net, context); });
             }, true};
@@ -24,11 +24,11 @@ Row on_net(const char *name, double bytes, Function function) {
 
 /// What changes a net, or tells a number of it.
 template <class Function>
-Row with_net(const char *name, double bytes, Function function) {
+Row with_net(const char *name, double bytes, Function function, const char *family = "net") {
     return on_net(name, bytes, [=](Net &net, const Context &context) {
         function(net, context);
         return 0;
-    });
+    }, family);
 }
 
 template <class Function>
@@ -81,25 +81,25 @@ void add_net_rows(std::vector<Row> &rows) {
                         const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)), options);
                         return making([=](const Context &context) { return gusset::NetGrid::of_triangles(mesh->mesh(), context); });
                     }, true});
-    rows.push_back(on_net("net_clone_create", 0, [](const Net &net, const Context &) { return Net(net); }));
-    rows.push_back(on_net("net_convert_create", 0, [](const Net &net, const Context &context) {
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &) { return Net(net); }));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) {
         return net.converted(gusset::Scalar::f32, context);
-    }));
-    rows.push_back(on_net("net_part_create", 0, [](const Net &net, const Context &context) {
+    }, "floats"));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) {
         return net.part(0, net.rows(), 0, net.columns(), context);
-    }));
-    rows.push_back(on_net("net_transpose_create", 0, [](const Net &net, const Context &context) { return net.transposed(context); }));
-    rows.push_back(on_net("net_flip_create", 0, [](const Net &net, const Context &context) {
+    }, "part"));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) { return net.transposed(context); }, "transposed"));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) {
         return net.flipped(gusset::Direction::right, context);
-    }));
-    rows.push_back(on_net("net_turn_create", 0, [](const Net &net, const Context &context) { return net.turned(1, context); }));
-    rows.push_back(on_net("net_reformat_create", 0, [](const Net &net, const Context &context) {
+    }, "flipped"));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) { return net.turned(1, context); }, "turned"));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) {
         gusset::ReformatOptions options;
         options.rows = net.rows() + 1;
         options.columns = net.columns() + 1;
         return net.reformatted(options, context);
-    }));
-    rows.push_back(on_net("net_compact_create", 0, [](const Net &net, const Context &context) { return net.compacted(context); }));
+    }, "larger"));
+    rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) { return net.compacted(context); }, "compact"));
     rows.push_back(on_net("net_decimate_create", 0, [](const Net &net, const Context &context) { return net.decimated(0.1, context); }));
     rows.push_back(on_net("net_pyramid_create", 0, [](const Net &net, const Context &context) {
         return net.pyramid(gusset::Interpolation::bicubic, context);
@@ -120,11 +120,14 @@ void add_net_rows(std::vector<Row> &rows) {
         return gusset::NetComplex(net, gusset::NetCells::all, context);
     }));
     rows.push_back(on_net("net_groups_create", 0, [](const Net &net, const Context &context) { return gusset::NetGroups(net, context); }));
-    rows.push_back(with_net("net_saturate", 0, [](Net &net, const Context &context) { net.saturate(context); }));
+    rows.push_back(with_net("net_glue", 0, [](Net &net, const Context &context) { net.saturate(context); }, "saturated"));
     rows.push_back(with_net("net_histogram", 0, [](Net &net, const Context &context) { (void)net.histogram(context); }));
-    rows.push_back(with_net("net_measure", 0, [](Net &net, const Context &context) { (void)net.measure(context); }));
-    rows.push_back(with_net("net_moments", 0, [](Net &net, const Context &context) { (void)net.moments(context); }));
-    rows.push_back(with_net("net_bilinear_area", 0, [](Net &net, const Context &context) { (void)net.bilinear_area(context); }));
+    rows.push_back(with_net("net_measure", 0, [](Net &net, const Context &context) {
+        (void)net.measure(gusset::NetMeasures::extent, context);
+    }));
+    rows.push_back(with_net("net_measure", 0, [](Net &net, const Context &context) {
+        (void)net.measure(gusset::NetMeasures::bilinear | gusset::NetMeasures::body, context);
+    }, "patches, body"));
     rows.push_back(with_net("net_transform", 0, [](Net &net, const Context &context) {
         net.transform(gusset::Operation::translate({1, 2, 3}), context);
     }));

@@ -79,7 +79,7 @@ TEST_CASE("closed shapes are closed meshes, outwards") {
 
         const double volume = net.measure().volume;
         CHECK(volume > 0.0);
-        CHECK(net.moments().volume == doctest::Approx(volume).epsilon(1e-12));
+        CHECK(net.measure(gusset::NetMeasures::body).body_volume == doctest::Approx(volume).epsilon(1e-12));
         for (NetFaces faces : {NetFaces::quads, NetFaces::triangles_shorter, NetFaces::triangles_fixed}) {
             const NetMesh mesh(net, with_faces(faces));
             const Verdict verdict = judge(mesh.mesh());
@@ -107,8 +107,9 @@ TEST_CASE("closed shapes are closed meshes, outwards") {
 }
 
 TEST_CASE("what solids measure") {
-    const gusset_net_moment_report box = Net::from_primitive(Primitive::box({1.0, 2.0, 3.0}, {2, 2, 2})).moments();
-    CHECK(box.volume == doctest::Approx(6.0).epsilon(1e-13));
+    const gusset_net_measure_report box =
+        Net::from_primitive(Primitive::box({1.0, 2.0, 3.0}, {2, 2, 2})).measure(gusset::NetMeasures::body);
+    CHECK(box.body_volume == doctest::Approx(6.0).epsilon(1e-13));
     CHECK(box.inertia[0] == doctest::Approx(6.0 * (4.0 + 9.0) / 12).epsilon(1e-12));
     CHECK(box.inertia[4] == doctest::Approx(6.0 * (1.0 + 9.0) / 12).epsilon(1e-12));
     CHECK(box.inertia[8] == doctest::Approx(6.0 * (1.0 + 4.0) / 12).epsilon(1e-12));

@@ -56,6 +56,16 @@ double deviation(const Net &after, const Net &before, Map &&map) {
     }
     return worst;
 }
+/// Calls move(node, x, y, z) for each node; glued nodes are not made equal.
+template <class Move>
+void each_node(Net &net, Move &&move) {
+    const auto nodes = net.edit<double>();
+    for (std::size_t i = 0; i < nodes.x.rows(); ++i) {
+        for (std::size_t j = 0; j < nodes.x.columns(); ++j) {
+            move(i * nodes.x.columns() + j, nodes.x(i, j), nodes.y(i, j), nodes.z(i, j));
+        }
+    }
+}
 template <class... Steps>
 Net moved(Net net, const Steps &...steps) {
     const std::vector<Operation> operations{steps...};
@@ -186,10 +196,7 @@ TEST_CASE("what a deformation does") {
 
     // Everything beyond x = 0.25 pressed onto it.
     Net hard = plane();
-    hard.deform_rows<double>([](std::size_t, gusset::Span<double> x, auto, auto) {
-        std::for_each(x.begin(), x.end(), [](double &v) { v = std::min(v, 0.25); });
-        return true;
-    });
+    each_node(hard, [](std::size_t, double &x, double &, double &) { x = std::min(x, 0.25); });
     const gusset::NetAnalysis pressed(plane(), hard);
     CHECK(!pressed.is_soft());
     REQUIRE(pressed.contracted().size() == 15);
@@ -211,34 +218,15 @@ TEST_CASE("what a deformation does") {
 
 TEST_CASE("a function of the caller's") {
     Net net = torus();
-    std::size_t next = 0;
-    net.deform_rows<double>([&](std::size_t first, auto x, auto y, auto z) {
-        CHECK(first == next);
-        CHECK((x.size() == y.size() && x.size() == z.size()));
-        next = first + x.size();
-        std::for_each(z.begin(), z.end(), [](double &v) { v *= 2; });
-        return true;
-    });
-    CHECK(next == net.node_count());
+    each_node(net, [](std::size_t, double &, double &, double &z) { z *= 2; });
+    CHECK(net.snap() == 0);
     CHECK(net.measure().volume == doctest::Approx(2 * torus().measure().volume));
     // Different for each copy of a glued node: they are made equal.
-    net.deform_rows<double>([](std::size_t first, auto x, auto, auto) {
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            x[k] += 1e-3 * static_cast<double>(first + k);
-        }
-        return true;
-    });
+    each_node(net, [](std::size_t node, double &x, double &, double &) { x += 1e-3 * static_cast<double>(node); });
+    CHECK(!gusset::NetValidation(net).is_valid());
+    CHECK(net.snap() > 0);
     CHECK(gusset::NetValidation(net).is_valid());
-
-    const gusset::Context context;
-    const auto throws = [](std::size_t, auto, auto, auto) -> bool { throw std::runtime_error("no more"); };
-    CHECK_THROWS_WITH(net.deform_rows<double>(throws, context), "no more");
-    CHECK(refusal([&] { net.deform_rows<double>([](std::size_t, auto, auto, auto) { return false; }, context); }).status ==
-          GUSSET_ERROR_CANCELLED);
-    // Neither keeps the context from going on.
-    net.deform_rows<double>([](std::size_t, auto, auto, auto) { return true; }, context);
-    CHECK_THROWS_AS(net.deform_rows<float>([](std::size_t, auto, auto, auto) { return true; }), std::invalid_argument);
-    CHECK_THROWS_AS(net.deform_rows<double>(nullptr), std::bad_function_call);
+    CHECK_THROWS_AS(net.edit<float>(), std::invalid_argument);
 
     Net sphere = Net::from_primitive(Primitive::sphere(1.0).with(33, 65));
     sphere.displace(0.5);

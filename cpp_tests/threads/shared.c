@@ -68,11 +68,10 @@ static uint64_t normals(const gusset_context *context) {
 
 static uint64_t stream(const gusset_context *context) {
     gusset_stream *stream = NULL;
-    const void *bytes = NULL;
-    size_t count = 0;
+    gusset_stream_view view = {.struct_size = sizeof view};
     MUST(gusset_net_encode_create(context, shared.net, NULL, &stream));
-    MUST(gusset_stream_get_view(stream, &bytes, &count));
-    const uint64_t hash = hashed(count, bytes, count);
+    MUST(gusset_stream_get_view(stream, &view));
+    const uint64_t hash = hashed(view.size, view.data, view.size);
     gusset_stream_destroy(stream);
     return hash;
 }

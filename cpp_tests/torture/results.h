@@ -13,10 +13,9 @@ static inline uint64_t torture_hash(uint64_t hash, const void *data, size_t size
 static inline uint64_t torture_hash_net(uint64_t hash, const gusset_net *net) {
     const gusset_stream_options raw = {.struct_size = sizeof raw, .mode = GUSSET_STREAM_RAW};
     gusset_stream *stream = NULL;
-    const void *data = NULL;
-    size_t size = 0;
+    gusset_stream_view view = {.struct_size = sizeof view};
     if ((gusset_net_encode_create)(NULL, net, &raw, &stream) != GUSSET_OK) return hash;
-    if ((gusset_stream_get_view)(stream, &data, &size) == GUSSET_OK) hash = torture_hash(hash, data, size);
+    if ((gusset_stream_get_view)(stream, &view) == GUSSET_OK) hash = torture_hash(hash, view.data, view.size);
     (gusset_stream_destroy)(stream);
     return hash;
 }

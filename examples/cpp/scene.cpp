@@ -53,16 +53,16 @@ Net bottle() {
     return joined;
 }
 
-/// A ground of hills: each row of nodes is moved by a function of the host's.
+/// A ground of hills: the host moves each node of a sheet.
 Net hills() {
     Net ground = Net::from_primitive(Primitive::plane(8, 5).with(41, 65));
-    ground.deform_rows<double>([](std::size_t, gusset::Span<double> x, gusset::Span<double> y, gusset::Span<double> z) {
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            const double distance = std::max(0.0, std::hypot(0.36 * x[k], y[k]) - 1.25);
-            z[k] = 0.14 * distance * (1 + std::sin(2.3 * x[k]) * std::cos(2.9 * y[k]));
+    const auto nodes = ground.edit<double>();
+    for (std::size_t i = 0; i < nodes.x.rows(); ++i) {
+        for (std::size_t j = 0; j < nodes.x.columns(); ++j) {
+            const double x = nodes.x(i, j), distance = std::max(0.0, std::hypot(0.36 * x, nodes.y(i, j)) - 1.25);
+            nodes.z(i, j) = 0.14 * distance * (1 + std::sin(2.3 * x) * std::cos(2.9 * nodes.y(i, j)));
         }
-        return true;
-    });
+    }
     return ground;
 }
 

@@ -13,7 +13,7 @@ using gusset::Primitive;
 /// The name of a type as the paper writes it.
 std::string letters(const gusset::GluingOccurrence &found) {
     const std::string b = found.b == UINT32_MAX ? "" : "," + std::to_string(found.b);
-    return (found.on_cell != 0 ? "c(" : "n(") + std::to_string(found.a) + b + ")";
+    return (found.place == GUSSET_GLUING_PLACE_CELL ? "c(" : "n(") + std::to_string(found.a) + b + ")";
 }
 } // namespace
 
@@ -38,7 +38,7 @@ std::string gluings(const std::string &file) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const double left = 480 * static_cast<double>(k % 2), top = 243 * static_cast<double>(k / 2);
-        std::map<std::string, uint32_t> names;
+        std::map<std::string, gusset_gluing_place> names;
         uint32_t node_order = 0, link_order = 0;
         for (std::size_t t = 0; t < panels[k].types.size(); ++t) {
             const GluingType type = panels[k].types[t];
@@ -50,7 +50,7 @@ std::string gluings(const std::string &file) {
             net.glue(LocalGluing::of_type(type, middle));
             for (const auto &found : net.gluing_occurrences()) {
                 if (found.kind == static_cast<gusset_gluing_type>(type)) {
-                    names[letters(found)] = found.on_cell;
+                    names[letters(found)] = found.place;
                     node_order = found.node_order, link_order = found.link_order;
                 }
             }
@@ -80,9 +80,9 @@ std::string gluings(const std::string &file) {
             ++count;
         }
         std::string name;
-        for (const uint32_t on_cell : {0u, 1u}) {
-            for (const auto &[one, cell] : names) {
-                name += cell == on_cell ? (name.empty() ? "" : ", ") + one : "";
+        for (const gusset_gluing_place place : {GUSSET_GLUING_PLACE_NODE, GUSSET_GLUING_PLACE_CELL}) {
+            for (const auto &[one, there] : names) {
+                name += there == place ? (name.empty() ? "" : ", ") + one : "";
             }
         }
         const std::string orders = "node order " + std::to_string(node_order) +

@@ -12,11 +12,16 @@
 
 namespace gusset {
 
-/// The area of bilinear patches, and a bound of its error; see gusset_net_bilinear_area.
-struct BilinearArea {
-    /// The area, and the bound.
-    double area = 0.0, error = 0.0;
+/// What Net::measure computes; combine with |.
+enum class NetMeasures : uint32_t {
+    extent = GUSSET_NET_MEASURES_EXTENT,
+    bilinear = GUSSET_NET_MEASURES_BILINEAR,
+    body = GUSSET_NET_MEASURES_BODY
 };
+/// Both.
+constexpr NetMeasures operator|(NetMeasures a, NetMeasures b) {
+    return static_cast<NetMeasures>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
+}
 
 /// The way of nodes from one net to another; see Net::morphed.
 enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
@@ -75,7 +80,7 @@ public:
     Net(Net &&) noexcept = default;
     Net &operator=(Net &&) noexcept = default;
     Net &operator=(const Net &other) {
-        net_.reset(detail::lent(gusset_net_clone_create, nullptr, other.get()));
+        net_.reset(detail::lent(gusset_net_copy_create, nullptr, other.get(), nullptr));
         return *this;
     }
     ~Net() = default;
@@ -85,7 +90,7 @@ public:
     template <class Container>
     static Net from_points(std::size_t rows, std::size_t columns, const Container &points, const Gluing &gluing = {},
                            const Context &context = Context()) {
-        return create(gusset_net_create, detail::net_view(rows, columns, points), gluing, context);
+        return create(detail::net_view(rows, columns, points), gluing, GUSSET_NET_MEMORY_COPY, context);
     }
 
     /// A net of a copy of three matrices. `row_stride`: numbers from row to row, 0 for rows without
@@ -94,16 +99,16 @@ public:
     static Net from_matrices(std::size_t rows, std::size_t columns, const T *x, const T *y, const T *z,
                              const Gluing &gluing = {}, std::size_t row_stride = 0,
                              const Context &context = Context()) {
-        return create(gusset_net_create, detail::net_view(rows, columns, x, y, z, row_stride), gluing, context);
+        return create(detail::net_view(rows, columns, x, y, z, row_stride), gluing, GUSSET_NET_MEMORY_COPY, context);
     }
 
     /// A net in the caller's own memory, which must outlive it and is changed with it; copies have
-    /// memory of their own. See gusset_net_borrow_create.
+    /// memory of their own. See gusset_net_create.
     template <class T>
     static Net borrow(std::size_t rows, std::size_t columns, T *x, T *y, T *z, const Gluing &gluing = {},
                       std::size_t row_stride = 0, const Context &context = Context()) {
         static_assert(!std::is_const_v<T>, "a net changes its coordinates");
-        return create(gusset_net_borrow_create, detail::net_view(rows, columns, x, y, z, row_stride), gluing, context);
+        return create(detail::net_view(rows, columns, x, y, z, row_stride), gluing, GUSSET_NET_MEMORY_BORROW, context);
     }
 
     /// A net of a standard shape.
@@ -211,38 +216,42 @@ public:
 
     /// The sides, if they describe all links; seams glue besides.
     std::optional<Sides> sides() const {
-        gusset_sides sides = 0;
-        detail::check(gusset_net_get_topology(get(), &sides, nullptr, nullptr));
+        const gusset_sides sides = gluing_report().sides;
         return sides == UINT32_MAX ? std::nullopt : std::optional<Sides>(static_cast<Sides>(sides));
     }
-    bool is_reversed() const {
-        uint32_t reversed = 0;
-        detail::check(gusset_net_get_topology(get(), nullptr, nullptr, &reversed));
-        return reversed != 0;
-    }
+    bool is_reversed() const { return gluing_report().reversed != 0; }
     /// The characteristic matrix: 2 * rows rows of columns bytes.
     std::vector<uint8_t> matrix() const {
-        return detail::filled<uint8_t>([&](uint8_t *out, std::size_t capacity, std::size_t *written) {
-            detail::check(gusset_net_get_matrix(get(), out, capacity, written));
-        });
+        std::vector<uint8_t> out(gluing_report().matrix_size);
+        detail::lent(gusset_net_get_gluing, get(), out.data(), out.size(), nullptr, std::size_t{0});
+        return out;
     }
     std::vector<Seam> seams() const {
-        return detail::filled<Seam>([&](Seam *out, std::size_t capacity, std::size_t *written) {
-            detail::check(gusset_net_get_seams(get(), out, capacity, written));
-        });
+        std::vector<Seam> out(gluing_report().seam_count);
+        detail::lent(gusset_net_get_gluing, get(), nullptr, std::size_t{0}, out.data(), out.size());
+        return out;
     }
     /// Replaces the gluing; positions stay as they are.
     void set_gluing(const Gluing &gluing, const Context &context = Context()) {
         const gusset_net_gluing given = detail::as_c(gluing, view());
         context.call(gusset_net_set_gluing, get(), &given);
     }
-    /// Glues nodes with equal coordinates; see gusset_net_detect_gluing.
+    /// Glues as the options say, all or nothing; returns the number of nodes that moved.
+    uint64_t glue(const GlueOptions &options, const Context &context = Context()) {
+        const gusset_glue_options given = detail::as_c(options);
+        return context.result(gusset_net_glue, get(), &given);
+    }
+    /// Glues nodes with equal coordinates; see `detect` of GlueOptions.
     void detect_gluing(double tolerance = 0.0, const Context &context = Context()) {
-        context.call(gusset_net_detect_gluing, get(), tolerance);
+        GlueOptions options;
+        options.detect = tolerance;
+        glue(options, context);
     }
     /// Glues nodes, all or none; positions stay as they are.
     void glue(Span<const LocalGluing> gluings, const Context &context = Context()) {
-        context.call(gusset_net_glue, get(), gluings.data(), gluings.size());
+        GlueOptions options;
+        options.gluings = gluings;
+        glue(options, context);
     }
     /// One gluing; see gusset_net_glue.
     void glue(const LocalGluing &gluing, const Context &context = Context()) { glue({&gluing, 1}, context); }
@@ -252,26 +261,36 @@ public:
     }
     /// Unglues pairs of nodes and moves separated pieces apart; returns the number of pieces moved.
     /// See gusset_net_unglue.
-    std::size_t unglue(Span<const LocalGluing> gluings, double separation = 0.0, const Context &context = Context()) {
+    uint64_t unglue(Span<const LocalGluing> gluings, double separation = 0.0, const Context &context = Context()) {
         return context.result(gusset_net_unglue, get(), gluings.data(), gluings.size(), separation);
     }
     /// One gluing; see gusset_net_unglue.
-    std::size_t unglue(const LocalGluing &gluing, double separation = 0.0, const Context &context = Context()) {
+    uint64_t unglue(const LocalGluing &gluing, double separation = 0.0, const Context &context = Context()) {
         return unglue({&gluing, 1}, separation, context);
     }
     /// The same of several.
-    std::size_t unglue(std::initializer_list<LocalGluing> gluings, double separation = 0.0,
-                       const Context &context = Context()) {
+    uint64_t unglue(std::initializer_list<LocalGluing> gluings, double separation = 0.0,
+                    const Context &context = Context()) {
         return unglue({gluings.begin(), gluings.size()}, separation, context);
     }
     /// Contracts links by their numbers, such as NetAnalysis::contracted; to be followed by snap.
     void absorb(Indices links, const Context &context = Context()) {
-        context.call(gusset_net_absorb, get(), links.data(), links.size());
+        GlueOptions options;
+        options.links = links;
+        glue(options, context);
     }
     /// Contracts every link whose ends are one point already.
-    void saturate(const Context &context = Context()) { context.call(gusset_net_saturate, get()); }
+    void saturate(const Context &context = Context()) {
+        GlueOptions options;
+        options.saturate = true;
+        glue(options, context);
+    }
     /// Gives glued nodes the position of the first of them; returns the number of nodes changed.
-    uint64_t snap(const Context &context = Context()) { return context.result(gusset_net_snap, get()); }
+    uint64_t snap(const Context &context = Context()) {
+        GlueOptions options;
+        options.snap = true;
+        return glue(options, context);
+    }
     /// For each node the smallest node that is the same point.
     std::vector<uint32_t> classes(const Context &context = Context()) const {
         std::vector<uint32_t> out(node_count());
@@ -283,11 +302,11 @@ public:
     /// too.
     std::optional<GluingType> classify_node(uint32_t node, bool cyclic = false,
                                             const Context &context = Context()) const {
-        return type(context.result(gusset_net_classify_node, get(), node, cyclic));
+        return type(context.result(gusset_net_classify, get(), GUSSET_GLUING_PLACE_NODE, node, cyclic));
     }
     /// The degenerate shape of a cell, if it is no quad.
     std::optional<GluingType> classify_cell(uint32_t cell, const Context &context = Context()) const {
-        return type(context.result(gusset_net_classify_cell, get(), cell));
+        return type(context.result(gusset_net_classify, get(), GUSSET_GLUING_PLACE_CELL, cell, false));
     }
     /// All local gluings, at nodes and then of cells; see gusset_net_gluing_occurrences.
     std::vector<GluingOccurrence> gluing_occurrences(bool cyclic = false, const Context &context = Context()) const {
@@ -305,31 +324,39 @@ public:
 
     /// A copy with coordinates of another type.
     Net converted(Scalar scalar, const Context &context = Context()) const {
-        return Net(context.result(gusset_net_convert_create, get(), static_cast<uint32_t>(scalar)));
+        auto given = detail::sized<gusset_net_copy_options>();
+        given.scalar = static_cast<uint32_t>(scalar);
+        return copied(given, context);
     }
-    /// The net within a range of rows and of columns.
+    /// The net within a range of rows and of columns; a count of 0: all that there are from the first on.
     Net part(std::size_t row_first, std::size_t row_count, std::size_t column_first, std::size_t column_count,
              const Context &context = Context()) const {
-        return Net(context.result(gusset_net_part_create, get(), row_first, row_count, column_first, column_count));
+        auto given = detail::sized<gusset_net_copy_options>();
+        given.row_first = row_first;
+        given.row_count = row_count;
+        given.column_first = column_first;
+        given.column_count = column_count;
+        return copied(given, context);
     }
-    Net transposed(const Context &context = Context()) const {
-        return Net(context.result(gusset_net_transpose_create, get()));
-    }
+    Net transposed(const Context &context = Context()) const { return turned(GUSSET_NET_TURN_TRANSPOSE, context); }
     /// The last column first, or the last row.
     Net flipped(Direction direction, const Context &context = Context()) const {
-        return Net(context.result(gusset_net_flip_create, get(), static_cast<gusset_direction>(direction)));
+        const bool columns = direction == Direction::right;
+        return turned(columns ? GUSSET_NET_TURN_FLIP_COLUMNS : GUSSET_NET_TURN_FLIP_ROWS, context);
     }
+    /// The net after quarters of a turn: after one, the last column is the first row.
     Net turned(int32_t quarters, const Context &context = Context()) const {
-        return Net(context.result(gusset_net_turn_create, get(), quarters));
+        return turned(static_cast<gusset_net_turn>((quarters % 4 + 4) % 4), context);
     }
     /// A larger net of the same surface.
     Net reformatted(const ReformatOptions &options, const Context &context = Context()) const {
-        const gusset_reformat_options given = detail::as_c(options);
-        return Net(context.result(gusset_net_reformat_create, get(), &given));
+        return copied(detail::as_c(options), context);
     }
     /// The inverse: without rows and columns that repeat the one before them.
     Net compacted(const Context &context = Context()) const {
-        return Net(context.result(gusset_net_compact_create, get()));
+        auto given = detail::sized<gusset_net_copy_options>();
+        given.compact = 1;
+        return copied(given, context);
     }
     Net resampled(std::size_t rows, std::size_t columns, Interpolation interpolation = Interpolation::bicubic,
                   const Context &context = Context()) const {
@@ -353,9 +380,7 @@ public:
         return nets;
     }
 
-    std::size_t bridge_count() const {
-        return detail::lent(gusset_net_bridge_count, get());
-    }
+    std::size_t bridge_count() const { return gluing_report().bridge_count; }
     Bridge bridge(std::size_t index) const {
         const gusset_bridge found = detail::lent(gusset_net_get_bridge, get(), index);
         return {static_cast<Direction>(found.direction), found.at,        found.start,
@@ -402,52 +427,15 @@ public:
     void deform(std::initializer_list<Field> fields, double time = 0.0, const Context &context = Context()) {
         deform({fields.begin(), fields.size()}, time, context);
     }
-    /// Moves consecutive nodes, from node `first` on, by writing to the spans; returns false to
-    /// stop. May throw: the exception comes out of the call. Must use neither the net nor the
-    /// context.
-    template <class T>
-    using MoveNodes = std::function<bool(std::size_t first, Span<T> x, Span<T> y, Span<T> z)>;
-    /// Moves all nodes by a function, then makes glued nodes equal. T is the type that the net has.
-    /// Rows moved before a stop or an exception stay moved.
-    template <class T>
-    void deform_rows(const MoveNodes<T> &move, const Context &context = Context()) {
-        detail::require_scalar<T>(view());
-        struct Host {
-            const MoveNodes<T> &move;
-            std::exception_ptr thrown;
-
-            static int call(void *user, std::size_t first, std::size_t count, void *x, void *y, void *z) noexcept {
-                auto &host = *static_cast<Host *>(user);
-                try {
-                    const auto span = [&](void *data) { return Span<T>(static_cast<T *>(data), count); };
-                    return host.move(first, span(x), span(y), span(z)) ? 0 : 1;
-                } catch (...) {
-                    host.thrown = std::current_exception();
-                    return 1;
-                }
-            }
-        };
-        Host host{move, nullptr};
-        context.call([&](gusset_context *c) {
-            const gusset_status status = gusset_net_deform_rows(c, get(), Host::call, &host);
-            if (host.thrown) {
-                std::rethrow_exception(host.thrown);
-            }
-            return status;
-        });
-    }
     /// Moves every node along its normal.
     void displace(double distance, const Context &context = Context()) {
         context.call(gusset_net_displace, get(), distance);
     }
 
-    /// Area, volume, box.
-    gusset_net_measure_report measure(const Context &context = Context()) const {
-        return context.result(gusset_net_measure, get());
-    }
-    /// Volume, centroid, tensor of inertia.
-    gusset_net_moment_report moments(const Context &context = Context()) const {
-        return context.result(gusset_net_moments, get());
+    /// Area, volume, box, unless others are asked for.
+    gusset_net_measure_report measure(NetMeasures measures = NetMeasures::extent,
+                                      const Context &context = Context()) const {
+        return context.result(gusset_net_measure, get(), static_cast<gusset_net_measures>(measures));
     }
     NetPlanarity planarity(double tolerance = 0.0, const Context &context = Context()) const {
         const gusset_net_view arrays = view();
@@ -456,12 +444,6 @@ public:
         std::size_t written = 0;
         context.call(gusset_net_planarity, get(), tolerance, found.cells.data(), found.cells.size(), &written,
                      &found.summary);
-        return found;
-    }
-    /// The area of the bilinear patches of the cells, to rounding.
-    BilinearArea bilinear_area(const Context &context = Context()) const {
-        BilinearArea found;
-        context.call(gusset_net_bilinear_area, get(), &found.area, &found.error);
         return found;
     }
     /// Moves nodes as little as possible so that all cells are plane; see gusset_net_planarise.
@@ -507,10 +489,21 @@ private:
         return found == GUSSET_TYPE_NONE ? std::nullopt : std::optional<GluingType>(static_cast<GluingType>(found));
     }
     gusset_net_view view() const { return detail::lent(gusset_net_get_view, get()); }
-    template <class Function>
-    static Net create(Function function, const gusset_net_view &arrays, const Gluing &gluing, const Context &context) {
+    gusset_net_gluing_report gluing_report() const {
+        return detail::lent(gusset_net_get_gluing, get(), nullptr, std::size_t{0}, nullptr, std::size_t{0});
+    }
+    Net copied(const gusset_net_copy_options &options, const Context &context) const {
+        return Net(context.result(gusset_net_copy_create, get(), &options));
+    }
+    Net turned(gusset_net_turn turn, const Context &context) const {
+        auto given = detail::sized<gusset_net_copy_options>();
+        given.turn = turn;
+        return copied(given, context);
+    }
+    static Net create(const gusset_net_view &arrays, const Gluing &gluing, gusset_net_memory memory,
+                      const Context &context) {
         const gusset_net_gluing given = detail::as_c(gluing, arrays);
-        return Net(context.result(function, &arrays, &given));
+        return Net(context.result(gusset_net_create, &arrays, &given, memory));
     }
 
     detail::Handle<gusset_net, gusset_net_destroy> net_;

@@ -12,14 +12,21 @@ class NetAnalysis {
 public:
     /// Of a net before and after.
     NetAnalysis(const Net &before, const Net &after, double tolerance = 0.0, const Context &context = Context()) {
-        analysis_.reset(context.result(gusset_net_analysis_create, before.get(), after.get(), tolerance));
+        auto given = detail::sized<gusset_net_analysis_options>();
+        given.after = after.get();
+        given.tolerance = tolerance;
+        analysis_.reset(context.result(gusset_net_analysis_create, before.get(), &given));
     }
     /// Of fields on a net, which stays as it is.
     NetAnalysis(const Net &net, Span<const Field> fields, double time = 0.0, double tolerance = 0.0,
                 const Context &context = Context()) {
-        const std::vector<gusset_field> given = detail::as_c(fields);
-        analysis_.reset(context.result(gusset_net_analysis_of_fields_create, net.get(), given.data(), given.size(),
-                                       time, tolerance));
+        const std::vector<gusset_field> chain = detail::as_c(fields);
+        auto given = detail::sized<gusset_net_analysis_options>();
+        given.fields = chain.data();
+        given.field_count = chain.size();
+        given.time = time;
+        given.tolerance = tolerance;
+        analysis_.reset(context.result(gusset_net_analysis_create, net.get(), &given));
     }
     /// Of each link, its new length divided by its old one; NaN if it had none.
     Span<const double> links() const & {

@@ -20,7 +20,7 @@ enum class Replication : uint32_t {
     refuse = GUSSET_REPLICATE_REFUSE
 };
 
-/// The options of a reformat; see gusset_reformat_options.
+/// The options of a reformat; see gusset_net_copy_options.
 struct ReformatOptions {
     /// 0: as many as there are.
     std::size_t rows = 0, columns = 0;
@@ -77,8 +77,8 @@ struct ConcatenateOptions {
 };
 
 namespace detail {
-inline gusset_reformat_options as_c(const ReformatOptions &options) {
-    auto given = detail::sized<gusset_reformat_options>();
+inline gusset_net_copy_options as_c(const ReformatOptions &options) {
+    auto given = detail::sized<gusset_net_copy_options>();
     given.rows = options.rows;
     given.columns = options.columns;
     given.row_replication = static_cast<gusset_replication>(options.row_replication);

@@ -43,10 +43,8 @@ public:
 
     /// Valid as long as this.
     Bytes bytes() const & {
-        const void *data = nullptr;
-        std::size_t size = 0;
-        detail::check(gusset_stream_get_view(stream_.get(), &data, &size));
-        return {static_cast<const uint8_t *>(data), size};
+        const gusset_stream_view found = detail::lent(gusset_stream_get_view, stream_.get());
+        return {static_cast<const uint8_t *>(found.data), found.size};
     }
     Bytes bytes() const && = delete;
 

@@ -75,25 +75,22 @@ public:
     bool empty() const { return size() == 0; }
     /// The nodes of group `i`, in order; throws std::out_of_range.
     Indices operator[](std::size_t i) const {
-        const auto [offsets, members] = lists();
-        if (i + 1 >= offsets.size()) {
+        const gusset_net_groups_view found = view();
+        if (i + 1 >= found.offsets.count) {
             throw std::out_of_range("gusset: no such group");
         }
-        return {members.data() + offsets[i], offsets[i + 1] - offsets[i]};
+        const uint32_t *ends = found.offsets.data + i;
+        return {found.members.data + ends[0], ends[1] - ends[0]};
     }
     /// Group i has the nodes from members()[offsets()[i]] to members()[offsets()[i + 1] - 1].
-    Indices offsets() const & { return lists()[0]; }
+    Indices offsets() const & { return detail::indices(view().offsets); }
     Indices offsets() const && = delete;
     /// The nodes of all groups, one group after the other.
-    Indices members() const & { return lists()[1]; }
+    Indices members() const & { return detail::indices(view().members); }
     Indices members() const && = delete;
 
 private:
-    std::array<Indices, 2> lists() const {
-        gusset_indices offsets{}, members{};
-        detail::check(gusset_net_groups_get_view(groups_.get(), &offsets, &members));
-        return {detail::indices(offsets), detail::indices(members)};
-    }
+    gusset_net_groups_view view() const { return detail::lent(gusset_net_groups_get_view, groups_.get()); }
     detail::Handle<gusset_net_groups, gusset_net_groups_destroy> groups_;
 };
 

@@ -40,14 +40,18 @@ public:
 
     /// Adds a net as it is now, in no group yet; returns its entry.
     uint32_t add(const Net &net, const Context &context = Context()) {
-        return context.result(gusset_scene_add_net, get(), net.get());
+        return context.result(gusset_scene_add, get(), net.get());
     }
     /// Replaces a net by another as it is now.
     void set_net(uint32_t entry, const Net &net, const Context &context = Context()) {
-        context.call(gusset_scene_set_net, get(), entry, net.get());
+        auto given = detail::sized<gusset_scene_changes>();
+        given.net = net.get();
+        context.call(gusset_scene_set_entry, get(), entry, &given);
     }
     /// Adds an empty group, in no group yet; returns its entry.
-    uint32_t add_group(const Context &context = Context()) { return context.result(gusset_scene_add_group, get()); }
+    uint32_t add_group(const Context &context = Context()) {
+        return context.result(gusset_scene_add, get(), nullptr);
+    }
     /// Appends an entry to a group.
     void add_child(uint32_t group, uint32_t child, const Context &context = Context()) {
         context.call(gusset_scene_add_child, get(), group, child);
@@ -60,10 +64,14 @@ public:
         context.call(gusset_scene_remove, get(), entry);
     }
     void set_transform(uint32_t entry, const Transform &transform, const Context &context = Context()) {
-        context.call(gusset_scene_set_transform, get(), entry, &transform);
+        auto given = detail::sized<gusset_scene_changes>();
+        given.transform = &transform;
+        context.call(gusset_scene_set_entry, get(), entry, &given);
     }
     void set_visible(uint32_t entry, bool visible, const Context &context = Context()) {
-        context.call(gusset_scene_set_visible, get(), entry, visible);
+        auto given = detail::sized<gusset_scene_changes>();
+        given.visibility = visible ? GUSSET_VISIBILITY_SHOW : GUSSET_VISIBILITY_HIDE;
+        context.call(gusset_scene_set_entry, get(), entry, &given);
     }
 
     SceneEntry entry(uint32_t entry) const {

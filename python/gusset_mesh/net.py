@@ -21,7 +21,7 @@ from .mesh import MeshLike, as_mesh, view_of
 __all__ = ["Net", "NetMesh"]
 
 _SIDES = constants("GUSSET_SIDES_")
-_TURNS = constants("GUSSET_DIRECTION_")
+_FLIPS = {"right": lib.GUSSET_NET_TURN_FLIP_COLUMNS, "down": lib.GUSSET_NET_TURN_FLIP_ROWS}
 _BETWEEN = constants("GUSSET_INTERPOLATION_")
 
 #: What becomes of the sides of a net; several words for several.
@@ -72,13 +72,18 @@ class Net(Handle):
         glued.struct_size = ffi.sizeof("struct gusset_net_gluing")
         for word in [sides] if isinstance(sides, str) else sides:
             glued.sides |= one_of(_SIDES, "sides", word)
-        super().__init__(create("net", view, glued))
+        super().__init__(create("net", view, glued, lib.GUSSET_NET_MEMORY_COPY))
 
     @classmethod
     def _of(cls, handle: Any) -> Net:
         made = cls.__new__(cls)
         Handle.__init__(made, handle)
         return made
+
+    def _copied(self, **fields: int) -> Net:
+        """A copy that is changed as fields of gusset_net_copy_options say."""
+        given = ffi.new("struct gusset_net_copy_options *", {"struct_size": ffi.sizeof("struct gusset_net_copy_options"), **fields})
+        return self._of(create("net", self._handle, given, name="net_copy"))
 
     @classmethod
     def from_heights(
@@ -139,7 +144,7 @@ class Net(Handle):
         """Its area, volume, area vector and box."""
         made = ffi.new("struct gusset_net_measure_report *")
         made.struct_size = ffi.sizeof("struct gusset_net_measure_report")
-        call(lib.gusset_net_measure, self._handle, made)
+        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made)
         return Record(made[0], made)
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
@@ -152,15 +157,15 @@ class Net(Handle):
 
     def transposed(self) -> Net:
         """Rows as columns."""
-        return self._of(create("net", self._handle, name="net_transpose"))
+        return self._copied(turn=lib.GUSSET_NET_TURN_TRANSPOSE)
 
     def flipped(self, direction: Literal["right", "down"] = "right") -> Net:
         """Columns, or rows, in the reverse order."""
-        return self._of(create("net", self._handle, one_of(_TURNS, "direction", direction), name="net_flip"))
+        return self._copied(turn=one_of(_FLIPS, "direction", direction))
 
     def displaced(self, distance: float) -> Net:
         """A copy, moved along its normals."""
-        copy = self._of(create("net", self._handle, name="net_clone"))
+        copy = self._copied()
         call(lib.gusset_net_displace, copy._handle, float(distance))
         return copy
 

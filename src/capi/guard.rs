@@ -63,7 +63,7 @@ mod tests {
     use crate::capi::context::{
         guard, gusset_context, gusset_context_create, gusset_context_destroy, gusset_context_get_message,
     };
-    use crate::capi::net::scene::{gusset_scene_add_group, gusset_scene_create, gusset_scene_destroy};
+    use crate::capi::net::scene::{gusset_scene_add, gusset_scene_create, gusset_scene_destroy};
     use crate::capi::status::gusset_status::{GUSSET_ERROR_PANIC, GUSSET_OK};
     use std::ffi::CStr;
     use std::process::Command;
@@ -91,7 +91,7 @@ mod tests {
             }
             assert_eq!(guard(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
             assert_eq!(CStr::from_ptr(gusset_context_get_message(context)), c"internal error: please report it");
-            assert_eq!(gusset_scene_add_group(context, scene, &raw mut group), GUSSET_OK);
+            assert_eq!(gusset_scene_add(context, scene, ptr::null(), &raw mut group), GUSSET_OK);
             assert_eq!(CStr::from_ptr(gusset_context_get_message(context)), c"");
             gusset_scene_destroy(scene);
             gusset_context_destroy(context);

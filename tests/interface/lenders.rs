@@ -96,7 +96,7 @@ fn the_mesh_of_a_net_without_nodes() {
     let arrays = gusset_net_view { rows: 2, columns: 2, x, y, z, scalar: GUSSET_F64, ..sized() };
     // SAFETY: as above.
     unsafe {
-        let net = made(gusset_net_destroy, |out| gusset_net_create(DEFAULTS, &raw const arrays, ptr::null(), out));
+        let net = made(gusset_net_destroy, |out| gusset_net_create(DEFAULTS, &raw const arrays, ptr::null(), 0, out));
         let mesh = made(gusset_result_destroy, |out| gusset_net_to_mesh(DEFAULTS, net.handle, ptr::null(), out));
         let view = lent(|out| gusset_result_get_mesh(mesh.handle, out));
         assert_eq!((view.vertex_count, view.face_count), (0, 0));

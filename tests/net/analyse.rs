@@ -7,6 +7,7 @@ use gusset::mesh::Scalar;
 use gusset::net::analyse::{absorb, analyse, analyse_field, jacobian};
 use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::field::*;
+use gusset::net::glue::{GlueOptions, reglue, reglued};
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::net::*;
@@ -49,6 +50,20 @@ fn a_determinant_that_is_not_zero_can_glue() {
     assert_eq!(glued.sides(), Some(Sides::TUBE));
     rolled.set_topology(glued);
     assert!(!glued_bits_agree(&rolled), "2 pi has no exact sine");
+    // The same in one step, as a whole or not at all.
+    let links: Vec<u32> = found.contracted.iter().map(|c| c.link).collect();
+    let mut glued = sheet(9, 9, Scalar::F64);
+    deform(&mut glued, &steps, &Job::default()).unwrap();
+    let refused = GlueOptions { links: &[1, 2 * 81], saturate: true, ..GlueOptions::default() };
+    let no_such = Error::NoSuch { element: Element::Link, index: 162 };
+    assert_eq!(reglued(&glued, &refused, &Job::default()).unwrap_err(), no_such);
+    assert!(reglued(&glued, &GlueOptions::default(), &Job::default()).unwrap().is_none());
+    let options = GlueOptions { links: &links, saturate: true, ..GlueOptions::default() };
+    let topology = reglued(&glued, &options, &Job::default()).unwrap();
+    assert_eq!(reglue(&mut glued, topology, true, &Job::default()), Ok(9), "the last node of each row moves");
+    assert!(glued.topology().sides() == Some(Sides::TUBE) && glued_bits_agree(&glued));
+    let detected = GlueOptions { detect: Some(1e-9), ..GlueOptions::default() };
+    assert_eq!(reglued(&rolled, &detected, &Job::default()).unwrap().as_ref(), Some(glued.topology()));
     snap(&mut rolled).unwrap();
     assert!(glued_bits_agree(&rolled));
     // With the unit pitch of the study's case the determinant is the pitch.

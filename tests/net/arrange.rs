@@ -4,7 +4,7 @@ use crate::nets::{Surface, any_topology, job, numbered, same, sphere, torus};
 use glam::DVec3;
 use gusset::Error;
 use gusset::mesh::Scalar;
-use gusset::net::{Classes, Direction, Net};
+use gusset::net::{Classes, CopyOptions, Direction, Net, Replication, Turn};
 use proptest::prelude::*;
 
 /// The classes of a net as a partition of places, which `place` takes to places of another net.
@@ -98,6 +98,34 @@ proptest! {
             prop_assert_eq!(class[old as usize], net.shape().node(rows.start + p, columns.start + q));
         }
     }
+}
+
+#[test]
+fn a_copy_takes_its_steps_in_order() {
+    let net = torus(9, 17, Scalar::F64, DVec3::ZERO);
+    let copy = |options: &CopyOptions| net.changed_copy(options, &job()).unwrap();
+    assert!(copy(&CopyOptions::default()).is_none());
+    assert!(copy(&CopyOptions { scalar: Some(Scalar::F64), ..CopyOptions::default() }).is_none());
+    let options = CopyOptions {
+        part: Some([2..7, 3..15]),
+        compact: true,
+        rows: Some(8),
+        columns: None,
+        replication: [Replication::First, Replication::Uniform],
+        turn: Turn::ThreeQuarters,
+        scalar: Some(Scalar::F32),
+    };
+    let part = net.part(2..7, 3..15, &job()).unwrap().compacted(&job()).unwrap();
+    let larger = part.reformatted(8, 12, options.replication, &job()).unwrap();
+    let expected = larger.turned(3, &job()).unwrap().converted(Scalar::F32).unwrap();
+    assert!(same(&copy(&options).unwrap(), &expected));
+    // The symmetries are a group: the two exchanges differ by half a turn.
+    let turned = |net: &Net<'_>, turn| net.turned_by(turn, &job()).unwrap();
+    assert!(same(&turned(&net, Turn::None), &net));
+    assert!(same(&turned(&turned(&net, Turn::Transpose), Turn::Half), &turned(&net, Turn::Antitranspose)));
+    assert!(same(&turned(&turned(&net, Turn::FlipRows), Turn::FlipColumns), &turned(&net, Turn::Half)));
+    assert!(same(&turned(&turned(&net, Turn::Quarter), Turn::ThreeQuarters), &net));
+    assert!(same(&turned(&turned(&net, Turn::Antitranspose), Turn::Antitranspose), &net));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use glam::{DAffine3, DVec3};
 use gusset::mesh::Scalar;
-use gusset::net::scene::{Instance, MAX_INSTANCES, Scene};
+use gusset::net::scene::{EntryChanges, Instance, MAX_INSTANCES, Scene};
 use gusset::net::{BridgeMode, Direction, JoinOptions, Net, Sides, Topology, concatenate};
 use gusset::{Element, Error};
 use proptest::prelude::*;
@@ -154,6 +154,29 @@ fn mirrors_are_mirrors_at_any_size() {
         }
         assert!(Surface::of(&flat[0]).volume(&flat[0]) > 1.0);
     }
+}
+
+#[test]
+fn entries_change_as_a_whole() {
+    let mut scene = Scene::new();
+    let (ball, group) =
+        (scene.add_net(Arc::new(sphere(5, 9, Scalar::F64, DVec3::ZERO))).unwrap(), scene.add_group().unwrap());
+    let ring = Arc::new(torus(7, 9, Scalar::F64, DVec3::ZERO));
+    let all = |x: f64| EntryChanges { net: Some(ring.clone()), transform: Some(along_x(x)), visible: Some(false) };
+    let no_such = Error::NoSuch { element: Element::Entry, index: group.into() };
+    assert_eq!(scene.set_entry(group, all(1.0)), Err(no_such), "a group has no net");
+    assert!(matches!(scene.set_entry(ball, all(f64::NAN)), Err(Error::OptionOutOfRange { .. })));
+    for entry in [ball, group] {
+        assert!(scene.is_visible(entry).unwrap() && scene.transform(entry).unwrap() == DAffine3::IDENTITY);
+    }
+    assert_eq!(scene.net(ball).unwrap().shape(), shape(5, 9));
+    scene.set_entry(ball, all(1.0)).unwrap();
+    scene.set_entry(ball, EntryChanges::default()).unwrap();
+    assert!(!scene.is_visible(ball).unwrap() && scene.transform(ball).unwrap() == along_x(1.0));
+    assert_eq!(scene.net(ball).unwrap().shape(), shape(7, 9));
+    scene.set_entry(group, EntryChanges { visible: Some(false), ..EntryChanges::default() }).unwrap();
+    assert!(!scene.is_visible(group).unwrap());
+    assert!(scene.set_entry(9, EntryChanges::default()).is_err());
 }
 
 #[test]

@@ -10,7 +10,7 @@
 //! | size, numbering, coordinates, the net itself | [`Shape`], [`Planes`], [`Coordinates`], [`Net`] |
 //! | gluing, classes of glued nodes, the 18 local gluings | [`topology`] |
 //! | the surface that a gluing makes | [`complex`] |
-//! | whether glued nodes coincide; the gluing that coordinates imply | [`Net::validate`]; [`detect_gluing()`] |
+//! | whether glued nodes coincide; the gluing that coordinates imply; gluing in one step | [`Net::validate`]; [`detect_gluing()`]; [`glue`] |
 //! | boxes, surfaces with a reversed side; standard shapes | [`closure`]; [`primitive`] |
 //! | parts, flips, quarter turns, other row lengths | methods of [`Net`] |
 //! | joining and splitting, with bridges between | [`concatenate`], [`Net::split`], [`Bridge`] |
@@ -32,10 +32,12 @@ pub mod closure;
 mod coincidence;
 pub mod complex;
 pub mod convert;
+mod copy;
 mod detect_gluing;
 mod direction;
 pub mod field;
 mod fold;
+pub mod glue;
 mod hidden_cells;
 mod join;
 pub mod measure;
@@ -57,7 +59,9 @@ pub mod topology;
 pub mod transform;
 mod validate;
 
+pub use arrange::Turn;
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties};
+pub use copy::CopyOptions;
 pub use detect_gluing::detect_gluing;
 pub use direction::Direction;
 pub use join::{JoinOptions, concatenate, concatenate_all};

@@ -5,10 +5,10 @@ use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lent};
 use crate::capi::net::field::{Given, fields, gusset_field};
-use crate::capi::net::{gusset_net, read, reglue};
-use crate::capi::status::gusset_status;
+use crate::capi::net::{gusset_net, read};
+use crate::capi::status::{Failure, gusset_status};
 use crate::error::Result;
-use crate::net::analyse::{Analysis, absorb, analyse, analyse_field};
+use crate::net::analyse::{Analysis, analyse, analyse_field};
 use gusset_base::alloc;
 
 /// What a deformation does to a net. Immutable; may be read from many threads.
@@ -41,15 +41,15 @@ pub struct gusset_net_analysis_view {
     /// 2 * rows * columns.
     pub link_count: usize,
     /// Of each cell, its new area divided by its old one; negative where the surface is folded over
-    /// or, after gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is
-    /// not there.
+    /// or, if fields are analysed, space is mirrored; NaN if it had none, or is not there.
     pub cells: *const f64,
-    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after
-    /// gusset_net_analysis_create.
+    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL if nets are
+    /// compared.
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
-    /// The links that have become a point and are not glued: see gusset_net_absorb.
+    /// The links that have become a point and are not glued: see `links` of
+    /// gusset_glue_options.
     pub contracted: *const u32,
     /// Of each of them, what the star of its first node has become with all of them contracted: the
     /// number of the local gluing, 0 to 17.
@@ -72,17 +72,41 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
+/// What a net is compared with. All zeros: with itself.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_analysis_options {
+    /// sizeof(gusset_net_analysis_options), set by the caller.
+    pub struct_size: usize,
+    /// The net after the deformation, of the same size; NULL: what the fields make of the net.
+    pub after: *const gusset_net,
+    /// The fields, as for gusset_net_deform; none beside `after`.
+    pub fields: *const gusset_field,
+    /// The number of fields.
+    pub field_count: usize,
+    /// The time, as for gusset_net_deform.
+    pub time: f64,
+    /// Lengths up to it, at least 0 and finite, are none.
+    pub tolerance: f64,
+}
+
+versioned! { gusset_net_analysis_options: 48 }
+
 /// Compares a net after a deformation with what it was before: what is newly glued, torn, folded
 /// over, stretched.
 ///
+/// The net stays as it is. The deformation is another net, or what fields would do: then the analysis
+/// has the determinants of their Jacobian too.
+///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param before what it was; its gluing counts.
-/// @param after what it is, of the same size.
-/// @param tolerance lengths up to it, at least 0 and finite, are none.
+/// @param net the net before the deformation; its gluing counts.
+/// @param options the deformation; NULL for none.
 /// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
-///     CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes), 24 bytes a node.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (fields beside
+///     `after`), OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly
+///     glued is no surface), OUT_OF_MEMORY, CANCELLED, and those of gusset_net_deform.
+/// @complexity O(nodes), 24 bytes a node. For fields O(nodes x fields), and 8 bytes a cell and a copy
+///     of the net besides.
 /// @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
 ///     neither follows from gluing nor implies it.
 /// @since 0.1
@@ -90,51 +114,29 @@ versioned! { gusset_net_analysis_view: 112 }
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_create(
     context: *const gusset_context,
-    before: *const gusset_net,
-    after: *const gusset_net,
-    tolerance: f64,
-    analysis: *mut *mut gusset_net_analysis,
-) -> gusset_status {
-    create(context, analysis, "analysis", |job| {
-        Ok(gusset_net_analysis::new(analyse(read(before)?, read(after)?, tolerance, job)?)?)
-    })
-}
-
-/// The same of what fields would do to a net, which stays as it is, with the determinants of their
-/// Jacobian.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param fields as for gusset_net_deform.
-/// @param count as for gusset_net_deform.
-/// @param time as for gusset_net_deform.
-/// @param tolerance as for gusset_net_analysis_create.
-/// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_net_analysis_create and of gusset_net_deform.
-/// @complexity O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy of the net.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
-    context: *const gusset_context,
     net: *const gusset_net,
-    fields: *const gusset_field,
-    count: usize,
-    time: f64,
-    tolerance: f64,
+    options: *const gusset_net_analysis_options,
     analysis: *mut *mut gusset_net_analysis,
 ) -> gusset_status {
     create(context, analysis, "analysis", |job| {
-        let given = self::fields(fields, count, time)?;
-        let steps = alloc::collect(given.iter().map(Given::step))?;
-        Ok(gusset_net_analysis::new(analyse_field(read(net)?, &steps, tolerance, job)?)?)
+        let options = input::read(options, true, "options")?;
+        let given = fields(options.fields, options.field_count, options.time)?;
+        let found = if options.after.is_null() {
+            let steps = alloc::collect(given.iter().map(Given::step))?;
+            analyse_field(read(net)?, &steps, options.tolerance, job)?
+        } else if given.is_empty() {
+            analyse(read(net)?, read(options.after)?, options.tolerance, job)?
+        } else {
+            return Err(Failure::unknown("field_count, beside after,", options.field_count as u64));
+        };
+        Ok(gusset_net_analysis::new(found)?)
     })
 }
 
 /// Lends an analysis.
 ///
 /// @param analysis the analysis.
-/// @param[out] parts its struct_size set.
+/// @param[out] view its struct_size set.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -142,9 +144,9 @@ pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_get_view(
     analysis: *const gusset_net_analysis,
-    parts: *mut gusset_net_analysis_view,
+    view: *mut gusset_net_analysis_view,
 ) -> gusset_status {
-    lend!(analysis, parts, |gusset_net_analysis { analysis, contracted, stars }| {
+    lend!(analysis, view, |gusset_net_analysis { analysis, contracted, stars }| {
         let Analysis { links, cells, determinants, torn, folded, .. } = analysis;
         gusset_net_analysis_view {
             struct_size: 0,
@@ -173,27 +175,4 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
     handle::destroy(analysis);
-}
-
-/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it.
-///
-/// Positions stay what they are: follow it with gusset_net_snap.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
-/// @param count see links.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
-///     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED; the net is unchanged then.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_absorb(
-    context: *const gusset_context,
-    net: *mut gusset_net,
-    links: *const u32,
-    count: usize,
-) -> gusset_status {
-    reglue(context, net, |net, job| Ok(absorb(net.topology(), input::items(links, count, "links")?, job)?))
 }

@@ -1,11 +1,12 @@
-//! C interface: nets with their nodes rearranged.
+//! C interface: copies of nets, as they are or changed.
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, choice};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::handle;
+use crate::capi::input::{self, choice, flag};
+use crate::capi::net::{edit, gusset_net};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::{Direction, Replication};
+use crate::net::{CopyOptions, Direction, Replication, Shape, Turn};
 
 /// A direction within a net.
 pub type gusset_direction = u32;
@@ -30,16 +31,49 @@ pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
 /// None: sizes that differ are refused. For gusset_concatenate_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;
 
-/// How a net is reformatted.
+/// A symmetry of the rectangle of nodes. Nodes stay where they are in space, and so do normals.
+pub type gusset_net_turn = u32;
+/// Rows and columns stay.
+pub const GUSSET_NET_TURN_NONE: gusset_net_turn = 0;
+/// A quarter of a turn: the last column becomes the first row.
+pub const GUSSET_NET_TURN_QUARTER: gusset_net_turn = 1;
+/// Half a turn: the last row and the last column come first.
+pub const GUSSET_NET_TURN_HALF: gusset_net_turn = 2;
+/// Three quarters of a turn: the first column becomes the last row.
+pub const GUSSET_NET_TURN_THREE_QUARTERS: gusset_net_turn = 3;
+/// The last column comes first.
+pub const GUSSET_NET_TURN_FLIP_COLUMNS: gusset_net_turn = 4;
+/// The last row comes first.
+pub const GUSSET_NET_TURN_FLIP_ROWS: gusset_net_turn = 5;
+/// Rows and columns are exchanged.
+pub const GUSSET_NET_TURN_TRANSPOSE: gusset_net_turn = 6;
+/// Rows and columns are exchanged, both backwards.
+pub const GUSSET_NET_TURN_ANTITRANSPOSE: gusset_net_turn = 7;
+
+/// How a copy of a net differs from it. All zeros: not at all. A part is taken first; then it is
+/// made compact, enlarged, turned and converted.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_reformat_options {
-    /// sizeof(gusset_reformat_options), set by the caller.
+pub struct gusset_net_copy_options {
+    /// sizeof(gusset_net_copy_options), set by the caller.
     pub struct_size: usize,
-    /// The rows of nodes wanted, no fewer than there are; 0 for as many as there are.
+    /// The first row of the part that is copied.
+    pub row_first: usize,
+    /// The number of rows of the part, at least 2; 0: all from row_first on.
+    pub row_count: usize,
+    /// The first column of the part.
+    pub column_first: usize,
+    /// The number of columns of the part, at least 2; 0: all from column_first on.
+    pub column_count: usize,
+    /// The number of rows of nodes after replication, no fewer than there are; 0: as many as there
+    /// are. Links between copies of a row are contracted, and the surface stays.
     pub rows: usize,
-    /// The columns, likewise.
+    /// The number of columns of nodes, likewise.
     pub columns: usize,
+    /// 1: rows and columns that repeat the one before them are left out. The links between the two
+    /// are all contracted, and coordinates and links along them are equal. Two rows and two columns
+    /// stay, and so do those on which a bridge ends. 0 or 1.
+    pub compact: u32,
     /// GUSSET_REPLICATE_... for rows.
     pub row_replication: gusset_replication,
     /// GUSSET_REPLICATE_... for columns.
@@ -48,11 +82,30 @@ pub struct gusset_reformat_options {
     pub row_index: u32,
     /// Read for GUSSET_REPLICATE_AT: the column.
     pub column_index: u32,
+    /// The symmetry that rows and columns undergo: GUSSET_NET_TURN_...
+    pub turn: gusset_net_turn,
+    /// GUSSET_F32 or GUSSET_F64: the type of the coordinates. From double to float they are rounded,
+    /// and nodes whose coordinates are too large become missing. 0: the type of the net.
+    pub scalar: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_reformat_options: 40 }
+versioned! { gusset_net_copy_options: 88 reserved }
 
-c_enum! { direction: Direction { GUSSET_DIRECTION_RIGHT => Right, GUSSET_DIRECTION_DOWN => Down } }
+c_enum! {
+    direction: Direction { GUSSET_DIRECTION_RIGHT => Right, GUSSET_DIRECTION_DOWN => Down }
+    turn: Turn {
+        GUSSET_NET_TURN_NONE => None,
+        GUSSET_NET_TURN_QUARTER => Quarter,
+        GUSSET_NET_TURN_HALF => Half,
+        GUSSET_NET_TURN_THREE_QUARTERS => ThreeQuarters,
+        GUSSET_NET_TURN_FLIP_COLUMNS => FlipColumns,
+        GUSSET_NET_TURN_FLIP_ROWS => FlipRows,
+        GUSSET_NET_TURN_TRANSPOSE => Transpose,
+        GUSSET_NET_TURN_ANTITRANSPOSE => Antitranspose,
+    }
+}
 
 /// What the caller wants replicated.
 pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
@@ -66,165 +119,66 @@ pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Repli
     }
 }
 
-/// A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the
-/// bridges that cross it.
-///
-/// Links that lead back are within it if all rows, or all columns, are.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param row_first its first row.
-/// @param row_count how many rows, at least 2.
-/// @param column_first its first column.
-/// @param column_count how many columns, at least 2.
-/// @param[out] part receives it, for gusset_net_destroy, as for all functions of this group; NULL
-///     on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below
-///     2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite corners
-///     one), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes of the part), and O(contracted links).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_part_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    row_first: usize,
-    row_count: usize,
-    column_first: usize,
-    column_count: usize,
-    part: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, part, "part", |job| {
-        let rows = row_first..row_first.saturating_add(row_count);
-        let columns = column_first..column_first.saturating_add(column_count);
-        Ok(gusset_net::new(read(net)?.part(rows, columns, job)?))
-    })
+impl gusset_net_copy_options {
+    fn checked(self, shape: Shape) -> Result<CopyOptions, Failure> {
+        let range = |first: usize, count: usize, all: usize| match count {
+            0 => first..all.max(first),
+            count => first..first.saturating_add(count),
+        };
+        let part = [self.row_first, self.row_count, self.column_first, self.column_count].iter().any(|&n| n != 0);
+        let rows = range(self.row_first, self.row_count, shape.rows());
+        let columns = range(self.column_first, self.column_count, shape.columns());
+        Ok(CopyOptions {
+            part: part.then_some([rows, columns]),
+            compact: flag(self.compact, "compact")?,
+            rows: (self.rows != 0).then_some(self.rows),
+            columns: (self.columns != 0).then_some(self.columns),
+            replication: [
+                replication(self.row_replication, self.row_index)?,
+                replication(self.column_replication, self.column_index)?,
+            ],
+            turn: choice(self.turn)?,
+            scalar: if self.scalar == 0 { None } else { Some(choice(self.scalar)?) },
+        })
+    }
 }
 
-/// The net with rows and columns exchanged.
+/// Makes a copy of a net, with its gluing and its bridges: of all of it or of a part, with more or
+/// fewer rows and columns, turned, or with coordinates of another type.
 ///
-/// The surface stays as it is in space, and so do its normals: faces are taken the other way round
-/// from then on.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] transposed receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_transpose_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    transposed: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, transposed, "transposed", |job| Ok(gusset_net::new(read(net)?.transposed(job)?)))
-}
-
-/// The net the other way round.
-///
-/// Normals stay, as for gusset_net_transpose_create.
+/// A copy that differs in nothing shares the memory of the net until one of the two is changed. A
+/// part keeps the links, runs of seams and bridges within it. It keeps links that lead back if it
+/// has all rows, or all columns. A part, a compact, a turned or a larger net keeps the bits of its
+/// coordinates.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param direction GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
-///     last row.
-/// @param[out] flipped receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: as there, UNKNOWN_VALUE.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_flip_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    direction: gusset_direction,
-    flipped: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, flipped, "flipped", |job| {
-        let direction: Direction = choice(direction)?;
-        Ok(gusset_net::new(read(net)?.flipped(direction, job)?))
-    })
-}
-
-/// The net turned.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param quarters how many quarters of a turn, any number: after one, the last column is the first
-///     row; negative ones turn back.
-/// @param[out] turned receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: as gusset_net_transpose_create.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_turn_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    quarters: i32,
-    turned: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, turned, "turned", |job| Ok(gusset_net::new(read(net)?.turned(quarters, job)?)))
-}
-
-/// A larger net that is the same surface: rows and columns are replicated, and the links between
-/// copies contracted.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param options NULL for the defaults.
-/// @param[out] reformatted receives the result, for gusset_net_destroy; NULL on failure.
+/// @param net unchanged.
+/// @param options NULL for a copy that differs in nothing.
+/// @param[out] copy receives it, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index beyond the net),
-///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes).
+///     UNKNOWN_VALUE, NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part beyond the
+///     net, fewer rows or columns than there are, an index beyond the net), CROSSING_CELL (only what
+///     is outside the part made opposite corners one), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes) for each step; O(1) for a copy that differs in nothing, unless the net is in
+///     the caller's memory.
 /// @source Deryagin, "Reformatting".
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_reformat_create(
+pub unsafe extern "C" fn gusset_net_copy_create(
     context: *const gusset_context,
     net: *const gusset_net,
-    options: *const gusset_reformat_options,
-    reformatted: *mut *mut gusset_net,
+    options: *const gusset_net_copy_options,
+    copy: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, reformatted, "reformatted", |job| {
-        let options = input::read(options, false, "options")?;
-        let net = read(net)?;
-        let or = |count: usize, there: usize| if count == 0 { there } else { count };
-        let rows = or(options.rows, net.shape().rows());
-        let columns = or(options.columns, net.shape().columns());
-        let how = [
-            replication(options.row_replication, options.row_index)?,
-            replication(options.column_replication, options.column_index)?,
-        ];
-        Ok(gusset_net::new(net.reformatted(rows, columns, how, job)?))
+    create(context, copy, "copy", |job| {
+        let (handle, options) = (handle::get(net, "net")?, input::read(options, true, "options")?);
+        let net = handle.net();
+        match net.changed_copy(&options.checked(net.shape())?, job)? {
+            Some(changed) => Ok(gusset_net::new(changed)),
+            None => Ok(gusset_net::of_shared(handle.share()?)),
+        }
     })
-}
-
-/// The net without the rows and columns that are the one before them again: links between the two
-/// all contracted, coordinates and links along them the same.
-///
-/// The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and
-/// those that a bridge ends on.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] compacted receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_compact_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    compacted: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, compacted, "compacted", |job| Ok(gusset_net::new(read(net)?.compacted(job)?)))
 }
 
 /// Makes missing every node of which a coordinate is `value`, the number that stands for what a

@@ -118,7 +118,7 @@ pub unsafe extern "C" fn gusset_net_complex_create(
 /// Lends what is known of a complex.
 ///
 /// @param quotient the complex.
-/// @param[out] report receives the report; struct_size is set by the caller.
+/// @param[out] view receives it; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -126,9 +126,9 @@ pub unsafe extern "C" fn gusset_net_complex_create(
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_get_view(
     quotient: *const gusset_net_complex,
-    report: *mut gusset_net_complex_view,
+    view: *mut gusset_net_complex_view,
 ) -> gusset_status {
-    lend!(quotient, report, |gusset_net_complex(c)| {
+    lend!(quotient, view, |gusset_net_complex(c)| {
         let bit = |set, bit| if set { bit } else { 0 };
         gusset_net_complex_view {
             struct_size: 0,

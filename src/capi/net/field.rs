@@ -11,8 +11,6 @@ use crate::mesh::MAX_ELEMENTS;
 use crate::net::field::*;
 use glam::DVec3;
 use gusset_base::alloc;
-use std::ffi::c_int;
-use std::ffi::c_void;
 
 /// What a field does, and what its values are. An axis and those that follow it: y and z after x, z
 /// and x after y, x and y after z.
@@ -119,20 +117,6 @@ pub struct gusset_field {
 }
 
 versioned! { gusset_field: 200 reserved }
-
-/// Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z:
-/// their coordinates, float or double as the net's are, to be changed in place. Return nonzero to
-/// stop. It must neither use the net or the context nor throw nor longjmp.
-pub type gusset_rows_fn = Option<
-    unsafe extern "C" fn(
-        user: *mut c_void,
-        first: usize,
-        count: usize,
-        x: *mut c_void,
-        y: *mut c_void,
-        z: *mut c_void,
-    ) -> c_int,
->;
 
 /// A field of the caller's, and how much of it is done now.
 pub(crate) struct Given {
@@ -249,41 +233,6 @@ pub unsafe extern "C" fn gusset_net_deform(
     })
 }
 
-/// Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as
-/// gusset_net_snap does.
-///
-/// If it stops, the status is CANCELLED and what was done stays done.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param map called on this thread, from the first node to the last, each time for consecutive
-///     nodes: as many as a row or a few thousand.
-/// @param user passed on.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_deform_rows(
-    context: *const gusset_context,
-    net: *mut gusset_net,
-    map: gusset_rows_fn,
-    user: *mut c_void,
-) -> gusset_status {
-    guard_change(context, |job| {
-        let map = map.ok_or_else(|| Failure::null("map"))?;
-        let call = |first: usize, rows: RowsMut<'_>| {
-            let (count, [x, y, z]) = match rows {
-                RowsMut::F32(rows) => (rows[0].len(), rows.map(|row| row.as_mut_ptr().cast())),
-                RowsMut::F64(rows) => (rows[0].len(), rows.map(|row| row.as_mut_ptr().cast())),
-            };
-            // SAFETY: what the function may do is in its documentation, and the caller's promise.
-            if unsafe { map(user, first, count, x, y, z) } == 0 { Ok(()) } else { Err(Error::Cancelled) }
-        };
-        Ok(deform_rows(edit(net, job)?, call, job)?)
-    })
-}
-
 /// Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
 /// stay together, nodes without a normal stay.
 ///
@@ -302,27 +251,4 @@ pub unsafe extern "C" fn gusset_net_displace(
     distance: f64,
 ) -> gusset_status {
     guard_change(context, |job| Ok(displace(edit(net, job)?, distance, job)?))
-}
-
-/// Gives all nodes that are glued to each other the position of the first of them, bit for bit.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param[out] moved receives how many nodes got other bits; may be NULL.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_MEMORY.
-/// @complexity O(rows + columns) if the net is glued along its sides alone, else O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_snap(
-    context: *const gusset_context,
-    net: *mut gusset_net,
-    moved: *mut u64,
-) -> gusset_status {
-    let moved = input::optional_output(moved, 0, "moved");
-    guard_change(context, |job| {
-        let moved = moved?;
-        input::set(moved, snap(edit(net, job)?)?);
-        Ok(())
-    })
 }

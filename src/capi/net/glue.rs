@@ -1,18 +1,16 @@
-//! C interface: gluing and ungluing nets, and the classes of nodes that are one point.
+//! C interface: gluing and ungluing nets.
 
-use crate::capi::context::{answer, create, guard, guard_change, gusset_context};
-use crate::capi::glue::fixed;
-use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, fill, flag};
-use crate::capi::mesh::gusset_indices;
+use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::glue::versioned;
+use crate::capi::input::{self, flag};
 use crate::capi::net::gluing::{gusset_seam, seam};
-use crate::capi::net::{edit, gusset_net, read, reglue};
+use crate::capi::net::{edit, gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
-use crate::net::topology::{CellDiagonal, Gluing, GluingType, Groups, Occurrence, occurrences};
-use crate::net::{Classes, MAX_NODES};
+use crate::net::MAX_NODES;
+use crate::net::glue::{self, GlueOptions, reglued};
+use crate::net::topology::{CellDiagonal, Gluing, GluingType};
 use gusset_base::alloc;
-use std::ptr;
 
 /// What a gusset_gluing glues.
 pub type gusset_gluing_kind = u32;
@@ -128,25 +126,56 @@ fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Fail
     alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.of_item(k))))
 }
 
-/// The number of a type for the caller.
-fn number(found: Option<GluingType>) -> gusset_gluing_type {
-    found.map_or(GUSSET_TYPE_NONE, |kind| kind.number() as u32)
+/// How a net is glued. The steps are taken in the order of the fields; all zeros: none.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_glue_options {
+    /// sizeof(gusset_glue_options), set by the caller.
+    pub struct_size: usize,
+    /// Read if `detect` is 1: the largest distance of nodes that lie together, at least 0 and finite,
+    /// in the unit of the coordinates.
+    pub tolerance: f64,
+    /// Pairs of nodes that are glued, at any alignment.
+    pub gluings: *const gusset_gluing,
+    /// The number of gluings.
+    pub gluing_count: usize,
+    /// Links that are contracted, such as those of gusset_net_analysis_view; numbered as for
+    /// GUSSET_GLUING_LINK, at any alignment.
+    pub links: *const u32,
+    /// The number of links.
+    pub link_count: usize,
+    /// 1: what coordinates tell replaces what was glued, before anything else. Neighbours that lie
+    /// together are glued, and runs of two and more nodes of the sides that do, forwards or
+    /// backwards. The orientation of faces stays. 0 or 1.
+    pub detect: u32,
+    /// 1: every link whose ends are one point already, by way of others, is contracted, and seams
+    /// that links then say are dropped. Nets that glue the same neighbours have the same matrix in
+    /// this canonical form, which `detect` gives too. 0 or 1.
+    pub saturate: u32,
+    /// 1: all nodes that are glued to each other get the position of the first of them, bit for bit.
+    /// 0: positions stay.
+    pub snap: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-/// Glues nodes of a net; positions stay what they are.
+versioned! { gusset_glue_options: 64 reserved }
+
+/// Glues nodes of a net, and gives glued nodes one position.
 ///
-/// On failure the net is as it was.
+/// The options are done as a whole or not at all: on failure the net is as it was.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
-/// @param gluings count of them, done as a whole or not at all; at any alignment.
-/// @param count see gluings.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (kind, mask,
-///     reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or cell),
-///     BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite
-///     corners would be glued: the nineteenth local gluing, which no surface allows),
-///     OUT_OF_MEMORY.
-/// @complexity O(nodes + glued pairs).
+/// @param options what is glued.
+/// @param[out] moved receives the number of nodes that got other bits; NULL if it is not wanted.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+///     (kind, mask, reserved, a flag), OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT
+///     (the link, node or cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell
+///     (both pairs of opposite corners would be glued: the nineteenth local gluing, which no surface
+///     allows), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes + glued pairs), and a sort of the nodes of the sides for `detect`. For `snap`
+///     alone O(rows + columns) if the net is glued along its sides alone, else O(nodes).
 /// @source Deryagin, "Local gluings of nodes".
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -154,12 +183,19 @@ fn number(found: Option<GluingType>) -> gusset_gluing_type {
 pub unsafe extern "C" fn gusset_net_glue(
     context: *const gusset_context,
     net: *mut gusset_net,
-    gluings: *const gusset_gluing,
-    count: usize,
+    options: *const gusset_glue_options,
+    moved: *mut u64,
 ) -> gusset_status {
-    reglue(context, net, |net, job| {
-        let gluings = self::gluings(gluings, count)?;
-        Ok(net.topology().glued_cancellable(&gluings, job, "gluing")?)
+    let moved = input::optional_output(moved, 0, "moved");
+    guard_change(context, |job| {
+        let (moved, options) = (moved?, input::read(options, false, "options")?);
+        let detect = flag(options.detect, "detect")?.then_some(options.tolerance);
+        let (saturate, snap) = (flag(options.saturate, "saturate")?, flag(options.snap, "snap")?);
+        let gluings = gluings(options.gluings, options.gluing_count)?;
+        let links = input::list(options.links, options.link_count, "links")?;
+        let topology = reglued(read(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
+        input::set(moved, glue::reglue(edit(net, job)?, topology, snap, job)?);
+        Ok(())
     })
 }
 
@@ -172,8 +208,8 @@ pub unsafe extern "C" fn gusset_net_glue(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
-/// @param gluings as for gusset_net_glue.
-/// @param count as for gusset_net_glue.
+/// @param gluings count of them, done as a whole or not at all; at any alignment.
+/// @param count see gluings.
 /// @param separation 0, or how far apart what becomes separate is moved, in the unit of the
 ///     coordinates: each piece of a point that falls apart moves by half of it towards the mean of
 ///     its neighbours (of those that do not fall apart themselves, if there are any); one without
@@ -191,278 +227,12 @@ pub unsafe extern "C" fn gusset_net_unglue(
     gluings: *const gusset_gluing,
     count: usize,
     separation: f64,
-    moved: *mut usize,
+    moved: *mut u64,
 ) -> gusset_status {
     let moved = input::optional_output(moved, 0, "moved");
     guard_change(context, |job| {
         let (moved, gluings) = (moved?, self::gluings(gluings, count)?);
-        input::set(moved, edit(net, job)?.unglue(&gluings, separation)?);
+        input::set(moved, edit(net, job)?.unglue(&gluings, separation)? as u64);
         Ok(())
-    })
-}
-
-/// Contracts every link whose ends are one point already, by way of others, and drops seams that
-/// links then say: the canonical form, in which nets that glue the same neighbours have the same
-/// matrix.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_saturate(context: *const gusset_context, net: *mut gusset_net) -> gusset_status {
-    reglue(context, net, |net, job| Ok(net.topology().saturated_cancellable(job, "saturating")?))
-}
-
-/// Writes for each node the smallest node that is the same point.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] classes room for capacity numbers, of which rows * columns are written.
-/// @param capacity see classes.
-/// @param[out] written receives that number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
-///     written but the number), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes); 4 bytes a node.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_classes(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    classes: *mut u32,
-    capacity: usize,
-    written: *mut usize,
-) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    guard_change(context, |job| {
-        let net = read(net)?;
-        fill((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
-            let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
-            Ok(classes.table_cancellable(&job.part(0.8, 1.0), "classes")?)
-        })
-    })
-}
-
-/// The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
-pub struct gusset_net_groups(Groups);
-
-handle! { gusset_net_groups }
-
-/// Finds the points that are several nodes.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] groups receives the result, for gusset_net_groups_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
-///     the glued nodes.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_groups_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    groups: *mut *mut gusset_net_groups,
-) -> gusset_status {
-    create(context, groups, "groups", |job| {
-        Ok(gusset_net_groups(Classes::of_cancellable(read(net)?.topology(), job, "groups")?.groups()?))
-    })
-}
-
-/// Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the
-/// latter; its nodes are in order, and groups are in the order of their first nodes.
-///
-/// offsets.count is one more than the number of groups. Valid until the groups are destroyed.
-///
-/// @param groups the groups.
-/// @param[out] offsets receives the offsets.
-/// @param[out] members receives the members.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_groups_get_view(
-    groups: *const gusset_net_groups,
-    offsets: *mut gusset_indices,
-    members: *mut gusset_indices,
-) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let offsets = input::output(offsets, gusset_indices::lend(&[]), "offsets");
-        let members = input::output(members, gusset_indices::lend(&[]), "members");
-        let (offsets, members) = (offsets?, members?);
-        let groups = &handle::get(groups, "groups")?.0;
-        (*offsets, *members) = (gusset_indices::lend(groups.offsets()), gusset_indices::lend(groups.members()));
-        Ok(())
-    })
-}
-
-/// Destroys groups; NULL is allowed.
-///
-/// @param[in,out] groups the handle; NULL is allowed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_groups) {
-    handle::destroy(groups);
-}
-
-/// The local gluing at a node: which of its links have become a point.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param node its number, row * columns + column.
-/// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
-/// @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
-///     all.
-/// @source Deryagin, Fig. 4.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_classify_node(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    node: u32,
-    cyclic: u32,
-    found: *mut gusset_gluing_type,
-) -> gusset_status {
-    answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| {
-        Ok(number(read(net)?.topology().node_type(node, flag(cyclic, "cyclic")?, job)?))
-    })
-}
-
-/// What a cell has become.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param cell its number, row * (columns - 1) + column.
-/// @param[out] found receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad.
-/// @return GUSSET_OK, or an error: as gusset_net_classify_node.
-/// @complexity O(1) for a net that its sides describe, else O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_classify_cell(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    cell: u32,
-    found: *mut gusset_gluing_type,
-) -> gusset_status {
-    answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| Ok(number(read(net)?.topology().cell_type(cell, job)?)))
-}
-
-/// Counts the local gluings of a net by type.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
-///     many cells have each type; NULL for what is not wanted.
-/// @param[out] cells see nodes.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY,
-///     CANCELLED.
-/// @complexity O(nodes); 4 bytes a node.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_histogram(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    nodes: *mut u64,
-    cells: *mut u64,
-) -> gusset_status {
-    let outputs = [(nodes, "nodes"), (cells, "cells")].map(|(out, name)| counts(out, name));
-    guard_change(context, |job| {
-        let [nodes, cells] = outputs;
-        let (nodes, cells) = (nodes?, cells?);
-        let histogram = crate::net::topology::histogram(read(net)?.topology(), job)?;
-        job.memory()?;
-        nodes.copy_from_slice(&histogram.nodes[..nodes.len()]);
-        cells.copy_from_slice(&histogram.cells[..cells.len()]);
-        Ok(())
-    })
-}
-
-/// Room for the counts, cleared; none if they are not wanted.
-fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
-    input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
-}
-
-/// A local gluing of a net: where it is, and what it is in the letters of the paper's Fig. 4.
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub struct gusset_gluing_occurrence {
-    /// 0: at the node `element`, a type n(a, b); 1: of the cell `element`, a type c(a, b).
-    pub on_cell: u32,
-    /// The node, row * columns + column, or the cell, row * (columns - 1) + column.
-    pub element: u32,
-    /// One of GUSSET_TYPE_...
-    pub kind: gusset_gluing_type,
-    /// Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
-    /// for all; 1 for a diagonal.
-    pub a: u32,
-    /// Of a node with two glued links, 1 if they are adjacent and 2 if they are opposite; of a cell
-    /// with two, how many of the other links lie between them, 0 or 1; 2 for a diagonal; UINT32_MAX
-    /// for types that have one letter.
-    pub b: u32,
-    /// How many nodes the gluing makes one.
-    pub node_order: u32,
-    /// How many links it makes one; 1 if none.
-    pub link_order: u32,
-    /// How many nodes of the net are one point there: more than node_order where gluings meet, as
-    /// at a pole.
-    pub class_size: u32,
-}
-
-fixed! { gusset_gluing_occurrence: 32 }
-
-impl From<&Occurrence> for gusset_gluing_occurrence {
-    fn from(found: &Occurrence) -> Self {
-        gusset_gluing_occurrence {
-            on_cell: found.on_cell.into(),
-            element: found.element,
-            kind: number(Some(found.kind)),
-            a: found.signature.a.into(),
-            b: found.signature.b.map_or(u32::MAX, u32::from),
-            node_order: found.signature.node_order.into(),
-            link_order: found.signature.link_order.into(),
-            class_size: found.class_size,
-        }
-    }
-}
-
-/// Writes all local gluings of a net with their types and orders: those at its nodes, in order, then
-/// those of its cells.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
-/// @param[out] found room for capacity of them.
-/// @param capacity see found.
-/// @param[out] written receives their number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (cyclic),
-///     BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes); 4 bytes a node, and as much as is written.
-/// @source Deryagin, Fig. 4.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_gluing_occurrences(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    cyclic: u32,
-    found: *mut gusset_gluing_occurrence,
-    capacity: usize,
-    written: *mut usize,
-) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    guard_change(context, |job| {
-        let written = written?;
-        let all = occurrences(read(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
-        fill((found, capacity, "found"), all.len(), written, job, || Ok(all.iter().map(gusset_gluing_occurrence::from)))
     })
 }

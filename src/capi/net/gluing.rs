@@ -1,6 +1,6 @@
 //! C interface: the gluing of a net: sides, matrix, seams, closures.
 
-use crate::capi::context::{guard, guard_change, gusset_context};
+use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::{self, fill, flag};
 use crate::capi::net::net_handle::{gusset_net, read, reglue};
@@ -190,87 +190,69 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     reglue(context, net, |net, job| topology(net.shape(), gluing, job))
 }
 
-/// How a net is glued, in its one form.
-///
-/// @param net the net.
-/// @param[out] sides receives the sides if they say all about its links, else UINT32_MAX: then see
-///     gusset_net_get_matrix.
-/// @param[out] seam_count receives the number of seams.
-/// @param[out] reversed receives 1 if faces are taken the other way round. NULL for what is not
-///     wanted.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_get_topology(
-    net: *const gusset_net,
-    sides: *mut gusset_sides,
-    seam_count: *mut usize,
-    reversed: *mut u32,
-) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::optional_output(sides, 0, "sides");
-        let count = input::optional_output(seam_count, 0, "seam_count");
-        let turned = input::optional_output(reversed, 0, "reversed");
-        let (out, count, turned) = (out?, count?, turned?);
-        let topology = read(net)?.topology();
-        input::set(out, topology.sides().map_or(u32::MAX, sides_bits));
-        input::set(count, topology.seams().len());
-        input::set(turned, topology.is_reversed().into());
-        Ok(())
-    })
+/// How a net is glued, in its one form, and how many parts that has.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_gluing_report {
+    /// sizeof(gusset_net_gluing_report), set by the caller.
+    pub struct_size: usize,
+    /// The bytes of the characteristic matrix: 2 * rows * columns.
+    pub matrix_size: usize,
+    /// The number of seams.
+    pub seam_count: usize,
+    /// The number of bridges.
+    pub bridge_count: usize,
+    /// The sides if they say all about the links of the net, else UINT32_MAX: then the matrix does.
+    pub sides: gusset_sides,
+    /// 1 if faces are taken the other way round.
+    pub reversed: u32,
 }
 
-/// Writes the characteristic matrix of a net as gusset_net_gluing has it.
+versioned! { gusset_net_gluing_report: 40 }
+
+/// Tells how a net is glued, and writes its characteristic matrix and its seams.
+///
+/// A buffer that is NULL, with capacity 0, is not wanted; the report has the sizes that both need. On
+/// failure the report is cleared, and the buffers may be written in part.
 ///
 /// @param net the net.
-/// @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
-/// @param capacity see matrix.
-/// @param[out] written receives that number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
-///     written but the number), OUT_OF_MEMORY.
-/// @complexity O(nodes).
+/// @param[out] matrix room for matrix_capacity bytes, of which report->matrix_size are written as
+///     gusset_net_gluing has them.
+/// @param matrix_capacity see matrix.
+/// @param[out] seams room for seam_capacity seams, of which report->seam_count are written.
+/// @param seam_capacity see seams.
+/// @param[out] report its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     BUFFER_TOO_SMALL, OUT_OF_MEMORY.
+/// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_get_matrix(
+pub unsafe extern "C" fn gusset_net_get_gluing(
     net: *const gusset_net,
     matrix: *mut u8,
-    capacity: usize,
-    written: *mut usize,
-) -> gusset_status {
-    guard_change(ptr::null(), |job| {
-        let written = input::output(written, 0, "written")?;
-        let topology = read(net)?.topology();
-        let needed = 2 * topology.shape().node_count();
-        fill((matrix, capacity, "matrix"), needed, written, job, || {
-            Ok(topology.matrix()?.to_bytes(topology.shape())?)
-        })
-    })
-}
-
-/// Writes the seams of a net.
-///
-/// @param net the net.
-/// @param[out] seams room for capacity of them.
-/// @param capacity see seams.
-/// @param[out] written receives their number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
-///     written but the number).
-/// @complexity O(seams).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_get_seams(
-    net: *const gusset_net,
+    matrix_capacity: usize,
     seams: *mut gusset_seam,
-    capacity: usize,
-    written: *mut usize,
+    seam_capacity: usize,
+    report: *mut gusset_net_gluing_report,
 ) -> gusset_status {
+    let report = input::output_struct(report, "report");
     guard_change(ptr::null(), |job| {
-        let written = input::output(written, 0, "written")?;
-        let all = read(net)?.topology().seams();
-        fill((seams, capacity, "seams"), all.len(), written, job, || Ok(all.iter().map(gusset_seam::from)))
+        let (report, net) = (report?, read(net)?);
+        let (topology, shape) = (net.topology(), net.shape());
+        let all = topology.seams();
+        let mut found = gusset_net_gluing_report {
+            struct_size: 0,
+            matrix_size: 2 * shape.node_count(),
+            seam_count: all.len(),
+            bridge_count: net.bridges().len(),
+            sides: topology.sides().map_or(u32::MAX, sides_bits),
+            reversed: topology.is_reversed().into(),
+        };
+        let (matrix, seams) = ((matrix, matrix_capacity, "matrix"), (seams, seam_capacity, "seams"));
+        fill(matrix, found.matrix_size, &mut found.matrix_size, job, || Ok(topology.matrix()?.to_bytes(shape)?))?;
+        fill(seams, all.len(), &mut found.seam_count, job, || Ok(all.iter().map(gusset_seam::from)))?;
+        report.write(found);
+        Ok(())
     })
 }

@@ -1,6 +1,6 @@
 //! C interface: joining nets, and splitting them again.
 
-use crate::capi::context::{answer, create, guard_change, gusset_context, lend};
+use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, Choice, choice, flag};
@@ -20,7 +20,8 @@ pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
 /// They are not there.
 pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
 /// The two sides coincide, to a tolerance, and are one: the links between them are contracted.
-/// Nodes stay where they are; where they coincide not quite, gusset_net_snap makes them equal.
+/// Nodes stay where they are; where they coincide not quite, `snap` of gusset_glue_options makes
+/// them equal.
 pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
 
 /// What a bridge looks like.
@@ -221,23 +222,10 @@ pub unsafe extern "C" fn gusset_net_split_create(
     })
 }
 
-/// The number of bridges of a net.
-///
-/// @param net the net.
-/// @param[out] count receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: *mut usize) -> gusset_status {
-    answer(ptr::null(), (count, "count"), 0, |_| Ok(read(net)?.bridges().len()))
-}
-
 /// A bridge of a net.
 ///
 /// @param net the net.
-/// @param index its number, below gusset_net_bridge_count.
+/// @param index its number, below bridge_count of gusset_net_gluing_report.
 /// @param[out] bridge its struct_size set.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
 ///     NO_SUCH_ELEMENT.
@@ -274,7 +262,7 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
-/// @param index of the bridge, below gusset_net_bridge_count.
+/// @param index of the bridge, below bridge_count of gusset_net_gluing_report.
 /// @param mode GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
 /// @param tolerance how far nodes that are welded may be apart, at least 0.
 /// @param properties NULL leaves them.

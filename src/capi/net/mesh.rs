@@ -359,7 +359,7 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 /// Lends where the net was found.
 ///
 /// @param grid the grid.
-/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @param[out] view receives the parts; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
@@ -367,9 +367,9 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_get_view(
     grid: *const gusset_net_grid,
-    parts: *mut gusset_net_grid_view,
+    view: *mut gusset_net_grid_view,
 ) -> gusset_status {
-    lend!(grid, parts, |grid| gusset_net_grid_view {
+    lend!(grid, view, |grid| gusset_net_grid_view {
         struct_size: size_of::<gusset_net_grid_view>(),
         vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
         face_of_cell: gusset_indices::lend(&grid.face_of_cell),

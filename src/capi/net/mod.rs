@@ -2,6 +2,7 @@
 
 pub mod analyse;
 pub mod arrange;
+pub mod classify;
 pub mod complex;
 pub mod field;
 pub mod glue;
@@ -36,7 +37,7 @@ use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 use std::ffi::c_void;
 
 pub use net_handle::gusset_net;
-pub(crate) use net_handle::{edit, read, reglue};
+pub(crate) use net_handle::{edit, read};
 
 /// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
 /// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
@@ -69,6 +70,13 @@ pub struct gusset_net_view {
 }
 
 versioned! { gusset_net_view: 72 reserved }
+
+/// Where the coordinates of a net are.
+pub type gusset_net_memory = u32;
+/// In memory of the library's: the caller's are copied.
+pub const GUSSET_NET_MEMORY_COPY: gusset_net_memory = 0;
+/// In the caller's memory.
+pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 
 /// How the caller's matrices lie: bytes from row to row, from number to number, and all that one
 /// matrix spans.
@@ -180,58 +188,45 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
     }
 }
 
-/// Makes a net of a copy of the caller's coordinates.
+/// Makes a net of the caller's coordinates: of a copy of them, or in the caller's own memory.
+///
+/// A net in the caller's memory changes the caller's coordinates with its own.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param arrays the coordinates, rows x columns numbers each, at any alignment; any numbers: a
-///     node with one that is NaN or infinite is missing.
+/// @param view the coordinates, rows x columns numbers each; any numbers: a node with one that is
+///     NaN or infinite is missing. For GUSSET_NET_MEMORY_COPY they have any alignment. For
+///     GUSSET_NET_MEMORY_BORROW they are aligned to their scalar type, without gaps in rows,
+///     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
+///     and unmoved until the net is destroyed.
 /// @param gluing NULL for a sheet.
+/// @param memory GUSSET_NET_MEMORY_COPY or GUSSET_NET_MEMORY_BORROW.
 /// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
-///     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with
-///     the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
-/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it
-/// all.
+///     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
+///     BAD_SEAM with the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node for a copy, and 1/4 where sides do
+///     not say it all. In the caller's memory O(1) without a matrix and seams.
 /// @source Deryagin, "Model of the tetragonal regular network".
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_create(
     context: *const gusset_context,
-    arrays: *const gusset_net_view,
+    view: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
+    memory: gusset_net_memory,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| net_of(arrays, gluing, false, job))
-}
-
-/// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
-///     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
-///     and unmoved until the net is destroyed.
-/// @param gluing NULL for a sheet.
-/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
-///     NULL_ARGUMENT, OVERLAP.
-/// @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a
-/// node, or 1/4 byte.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_borrow_create(
-    context: *const gusset_context,
-    arrays: *const gusset_net_view,
-    gluing: *const gusset_net_gluing,
-    net: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, net, "net", |job| net_of(arrays, gluing, true, job))
+    create(context, net, "net", |job| match memory {
+        GUSSET_NET_MEMORY_COPY => net_of(view, gluing, false, job),
+        GUSSET_NET_MEMORY_BORROW => net_of(view, gluing, true, job),
+        other => Err(Failure::unknown("memory", other.into())),
+    })
 }
 
 /// A net of the caller's matrices, borrowed or copied.
 fn net_of(
-    arrays: *const gusset_net_view,
+    view: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
     borrow: bool,
     job: &Job<'_>,
@@ -244,7 +239,7 @@ fn net_of(
     ) -> Result<Planes<'static, T>, Failure> {
         if borrow { borrowed(shape, arrays) } else { copied(shape, arrays, job) }
     }
-    let (arrays, shape) = read_arrays(arrays)?;
+    let (arrays, shape) = read_view(view)?;
     let coordinates = match choice(arrays.scalar)? {
         Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
         Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
@@ -252,52 +247,9 @@ fn net_of(
     Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing, &job.part(0.5, 1.0))?)))
 }
 
-fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
-    let arrays = input::read(arrays, false, "arrays")?;
+fn read_view(view: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
+    let arrays = input::read(view, false, "view")?;
     Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
-}
-
-/// Makes a copy of a net, with its bridges, in memory of the library's.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net unchanged.
-/// @param[out] copy receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
-/// @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
-///     of the two is changed.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_clone_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    copy: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, copy, "copy", |_| Ok(gusset_net::of_shared(handle::get(net, "net")?.share()?)))
-}
-
-/// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type.
-///
-/// From double to float coordinates are rounded, and nodes whose coordinates are too large for it
-/// become missing.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param scalar GUSSET_F32 or GUSSET_F64.
-/// @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     OUT_OF_MEMORY.
-/// @complexity O(nodes).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_convert_create(
-    context: *const gusset_context,
-    net: *const gusset_net,
-    scalar: u32,
-    converted: *mut *mut gusset_net,
-) -> gusset_status {
-    create(context, converted, "converted", |_| Ok(gusset_net::new(read(net)?.converted(choice(scalar)?)?)))
 }
 
 /// Destroys a net; NULL is allowed.
@@ -333,24 +285,24 @@ fn lend(net: &Net<'_>) -> gusset_net_view {
 /// changed or destroyed.
 ///
 /// @param net the net.
-/// @param[out] arrays its struct_size set.
+/// @param[out] view its struct_size set.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
-    lend!(net, arrays, |net| lend(net.net()))
+pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut gusset_net_view) -> gusset_status {
+    lend!(net, view, |net| lend(net.net()))
 }
 
 /// Lends the coordinates to be written, valid until the next call with this net.
 ///
-/// Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
-/// scene is copied first.
+/// Nodes that are glued must be kept equal: see `snap` of gusset_glue_options. Memory shared with a
+/// copy or a scene is copied first.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
-/// @param[out] arrays receives the arrays; struct_size is set by the caller.
+/// @param[out] view receives the arrays; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: those of gusset_net_get_view, OUT_OF_MEMORY.
 /// @complexity O(1), or O(nodes) if memory is copied.
 /// @since 0.1
@@ -359,9 +311,9 @@ pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mu
 pub unsafe extern "C" fn gusset_net_edit(
     context: *const gusset_context,
     net: *mut gusset_net,
-    arrays: *mut gusset_net_view,
+    view: *mut gusset_net_view,
 ) -> gusset_status {
-    let out = input::output_struct(arrays, "arrays");
+    let out = input::output_struct(view, "view");
     guard_change(context, |job| {
         let out = out?;
         let net = edit(net, job)?;
@@ -382,7 +334,7 @@ pub unsafe extern "C" fn gusset_net_edit(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
-/// @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
+/// @param view where they go, of the net's rows and columns, in any layout and of either scalar
 ///     type: double to float is rounded.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
 ///     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, CANCELLED.
@@ -393,11 +345,11 @@ pub unsafe extern "C" fn gusset_net_edit(
 pub unsafe extern "C" fn gusset_net_read(
     context: *const gusset_context,
     net: *const gusset_net,
-    arrays: *const gusset_net_view,
+    view: *const gusset_net_view,
 ) -> gusset_status {
     guard(context, |job| {
         let net = read(net)?;
-        let (arrays, shape) = read_arrays(arrays)?;
+        let (arrays, shape) = read_view(view)?;
         let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
         if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
             return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());

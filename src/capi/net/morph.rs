@@ -31,7 +31,7 @@ c_enum! { path: MorphPath { GUSSET_MORPH_LINEAR => Linear, GUSSET_MORPH_RIGID =>
 /// @param path one of GUSSET_MORPH_...
 /// @param[out] between receives the net, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (path),
-///     OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see gusset_net_reformat_create),
+///     OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see gusset_net_copy_options),
 ///     MIXED_SCALARS, GLUINGS_DIFFER with the node, ORIENTATION_CONFLICT (one is reversed),
 ///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes).

@@ -3,12 +3,14 @@
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, flag};
+use crate::capi::input;
 use crate::capi::net::gusset_net;
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
-use crate::net::scene::{Content, Scene};
+use crate::net::Net;
+use crate::net::scene::{Content, EntryChanges, Scene};
 use glam::{DAffine3, DVec3};
+use std::sync::Arc;
 
 /// What an entry of a scene is.
 pub type gusset_scene_kind = u32;
@@ -97,6 +99,11 @@ fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene,
     Ok(&mut handle::get_mut(scene, "scene")?.0)
 }
 
+/// A net of the caller's as it is now, for a scene to keep; none for NULL.
+fn shared(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> {
+    if net.is_null() { Ok(None) } else { Ok(Some(handle::get(net, "net")?.share()?)) }
+}
+
 /// Makes an empty scene.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -122,19 +129,20 @@ pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
     handle::destroy(scene);
 }
 
-/// Adds a net, in no group yet, as it is now: what is done to the handle later does not change the
-/// scene.
+/// Adds a net as it is now, or an empty group, in no group yet.
+///
+/// What is done to the handle of the net later does not change the scene.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] scene the scene.
-/// @param net the net.
+/// @param net the net; NULL for a group.
 /// @param[out] entry receives its index.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY.
 /// @complexity O(1), and O(nodes) for a net in the caller's memory.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_scene_add_net(
+pub unsafe extern "C" fn gusset_scene_add(
     context: *const gusset_context,
     scene: *mut gusset_scene,
     net: *const gusset_net,
@@ -142,57 +150,12 @@ pub unsafe extern "C" fn gusset_scene_add_net(
 ) -> gusset_status {
     let entry = input::output(entry, u32::MAX, "entry");
     guard_change(context, |job| {
-        let entry = entry?;
-        let net = handle::get(net, "net")?.share()?;
-        *entry = changed(scene, job)?.add_net(net)?;
-        Ok(())
-    })
-}
-
-/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
-/// its transform.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
-/// @param entry its index.
-/// @param net the net.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the
-///     entry (also for a group), OUT_OF_MEMORY.
-/// @complexity O(1), and O(nodes) for a net in the caller's memory.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_scene_set_net(
-    context: *const gusset_context,
-    scene: *mut gusset_scene,
-    entry: u32,
-    net: *const gusset_net,
-) -> gusset_status {
-    guard_change(context, |job| {
-        let net = handle::get(net, "net")?.share()?;
-        Ok(changed(scene, job)?.set_net(entry, net)?)
-    })
-}
-
-/// Adds an empty group, in no group yet.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
-/// @param[out] entry receives its index.
-/// @return GUSSET_OK, or an error: as gusset_scene_add_net.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_scene_add_group(
-    context: *const gusset_context,
-    scene: *mut gusset_scene,
-    entry: *mut u32,
-) -> gusset_status {
-    let entry = input::output(entry, u32::MAX, "entry");
-    guard_change(context, |job| {
-        let entry = entry?;
-        *entry = changed(scene, job)?.add_group()?;
+        let (entry, net) = (entry?, shared(net)?);
+        let scene = changed(scene, job)?;
+        *entry = match net {
+            Some(net) => scene.add_net(net)?,
+            None => scene.add_group()?,
+        };
         Ok(())
     })
 }
@@ -258,56 +221,78 @@ pub unsafe extern "C" fn gusset_scene_remove(
     guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
 }
 
-/// Places an entry in the space of the groups that it is in.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
-/// @param entry its index.
-/// @param transform twelve finite numbers.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
-///     OUT_OF_RANGE.
-/// @complexity O(1).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_scene_set_transform(
-    context: *const gusset_context,
-    scene: *mut gusset_scene,
-    entry: u32,
-    transform: *const gusset_transform,
-) -> gusset_status {
-    guard_change(context, |job| {
-        let transform = *input::reference(transform, "transform")?;
-        Ok(changed(scene, job)?.set_transform(entry, transform.into())?)
-    })
+/// What is done to the visibility of an entry.
+pub type gusset_visibility = u32;
+/// It stays as it is.
+pub const GUSSET_VISIBILITY_KEEP: gusset_visibility = 0;
+/// The entry is shown.
+pub const GUSSET_VISIBILITY_SHOW: gusset_visibility = 1;
+/// The entry is hidden, with all that is in it.
+pub const GUSSET_VISIBILITY_HIDE: gusset_visibility = 2;
+
+/// The changes of an entry of a scene. All zeros: none.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_scene_changes {
+    /// sizeof(gusset_scene_changes), set by the caller.
+    pub struct_size: usize,
+    /// The net that replaces the one of the entry, as it is now; NULL: it stays. The entry keeps its
+    /// index, its groups and its transform.
+    pub net: *const gusset_net,
+    /// The place of the entry in the space of the groups that it is in, twelve finite numbers; NULL:
+    /// it stays.
+    pub transform: *const gusset_transform,
+    /// GUSSET_VISIBILITY_...
+    pub visibility: gusset_visibility,
+    /// 0.
+    pub reserved: u32,
 }
 
-/// Shows an entry, or hides it and all that is in it.
+versioned! { gusset_scene_changes: 32 reserved }
+
+/// Changes an entry: its net, its transform, its visibility.
+///
+/// On failure the entry is as it was.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] scene the scene.
 /// @param entry its index.
-/// @param visible 1 or 0.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
-///     UNKNOWN_VALUE.
-/// @complexity O(1).
+/// @param changes what changes.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE (visibility), NO_SUCH_ELEMENT with the entry (also for a net in place of a
+///     group), OUT_OF_RANGE (the transform), OUT_OF_MEMORY.
+/// @complexity O(1), and O(nodes) for a net in the caller's memory.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_scene_set_visible(
+pub unsafe extern "C" fn gusset_scene_set_entry(
     context: *const gusset_context,
     scene: *mut gusset_scene,
     entry: u32,
-    visible: u32,
+    changes: *const gusset_scene_changes,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.set_visible(entry, flag(visible, "visible")?)?))
+    guard_change(context, |job| {
+        let given = input::read(changes, false, "changes")?;
+        let transform = (!given.transform.is_null()).then(|| input::reference(given.transform, "transform"));
+        let changes = EntryChanges {
+            net: shared(given.net)?,
+            transform: transform.transpose()?.map(|&transform| transform.into()),
+            visible: match given.visibility {
+                GUSSET_VISIBILITY_KEEP => None,
+                GUSSET_VISIBILITY_SHOW => Some(true),
+                GUSSET_VISIBILITY_HIDE => Some(false),
+                other => return Err(Failure::unknown("visibility", other.into())),
+            },
+        };
+        Ok(changed(scene, job)?.set_entry(entry, changes)?)
+    })
 }
 
 /// What an entry is.
 ///
 /// @param scene the scene.
 /// @param entry its index.
-/// @param[out] out its struct_size set.
+/// @param[out] report its struct_size set.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
 ///     NO_SUCH_ELEMENT.
 /// @complexity O(1).
@@ -317,9 +302,9 @@ pub unsafe extern "C" fn gusset_scene_set_visible(
 pub unsafe extern "C" fn gusset_scene_get_entry(
     scene: *const gusset_scene,
     entry: u32,
-    out: *mut gusset_scene_entry_report,
+    report: *mut gusset_scene_entry_report,
 ) -> gusset_status {
-    lend!(scene, out, |gusset_scene(scene)| {
+    lend!(scene, report, |gusset_scene(scene)| {
         let (kind, child_count) = match scene.content(entry)? {
             Content::Net(_) => (GUSSET_SCENE_NET, 0),
             Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
@@ -388,7 +373,7 @@ pub unsafe extern "C" fn gusset_scene_get_children(
 /// How much is in a scene.
 ///
 /// @param scene the scene.
-/// @param[out] counts its struct_size set.
+/// @param[out] report its struct_size set.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
 ///     OUT_OF_MEMORY.
 /// @complexity O(entries + children), however many instances there are.
@@ -397,9 +382,9 @@ pub unsafe extern "C" fn gusset_scene_get_children(
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_report(
     scene: *const gusset_scene,
-    counts: *mut gusset_scene_report,
+    report: *mut gusset_scene_report,
 ) -> gusset_status {
-    lend!(scene, counts, |gusset_scene(scene)| {
+    lend!(scene, report, |gusset_scene(scene)| {
         let counts = scene.counts()?;
         gusset_scene_report {
             struct_size: size_of::<gusset_scene_report>(),

@@ -1,6 +1,6 @@
 //! C interface: compact streams of nets.
 
-use crate::capi::context::{answer_struct, create, guard, guard_change, gusset_context};
+use crate::capi::context::{answer_struct, create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice, flag, lent};
@@ -75,12 +75,24 @@ pub struct gusset_stream(Vec<u8>);
 
 handle! { gusset_stream }
 
+/// The bytes of a stream, lent: valid until gusset_stream_destroy.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stream_view {
+    /// sizeof(gusset_stream_view), set by the caller.
+    pub struct_size: usize,
+    /// The first byte.
+    pub data: *const c_void,
+    /// The number of bytes.
+    pub size: usize,
+}
+
 /// A stream that is decoded while it arrives. Opaque; used by one thread at a time.
 pub struct gusset_stream_decoder(StreamDecoder);
 
 handle! { gusset_stream_decoder }
 
-versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104 }
+versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104, gusset_stream_view: 24 }
 
 impl gusset_stream_options {
     fn checked(self) -> Result<StreamOptions, Failure> {
@@ -131,27 +143,23 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     })
 }
 
-/// Lends the bytes of a stream, valid until it is destroyed.
+/// Lends the bytes of a stream.
 ///
 /// @param stream the stream.
-/// @param[out] data receives where they are.
-/// @param[out] size receives how many they are.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @param[out] view receives the bytes; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_get_view(
     stream: *const gusset_stream,
-    data: *mut *const c_void,
-    size: *mut usize,
+    view: *mut gusset_stream_view,
 ) -> gusset_status {
-    let (data, size) = (input::output(data, ptr::null(), "data"), input::output(size, 0, "size"));
-    guard(ptr::null(), |_| {
-        let (data, size) = (data?, size?);
-        let bytes = &handle::get(stream, "stream")?.0;
-        (*data, *size) = (lent(bytes).cast(), bytes.len());
-        Ok(())
+    lend!(stream, view, |gusset_stream(bytes)| gusset_stream_view {
+        struct_size: 0,
+        data: lent(bytes).cast(),
+        size: bytes.len(),
     })
 }
 
@@ -169,7 +177,7 @@ pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param data its first 128 bytes, or more.
 /// @param size how many there are.
-/// @param[out] info its struct_size set.
+/// @param[out] report its struct_size set.
 /// @return GUSSET_OK, or an error: BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT,
 ///     BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -180,9 +188,9 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     context: *const gusset_context,
     data: *const c_void,
     size: usize,
-    info: *mut gusset_stream_report,
+    report: *mut gusset_stream_report,
 ) -> gusset_status {
-    answer_struct(context, (info, "info"), |_| {
+    answer_struct(context, (report, "report"), |_| {
         let info = StreamInfo::read(input::bytes(data, size, 1, "data")?)?;
         let (mode, bits) = match info.mode {
             Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),

@@ -4,9 +4,9 @@ use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{Choice, lent};
-use crate::capi::net::{gusset_net, read, reglue};
+use crate::capi::net::{gusset_net, read};
 use crate::capi::status::gusset_status;
-use crate::net::{Finding, FindingKind, detect_gluing};
+use crate::net::{Finding, FindingKind};
 use gusset_base::alloc;
 
 /// What is found.
@@ -16,7 +16,7 @@ pub const GUSSET_NET_FINDING_LINK_APART: gusset_net_finding_kind = 0;
 /// A violation: two nodes that seam `element` glues are apart, or one of them is missing.
 pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
 /// A warning: the ends of link `element`, between neighbours, are one point by way of others, and
-/// it is not contracted itself: see gusset_net_saturate.
+/// it is not contracted itself: see `saturate` of gusset_glue_options.
 pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
 /// A warning: the ends of link `element` lie on each other and are not glued.
 pub const GUSSET_NET_FINDING_ZERO_LENGTH: gusset_net_finding_kind = 3;
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn gusset_net_validation_create(
 /// Lends the findings.
 ///
 /// @param validation the validation.
-/// @param[out] report receives the report; struct_size is set by the caller.
+/// @param[out] view receives the findings; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(log findings).
 /// @since 0.1
@@ -118,9 +118,9 @@ pub unsafe extern "C" fn gusset_net_validation_create(
 #[must_use]
 pub unsafe extern "C" fn gusset_net_validation_get_view(
     validation: *const gusset_net_validation,
-    report: *mut gusset_net_validation_view,
+    view: *mut gusset_net_validation_view,
 ) -> gusset_status {
-    lend!(validation, report, |gusset_net_validation(findings)| gusset_net_validation_view {
+    lend!(validation, view, |gusset_net_validation(findings)| gusset_net_validation_view {
         struct_size: size_of::<gusset_net_validation_view>(),
         findings: lent(findings),
         count: findings.len(),
@@ -135,30 +135,4 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
     handle::destroy(validation);
-}
-
-/// Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more
-/// nodes of its sides that do, forwards or backwards.
-///
-/// It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are
-/// taken stays. On failure the net is as it was.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param tolerance as for gusset_net_validation_create.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
-///     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes), and a sort of the nodes of the sides.
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_net_detect_gluing(
-    context: *const gusset_context,
-    net: *mut gusset_net,
-    tolerance: f64,
-) -> gusset_status {
-    reglue(context, net, |net, job| {
-        let topology = detect_gluing(net.coordinates(), tolerance, job)?;
-        Ok(topology.with_reversed(net.topology().is_reversed()))
-    })
 }

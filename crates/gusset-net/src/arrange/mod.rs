@@ -21,6 +21,28 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use std::ops::Range;
 
+/// A symmetry of the rectangle of nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Turn {
+    /// Rows and columns stay.
+    #[default]
+    None,
+    /// The last column becomes the first row.
+    Quarter,
+    /// The last row and the last column come first.
+    Half,
+    /// The first column becomes the last row.
+    ThreeQuarters,
+    /// The last column comes first.
+    FlipColumns,
+    /// The last row comes first.
+    FlipRows,
+    /// Rows and columns are exchanged.
+    Transpose,
+    /// Rows and columns are exchanged, both backwards.
+    Antitranspose,
+}
+
 impl Net<'_> {
     /// The net within a range of rows and a range of columns, with the links and pairs of seams
     /// within it and the bridges that cross it. Closing links survive if all rows, or all columns,
@@ -85,6 +107,23 @@ impl Net<'_> {
             1 => self.transposed(first)?.flipped(Direction::Down, second),
             2 => self.flipped(Direction::Down, first)?.flipped(Direction::Right, second),
             _ => self.transposed(first)?.flipped(Direction::Right, second),
+        }
+    }
+
+    /// The net under a symmetry. The face orientation stays.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn turned_by(&self, turn: Turn, job: &Job<'_>) -> Result<Net<'static>> {
+        match turn {
+            Turn::None => self.copied(),
+            Turn::Quarter => self.turned(1, job),
+            Turn::Half => self.turned(2, job),
+            Turn::ThreeQuarters => self.turned(3, job),
+            Turn::FlipColumns => self.flipped(Direction::Right, job),
+            Turn::FlipRows => self.flipped(Direction::Down, job),
+            Turn::Transpose => self.transposed(job),
+            Turn::Antitranspose => self.transposed(&job.part(0.0, 0.4))?.turned(2, &job.part(0.4, 1.0)),
         }
     }
 

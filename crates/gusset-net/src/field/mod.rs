@@ -26,6 +26,7 @@ pub use lattice::Lattice;
 pub use map::{Field, Points};
 pub use projection::{parallel_projection, perspective_projection, projection};
 pub use shaping::{bend, shear, taper, twist};
+pub(crate) use surface_fields::snap_to;
 pub use surface_fields::{RowsMut, deform_rows, displace, snap};
 pub use timed::{Easing, Timed};
 pub use wrap::{cone_wrap, cylinder_wrap, sphere_wrap, spherify, torus_wrap};

@@ -21,7 +21,7 @@ pub fn snap(net: &mut Net<'_>) -> Result<u64> {
 }
 
 /// [`snap`] of the classes that are known: it cannot fail after the nodes were moved.
-fn snap_to(groups: &Groups, net: &mut Net<'_>) -> u64 {
+pub(crate) fn snap_to(groups: &Groups, net: &mut Net<'_>) -> u64 {
     let mut moved = 0;
     for class in groups.iter() {
         each!(net.coordinates_mut(), planes => moved += snap_class(planes, class));

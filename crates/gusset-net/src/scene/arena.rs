@@ -38,6 +38,17 @@ pub enum Content {
     Group(Vec<u32>),
 }
 
+/// The changes of an entry; `None` for what stays.
+#[derive(Debug, Clone, Default)]
+pub struct EntryChanges {
+    /// The net in place of the entry's own.
+    pub net: Option<Arc<Net<'static>>>,
+    /// The transform into the space of its groups.
+    pub transform: Option<DAffine3>,
+    /// Whether it is shown.
+    pub visible: Option<bool>,
+}
+
 /// The numbers of elements of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
@@ -145,6 +156,25 @@ impl Scene {
             self.entry_mut(child)?.parents.retain(|&group| group != index);
         }
         Ok(())
+    }
+
+    /// Changes an entry: all that `changes` has, or nothing.
+    ///
+    /// # Errors
+    /// Those of [`Scene::set_net`] and [`Scene::set_transform`].
+    pub fn set_entry(&mut self, index: u32, changes: EntryChanges) -> Result<()> {
+        self.entry(index)?;
+        if changes.net.is_some() {
+            self.net(index)?;
+        }
+        // From here on only the transform may be refused.
+        if let Some(local) = changes.transform {
+            self.set_transform(index, local)?;
+        }
+        if let Some(net) = changes.net {
+            self.set_net(index, net)?;
+        }
+        changes.visible.map_or(Ok(()), |visible| self.set_visible(index, visible))
     }
 
     /// Sets the transform of an entry into the space of its groups, which must be finite.

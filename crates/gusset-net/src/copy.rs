@@ -1,0 +1,63 @@
+//! Copies that are changed on the way: a part, without duplicate lines, enlarged, turned, in another type.
+//!
+//! Each step is a method of [`Net`], and only steps that are asked for are taken. O(nodes).
+
+use super::{Net, Replication, Turn};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::Scalar;
+use std::ops::Range;
+
+/// The steps of a copy, in the order of the fields.
+#[derive(Debug, Clone, Default)]
+pub struct CopyOptions {
+    /// Takes these rows and columns only; see [`Net::part`].
+    pub part: Option<[Range<usize>; 2]>,
+    /// Removes rows and columns that duplicate the one before; see [`Net::compacted`].
+    pub compact: bool,
+    /// Enlarges the net to this many rows; see [`Net::reformatted`].
+    pub rows: Option<usize>,
+    /// Enlarges the net to this many columns.
+    pub columns: Option<usize>,
+    /// The rows and the columns that are replicated.
+    pub replication: [Replication; 2],
+    /// The symmetry that the rows and columns undergo.
+    pub turn: Turn,
+    /// The type of the coordinates; `None` for that of the net.
+    pub scalar: Option<Scalar>,
+}
+
+impl Net<'_> {
+    /// A copy that is changed as the options say; `None` if they ask for no change.
+    ///
+    /// # Errors
+    /// Those of [`Net::part`], [`Net::compacted`], [`Net::reformatted`], [`Net::turned_by`] and [`Net::converted`].
+    pub fn changed_copy(&self, options: &CopyOptions, job: &Job<'_>) -> Result<Option<Net<'static>>> {
+        let enlarges = options.rows.is_some() || options.columns.is_some();
+        let wanted = [options.part.is_some(), options.compact, enlarges, options.turn != Turn::None];
+        let steps = wanted.into_iter().filter(|&wanted| wanted).count();
+        let mut shares = (0..steps).map(|k| job.share(k, steps));
+        let mut share = || shares.next().unwrap_or_else(|| job.part(1.0, 1.0));
+        let mut made: Option<Net<'static>> = None;
+        if let Some([rows, columns]) = options.part.clone() {
+            made = Some(self.part(rows, columns, &share())?);
+        }
+        if options.compact {
+            made = Some(made.as_ref().unwrap_or(self).compacted(&share())?);
+        }
+        if enlarges {
+            let net = made.as_ref().unwrap_or(self);
+            let (rows, columns) = (net.shape().rows(), net.shape().columns());
+            let (rows, columns) = (options.rows.unwrap_or(rows), options.columns.unwrap_or(columns));
+            made = Some(net.reformatted(rows, columns, options.replication, &share())?);
+        }
+        if options.turn != Turn::None {
+            made = Some(made.as_ref().unwrap_or(self).turned_by(options.turn, &share())?);
+        }
+        let net = made.as_ref().unwrap_or(self);
+        if let Some(scalar) = options.scalar.filter(|&scalar| scalar != net.coordinates().scalar()) {
+            made = Some(net.converted(scalar)?);
+        }
+        Ok(made)
+    }
+}

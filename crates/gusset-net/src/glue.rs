@@ -1,0 +1,64 @@
+//! Gluing in one step: what coordinates imply, pairs of nodes, links, the canonical form, and positions.
+//!
+//! The new gluing is found first, so that a net changes as a whole or not at all.
+
+use super::Net;
+use super::analyse::absorb;
+use super::detect_gluing::detect_gluing;
+use super::field::snap_to;
+use super::topology::{Classes, Gluing, Topology};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// What is glued, in the order of the fields.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct GlueOptions<'a> {
+    /// Replaces the gluing by the one that coordinates imply within this tolerance; see [`detect_gluing()`].
+    pub detect: Option<f64>,
+    /// Glues these pairs of nodes; see [`Topology::glued`].
+    pub gluings: &'a [Gluing],
+    /// Contracts these links; see [`absorb`].
+    pub links: &'a [u32],
+    /// Brings the gluing into its canonical form; see [`Topology::saturated`].
+    pub saturate: bool,
+}
+
+/// The gluing of a net after what the options ask for; `None` if they ask for nothing. O(nodes).
+///
+/// # Errors
+/// Those of [`detect_gluing()`], [`Topology::glued`], [`absorb`] and [`Topology::saturated`].
+pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
+    let mut made: Option<Topology> = None;
+    if let Some(tolerance) = options.detect {
+        let topology = detect_gluing(net.coordinates(), tolerance, &job.part(0.0, 0.5))?;
+        made = Some(topology.with_reversed(net.topology().is_reversed()));
+    }
+    if !options.gluings.is_empty() {
+        let old = made.as_ref().unwrap_or(net.topology());
+        made = Some(old.glued_cancellable(options.gluings, &job.part(0.5, 0.7), "gluing")?);
+    }
+    if !options.links.is_empty() {
+        let old = made.as_ref().unwrap_or(net.topology());
+        made = Some(absorb(old, options.links.iter().copied(), &job.part(0.7, 0.9))?);
+    }
+    if options.saturate {
+        let old = made.as_ref().unwrap_or(net.topology());
+        made = Some(old.saturated_cancellable(&job.part(0.9, 1.0), "saturating")?);
+    }
+    Ok(made)
+}
+
+/// Gives a net a gluing, unless it is `None`, and, if `snap`, all nodes of a class the position of the
+/// first of them. Returns the number of nodes whose bits changed. On an error the net is unchanged.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+pub fn reglue(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
+    let classes = topology.as_ref().unwrap_or(net.topology());
+    let groups = if snap { Some(Classes::of(classes)?.groups()?) } else { None };
+    job.memory()?;
+    if let Some(topology) = topology {
+        net.set_topology(topology);
+    }
+    Ok(groups.map_or(0, |groups| snap_to(&groups, net)))
+}
