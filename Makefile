@@ -119,6 +119,13 @@ lint-hosts: docs
 	@$(MAKE) --no-print-directory -s install-data PREFIX='$(CURDIR)/build/lint' DESTDIR=
 	scripts/lint-hosts.sh build/lint
 
+# The description of the C interface, from which other files are generated: it is written only if it changes.
+interface = $(CARGO) run -q --locked -p gusset-interface --
+.PHONY: build/interface.json
+build/interface.json:
+	@mkdir -p build
+	@$(interface) describe $@
+
 # The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
 units := --workspace --exclude gusset-tests --exclude gusset-fuzz
 test-units:
@@ -157,7 +164,7 @@ test:
 # The tests have a program and an archive of their own: the program compiles in a third of the time of that of `make cli`.
 test_folder   := $(CURDIR)/build/test
 test_program  := pack_level=1 program='$(test_folder)/cli' program_flags='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=100' archive='$(test_folder)/dist/$(notdir $(archive))'
-test-hosts: openmfx
+test-hosts: openmfx build/interface.json
 	@$(MAKE) --no-print-directory dist $(test_program)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX='$(openmfx)' -DGUSSET_ARCHIVE='$(test_folder)/dist/$(notdir $(archive))' -DGUSSET_CLI='$(test_folder)/cli'
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
@@ -165,7 +172,7 @@ test-hosts: openmfx
 	    { echo 'FAILED. The same tests once more, to see whether they fail again:'; ctest --test-dir build/cpp --rerun-failed --output-on-failure; exit 1; }
 
 # What needs VTK, MPI, PyVista or Dask.
-test-hosts-all: stage
+test-hosts-all: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages) libopenmpi-dev libvtk9-dev openmpi-bin
 	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_ALL_HOSTS=ON
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp-all --parallel 2 --target all_hosts
@@ -181,24 +188,24 @@ scans: cli
 	@python3 scripts/scans.py build/cli/gusset '$(FOLDER)' '$(or $(OUT),scans.ply)'
 
 # Beside the native library, whose bytes must be the same.
-wasm: stage
+wasm: stage build/interface.json
 	@CARGO='$(CARGO)' scripts/wasm.sh '$(stage)'
 
-torture: stage
+torture: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture plugin_memory --parallel 2
 	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 TORTURE_ALLOCATIONS=1000000 ctest --test-dir build/cpp -R '^torture/|^plugin/memory$$' --verbose --parallel 2
 
 # All families, unless FAMILY says which; CASES of each. A failure is printed with what repeats it.
-differential: stage
+differential: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target campaign --parallel 2
 	build/cpp/differential/campaign --cases $(or $(CASES),1000) --seed $(or $(SEED),1) $(addprefix --family ,$(FAMILY))
 
 # Memory at n, 2 n and 4 n on the worst inputs that are known, larger ones than in `make test`, which also counts work by valgrind.
-complexity: stage
+complexity: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target complexity --parallel 2
@@ -215,7 +222,7 @@ fuzz:
 	@scripts/install-packages.sh g++
 	@CARGO='$(CARGO)' scripts/fuzz.sh '$(or $(SECONDS),60)' '$(TARGET)'
 
-check-cancel: stage
+check-cancel: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel complexity_silence
@@ -225,8 +232,9 @@ check-cancel: stage
 demo:
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages) -- $(browser_packages)
 
-docs:
+docs: build/interface.json
 	@scripts/install-packages.sh $(docs_packages)
+	$(interface) reference build/reference
 	@scripts/docs.sh
 
 pictures: stage
@@ -259,7 +267,7 @@ install-library: build
 install-data:
 	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
 	install -C -m 644 include/*.h include/*.hpp $(incdir)
-	install -C -m 644 include/gusset/*.hpp $(incdir)/gusset
+	install -C -m 644 include/gusset/*.h include/gusset/*.hpp $(incdir)/gusset
 	install -C -m 644 include/cmake/*.cmake $(libdir)/cmake/gusset
 	install -C -m 644 include/gusset.symbols $(DESTDIR)$(PREFIX)/share/gusset
 	sed -e 's|@UP@|$(shell realpath -ms --relative-to='$(LIBDIR)/pkgconfig' '$(PREFIX)')|' \

@@ -173,7 +173,4 @@ foreach(picture last:last.svg last:pattern.svg last:last.bin last:last.json ship
   set_tests_properties(workshop/${name}/same_${file} PROPERTIES FIXTURES_REQUIRED workshop_${name})
 endforeach()
 
-# Every function of the header: what it takes, gives and costs, and an example that is among those above.
-add_test(NAME docs/reference COMMAND Python3::Interpreter ${root}/scripts/reference.py --check)
-
 begin_early(guides/project)

@@ -1,11 +1,10 @@
-"""Builds the wheel by maturin, after writing the declarations of both headers where maturin looks for them: target/header.h."""
+"""Builds the wheel by maturin, after writing the declarations of the headers where maturin looks for them: target/header.h."""
 
 import os
 import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HEADERS = ("include/gusset.h", "include/gusset_plugin.h")
 
 
 def declarations(header):
@@ -29,7 +28,9 @@ def declarations(header):
 
 
 def all_declarations():
-    return "".join(declarations((ROOT / name).read_text("utf-8")) for name in HEADERS)
+    include = ROOT / "include"
+    parts = re.findall(r'#include "(gusset/\w+\.h)"', (include / "gusset.h").read_text("utf-8"))
+    return "".join(declarations((include / name).read_text("utf-8")) for name in [*parts, "gusset_plugin.h"])
 
 
 def prepare():

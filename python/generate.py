@@ -1,16 +1,17 @@
-"""Writes what follows from the library: gusset_mesh/_options.py, the keywords of structs of options, from gusset.h; and
-gusset_mesh/filters.pyi, the types of the filters, from the plugin's table.
+"""Writes what follows from the library: gusset_mesh/_options.py, the keywords of structs of options, from the description of the interface
+(`make build/interface.json`); and gusset_mesh/filters.pyi, the types of the filters, from the plugin's table.
 
     generate.py [--check]      run where the package can be imported; --check says whether the files are what it would write
 """
 
+import json
+import os
 import pathlib
-import re
 import sys
 import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
-HEADER = HERE.parent / "include/gusset.h"
+INTERFACE = HERE.parent / "build/interface.json"
 #: Structs whose fields are keywords, by the names that they have here.
 STRUCTS = {
     "WeldOptions": "weld_options", "OrientOptions": "orient_options", "BoundaryOptions": "boundary_options", "StitchOptions": "stitch_options",
@@ -22,74 +23,53 @@ STRUCTS = {
 NUMBERS = {"uint32_t": "int", "size_t": "int", "int64_t": "int", "double": "float"}
 
 
-def sentences(comment):
-    """A comment of C as text."""
-    return " ".join(line.strip().removeprefix("*").strip() for line in comment.strip().splitlines())
+def whole(field):
+    """The text of a field."""
+    return " ".join([field["brief"], *field.get("text", [])]).strip()
 
 
-def fields(header, struct):
-    """The fields of a struct: text, type, name."""
-    body = re.search(rf"typedef struct {struct} \{{(.*?)\n\}} {struct};", header, re.S).group(1)
-    for comment, declaration in re.findall(r"/\*\*(.*?)\*/\s*([^/;]*);", body, re.S):
-        kind, name = re.match(r"(.*?)(\w+(?:\[\d+\])?)$", " ".join(declaration.split())).groups()
-        if name not in ("struct_size", "reserved"):
-            yield sentences(comment), kind.strip(), name
+def words_of(choice):
+    """The values of a choice, by what their names do not share."""
+    names = [value["name"] for value in choice["values"]]
+    shared = os.path.commonprefix([name + "_" for name in names]).rpartition("_")[0] + "_"
+    return {value["name"].removeprefix(shared).lower(): value["value"] for value in choice["values"]}
 
 
-def choices(header, text):
-    """The constants that a field takes: their names by the words for them. Empty if it takes numbers."""
-    family = re.match(r"(?:[\w ]+: )?GUSSET_([A-Z0-9_]+?)_\.\.\.", text)
-    if family:
-        names = re.findall(rf"#define (GUSSET_{family.group(1)}_[A-Z0-9_]+) (\d+)", header)
-        # Of families within families, as GUSSET_NORMAL_ and GUSSET_NORMAL_KIND_, none is in use here.
-        return {name.removeprefix(f"GUSSET_{family.group(1)}_").lower(): int(number) for name, number in names}
-    listed = re.match(r"((?:GUSSET_[A-Z0-9_]+(?:, | or )?)+)[.:]", text)
-    several = re.findall(r"GUSSET_[A-Z0-9_]+", listed.group(1)) if listed else []
-    several = [*dict.fromkeys(several + (re.findall(r"(?:^|\. )(GUSSET_[A-Z0-9_]+):", text) if several else []))]
-    if len(several) < 2:
-        return {}
-    common = several[0].split("_")[1]
-    return {name.removeprefix(f"GUSSET_{common}_").lower(): int(re.search(rf"#define {name} (\d+)", header).group(1)) for name in several}
+def kind_of(field, names, words):
+    """What a keyword takes, or None if the field is none of its own."""
+    kind, pointers = field["type"], field.get("pointers", [])
+    stem = field["name"].removesuffix("_count")
+    if field["name"] in ("struct_size", "reserved") or stem != field["name"] and {stem, f"{stem}s", f"{stem}es"} & names - {"row", "rows"}:
+        return None  # it counts an array
+    if kind.endswith("_options"):
+        return f"options:{next(made for made, name in STRUCTS.items() if f'gusset_{name}' == kind)}" if pointers else None
+    if pointers or kind == "gusset_indices":
+        return "array"
+    if kind.startswith("gusset_") and kind not in words:
+        return None  # a struct of its own has no keyword
+    if kind in words:
+        return "choice"
+    return "row" if "sizes" in field else "flag" if "flag" in field else NUMBERS[kind]
 
 
-def described(header):
+def described(interface):
     """Of each struct the fields: name, kind, words for its values, the field and value that it is read for, text."""
+    words = {choice["name"]: words_of(choice) for choice in interface["choices"] if "bits" not in choice}
+    numbers = {value["name"]: value["value"] for choice in interface["choices"] for value in choice["values"]}
     for made, name in STRUCTS.items():
-        listed = list(fields(header, f"gusset_{name}"))
-        words = {field: choices(header, text) for text, _, field in listed}
-        counted = {field.removesuffix("_count") for _, _, field in listed if field.endswith("_count")}
+        fields = next(struct["fields"] for struct in interface["structs"] if struct["name"] == f"gusset_{name}")
+        kinds = {field["name"]: field["type"] for field in fields}
         out = []
-        for text, kind, field in listed:
-            plain = re.sub(r"\[\d+\]", "", field)
-            if field.endswith("_count") and any(f"{stem}_count" == field and (f"{stem}s" in words or stem in words or f"{stem}es" in words)
-                                                for stem in counted) and field not in ("row_count",):
-                continue  # it counts an array
-            reads = re.search(r"(?:[Rr]ead for|With) GUSSET_([A-Z0-9_]+)", text)
-            needs = out[-1][3] if text.startswith("The same") and out else None
-            for other, values in words.items():
-                for word in values:
-                    if reads and reads.group(1).endswith(f"_{word.upper()}") and other != field and needs is None:
-                        family = reads.group(1).removesuffix(f"_{word.upper()}")
-                        mine = next(t for t, _, f in listed if f == other)
-                        if f"GUSSET_{family}_" in mine:
-                            needs = (other, word)
-            flag = re.search(r"if (\w+) is 1", text)
-            needs = (flag.group(1), "1") if flag else needs
-            if kind.startswith("struct") and "*" not in kind and "gusset_indices" not in kind:
-                continue  # a struct of its own has no keyword
-            if kind.endswith("_options *"):
-                what = "options:" + next(k for k, v in STRUCTS.items() if f"gusset_{v} " in kind + " ")
-            elif "*" in kind or "gusset_indices" in kind:
-                what = "array"
-            elif words[field]:
-                what = "choice"
-            elif "[" in field:
-                what = "row"
-            elif re.search(r"\b0 or 1\.|\b1: ", text) and kind == "uint32_t" and not re.search(r"0 to |0: \d", text):
-                what = "flag"
-            else:
-                what = NUMBERS.get(kind, "int")
-            out.append((plain, what, words[field], needs, text))
+        for field in fields:
+            what = kind_of(field, set(kinds), words)
+            if what is None:
+                continue
+            needs = None
+            if "when" in field:
+                other, value = field["when"].split(" ")[:2]
+                value = next((word for word, number in words.get(kinds[other], {}).items() if number == numbers.get(value.rstrip(","))), value)
+                needs = (other, value)
+            out.append((field["name"], what, words.get(field["type"], {}) if what == "choice" else {}, needs, whole(field)))
         yield made, name, out
 
 
@@ -102,8 +82,8 @@ def annotation(what, words):
 
 
 def written():
-    header = HEADER.read_text("utf-8")
-    out = ['"""Keywords of structs of options, with what gusset.h says of them. Written by generate.py; do not edit."""\n\n'
+    interface = json.loads(INTERFACE.read_text("utf-8"))
+    out = ['"""Keywords of structs of options, with what the C headers say of them. Written by generate.py; do not edit."""\n\n'
            "# fmt: off\nfrom __future__ import annotations\n\nimport sys\nfrom collections.abc import Sequence\nfrom typing import Any, Literal, Optional\n\n"
            "from numpy.typing import ArrayLike\n\nif sys.version_info >= (3, 12):\n    from typing import TypedDict, Unpack\nelse:\n"
            "    from typing_extensions import TypedDict, Unpack\n\n"
@@ -111,12 +91,12 @@ def written():
     table = ["\n\n#: By struct: of each keyword its kind, the numbers of its words, and the field and word that it is read for.\n"
              "FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]]]] = {\n"]
     # Those that others have in them come first.
-    for made, name, listed in sorted(described(header), key=lambda one: any(what.startswith("options:") for _, what, *_ in one[2])):
+    for made, name, listed in sorted(described(interface), key=lambda one: any(what.startswith("options:") for _, what, *_ in one[2])):
         out.append(f"\n\nclass {made}(TypedDict, total=False):\n    \"\"\"Fields of ``gusset_{name}``; what is not given is as by default.\"\"\"\n\n")
         table.append(f"    \"gusset_{name}\": {{\n")
         for field, what, words, needs, text in listed:
-            text = re.sub(r"GUSSET_[A-Z0-9_]*_\.\.\.", "one of the words", text)
-            out.append(textwrap.fill(text, 118, initial_indent="    #: ", subsequent_indent="    #: ") + "\n")
+            if text:
+                out.append(textwrap.fill(text, 118, initial_indent="    #: ", subsequent_indent="    #: ") + "\n")
             out.append(f"    {field}: {annotation(what, words)}\n")
             table.append(f"        \"{field}\": ({what!r}, {words!r}, {needs!r}),\n")
         table.append("    },\n")

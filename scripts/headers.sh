@@ -10,7 +10,7 @@ strict=(-fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "-I
 # by themselves, and do not warn.
 cd "$include"
 jobs=$(
-  for header in *.h; do
+  for header in *.h gusset/*.h; do
     for standard in c99 c11 c17 c2x; do echo "$cc c $standard $header"; done
     echo "$cxx c++ c++11 $header"
   done

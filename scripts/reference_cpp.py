@@ -6,11 +6,12 @@ the field that it is named after, or is one that the standard library requires o
 """
 
 import functools
+import json
 import re
 import sys
 from pathlib import Path
 
-import reference
+ROOT = Path(__file__).resolve().parent.parent
 
 CONSTANT = re.compile(r"(\w+) = (GUSSET_\w+)(,?)")
 SEVERAL = re.compile(r"(\s*)([\w:]+(?:<[\w:<>, ]+>)?) ((?:\w+(?: = [\w.:]+|\{\})?, )+\w+(?: = [\w.:]+|\{\})?);$")
@@ -34,23 +35,27 @@ USUAL = {
 
 
 @functools.cache
+def interface():
+    return json.loads((ROOT / "build/interface.json").read_text())
+
+
+@functools.cache
 def c_functions():
-    return set(re.findall(r"\b(gusset_\w+)\(", reference.header()))
+    return {function["name"] for function in interface()["functions"]}
 
 
 @functools.cache
 def c_fields():
     """The structs of the C interface and their fields."""
-    structs = re.findall(r"^typedef struct (gusset_\w+) \{(.*?)^\}", reference.header(), re.S | re.M)
-    return {name: set(re.findall(r"(\w+)(?:\[[^\]]*\])*;", body)) for name, body in structs}
+    return {struct["name"]: {field["name"] for field in struct["fields"]} for struct in interface()["structs"]}
 
 
 @functools.cache
 def programs():
     """The C++ programs that the tests build, those for readers first."""
-    folders = [reference.ROOT / "examples" / name for name in ("guides", "cpp", "pictures")]
+    folders = [ROOT / "examples" / name for name in ("guides", "cpp", "pictures")]
     paths = [path for folder in folders for path in sorted(folder.glob("*.[ch]pp"), reverse=True)]
-    return [(path, path.read_text()) for path in paths + sorted((reference.ROOT / "cpp_tests/cpp").glob("*.[ch]pp"))]
+    return [(path, path.read_text()) for path in paths + sorted((ROOT / "cpp_tests/cpp").glob("*.[ch]pp"))]
 
 
 def example(name):
@@ -60,7 +65,7 @@ def example(name):
             if re.search(rf"\bgusset::{name}\b", inside):
                 return ["/// @par Example", f"/// @snippet {path.name} {block}"]
     path = next((path for path, text in programs() if re.search(rf"\b{name}\b", text)), None)
-    return ["/// @par Example", f"/// Used in {path.relative_to(reference.ROOT)}, which the tests build and run."] if path else []
+    return ["/// @par Example", f"/// Used in {path.relative_to(ROOT)}, which the tests build and run."] if path else []
 
 
 def indentation(line):

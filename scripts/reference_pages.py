@@ -3,14 +3,14 @@
 links to pictures and programs lead to where the site has them, beside its pages. Pages about the Rust sources name types of Rust,
 which are not the C++ classes of the same name."""
 
+import json
 import re
 import sys
 from pathlib import Path
 
-INCLUDE = Path(__file__).resolve().parent.parent / "include"
-C = (INCLUDE / "gusset.h").read_text()
-CPP = "".join(path.read_text() for path in sorted(INCLUDE.rglob("*.hpp")))
-FUNCTIONS = set(re.findall(r"\b(gusset_\w+)\(", C))
+ROOT = Path(__file__).resolve().parent.parent
+CPP = "".join(path.read_text() for path in sorted((ROOT / "include").rglob("*.hpp")))
+FUNCTIONS = {function["name"] for function in json.loads((ROOT / "build/interface.json").read_text())["functions"]}
 ABOUT_RUST = re.search(r"docs/decisions/|(^|/)(ARCHITECTURE|CONTRIBUTING|rust)\.md$", sys.argv[1])
 CLASSES = set() if ABOUT_RUST else set(re.findall(r"^(?:class|struct) (\w+)", CPP, re.M))
 

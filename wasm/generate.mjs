@@ -1,4 +1,4 @@
-// Writes what follows from the library: tables.js, the layouts of structs and the constants, from the headers; gusset.d.ts, the types,
+// Writes tables.js, layouts of structs and constants, from the description of the interface (`make build/interface.json`); and gusset.d.ts, the types,
 // from types.d.ts and the plugin's table.
 //
 //     node generate.mjs tables | types [--check]      types: where gusset.wasm is; --check says whether the file is what it would write
@@ -13,14 +13,14 @@ const TYPES = {
   size_t: [4, "Uint32"], uint32_t: [4, "Uint32"], int32_t: [4, "Int32"], uint64_t: [8, "BigUint64"], double: [8, "Float64"], pointer: [4, "Uint32"],
 };
 
-function layout(body) {
+function layout(given, kinds) {
   const fields = {};
   let size = 0, most = 1;
-  for (const declaration of body.replace(/\/\*[^]*?\*\//g, "").split(";").map((text) => text.trim()).filter(Boolean)) {
-    const called = /\(\*(\w+)\)/.exec(declaration), [, kind, star, plain] = /^(.*?)(\*?)(\w+)$/.exec(called ? `void *${called[1]}` : declaration);
-    const [bytes, accessor] = TYPES[star ? "pointer" : kind.trim()];
+  for (const field of given) {
+    const kind = kinds[field.type] ?? field.type;
+    const [bytes, accessor] = TYPES[field.pointers || kind === "callback" ? "pointer" : kind];
     size = Math.ceil(size / bytes) * bytes;
-    fields[plain] = [size, accessor];
+    fields[field.name] = [size, accessor];
     size += bytes;
     most = Math.max(most, bytes);
   }
@@ -28,26 +28,22 @@ function layout(body) {
 }
 
 function tables() {
-  const plugin = read("../include/gusset_plugin.h"), library = read("../include/gusset.h");
-  const structs = {}, constants = {};
-  for (const [, name, body] of plugin.matchAll(/typedef struct (\w+) \{\n([^]*?)\n\} \1;/g)) {
-    structs[name] = layout(body);
-  }
-  for (const [, name, value] of plugin.matchAll(/#define GUSSET_(\w+) (\d+|UINT32_MAX)$/gm)) {
-    constants[name] = value === "UINT32_MAX" ? 0xffffffff : Number(value);
-  }
-  const statuses = {}, elements = {};
-  for (const [, name, value] of library.matchAll(/^ {4}GUSSET_ERROR_(\w+) = (\d+),$/gm)) {
-    statuses[value] = name.toLowerCase();
-  }
-  for (const [, name, value] of library.matchAll(/^#define GUSSET_ELEMENT_(\w+) (\d+)$/gm)) {
-    elements[value] = name.toLowerCase();
-  }
+  const library = JSON.parse(read("../build/interface.json")), plugin = library.plugin;
+  const kinds = Object.fromEntries([...library.choices, ...plugin.choices].map((choice) => [choice.name, choice.type]));
+  plugin.callbacks.forEach((callback) => { kinds[callback.name] = "callback"; });
+  const word = (constant, prefix) => constant.name.slice(prefix.length).toLowerCase();
+  const structs = Object.fromEntries(plugin.structs.map((struct) => [struct.name, layout(struct.fields, kinds)]));
+  const value = (constant) => constant.value === "UINT32_MAX" ? 0xffffffff : constant.value;
+  const constants = Object.fromEntries(plugin.constants.map((constant) => [constant.name.slice("GUSSET_".length), value(constant)]));
+  const errors = library.enums.find((one) => one.name === "gusset_status").values.filter((one) => one.value !== 0);
+  const statuses = Object.fromEntries(errors.map((one) => [one.value, word(one, "GUSSET_ERROR_")]));
+  const counted = library.choices.find((one) => one.name === "gusset_element").values;
+  const elements = Object.fromEntries(counted.map((one) => [one.value, word(one, "GUSSET_ELEMENT_")]));
   constants.ERROR_PANIC = Number(Object.keys(statuses).find((status) => statuses[status] === "panic"));
   const lines = (name, comment, of) => `\n/** ${comment} */\nexport const ${name} = {\n${Object.entries(of).map(([key, value]) => `  ${key}: ${JSON.stringify(value)},\n`).join("")}};\n`;
-  return "// Of gusset_plugin.h and gusset.h, as they are laid out on 32 bits. Written by generate.mjs; do not edit.\n"
-    + lines("structs", "Of each struct its size, and of each field its place and how DataView reads it.", structs) + lines("constants", "Without GUSSET_.", constants)
-    + lines("statuses", "Names of statuses.", statuses) + lines("elements", "What failures count.", elements);
+  return "// Layouts and constants of the plugin's table, on 32 bits. Written by generate.mjs; do not edit.\n"
+    + lines("structs", "The size of each struct; the offset of each field, and how DataView reads it.", structs) + lines("constants", "Without GUSSET_.", constants)
+    + lines("statuses", "Names of statuses.", statuses) + lines("elements", "Elements that failures name.", elements);
 }
 
 function wrapped(text, indent) {

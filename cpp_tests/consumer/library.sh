@@ -6,7 +6,7 @@ prefix=$(realpath "$1") manifest=$(realpath "$2")
 cd "$prefix/lib"
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-version=$(sed -n 's/^#define GUSSET_VERSION_STRING "\(.*\)"/\1/p' "$prefix/include/gusset.h")
+version=$(sed -n 's/^#define GUSSET_VERSION_STRING "\(.*\)"/\1/p' "$prefix/include/gusset/base.h")
 soname=libgusset.so.${version%.*}
 for link in libgusset.so "$soname"; do
   [ "$link" -ef "libgusset.so.$version" ] && [[ $(readlink "$link") == libgusset.so.* ]] ||

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes, from gusset.h, a wrapper for each function: `wrappers.py gusset.h source > wrappers.c`, and `header` in place of `source` for a
-header that puts the wrappers in place of the functions.
+"""Writes, from the description of the interface, a wrapper for each function: `wrappers.py interface.json source > wrappers.c`, and
+`header` in place of `source` for a header that puts the wrappers in place of the functions.
 
 A file that is compiled with `-include wrappers.h` does what it did; but before each of its calls the wrapper makes that call
 again and again in another process, each time with one number, pointer or size of the arguments replaced by a hostile one. What is
@@ -9,6 +9,7 @@ examples of the reference, of which there is one for each function, are the rows
 hostile.h has what is replaced by what; torture.h, results.h and questions.h have what must hold after each call.
 """
 
+import json
 import re
 import sys
 from dataclasses import dataclass
@@ -43,31 +44,32 @@ class Item:
     constant: bool
 
     @staticmethod
-    def of(text):
-        found = re.fullmatch(r"(.*?)(\w+)((?:\[\w+\])*)", " ".join(text.split()))
-        before, name, sizes = found.groups()
-        kind = re.sub(r"\b(const|struct)\b|\*", "", before).strip()
-        return Item(kind, before.count("*"), name, re.findall(r"\[(\w+)\]", sizes), before.startswith("const"))
+    def of(field):
+        pointers = field.get("pointers", [])
+        return Item(field["type"], len(pointers), field["name"], [str(size) for size in field.get("sizes", [])], pointers[:1] == ["const"])
 
 
 class Header:
-    def __init__(self, text):
+    def __init__(self, interface):
         # Functions of which one may know that their work does not grow with the input.
-        self.constant = set(re.findall(r"@complexity O\(1\)\.\n(?:(?!\*/).)*?\*/\s*GUSSET_API[^;(]*?\b(gusset_\w+)\(", text, re.S))
-        text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
-        text = re.sub(r"^\s*//.*|^\s*#.*", "", text, flags=re.M)
-        self.names = dict(NUMBERS)
-        for kind, name in re.findall(r"typedef (u?int32_t) (\w+);", text):
-            self.names[name] = NUMBERS[kind]
-        self.structs = {name: [Item.of(field) for field in body.split(";")[:-1]]
-                        for name, body in re.findall(r"typedef struct (\w+) \{(.*?)\} \w+;", text, re.S)}
+        self.constant = {one["name"] for one in interface["functions"] if one.get("complexity", "").split(" ")[0] == "O(1)."}
+        self.names = NUMBERS | {one["name"]: NUMBERS[one["type"]] for one in interface["choices"]}
+        self.tagged = {one["name"] for section in ("structs", "handles") for one in interface[section]}
+        self.structs = {one["name"]: [Item.of(field) for field in one["fields"]] for one in interface["structs"]}
         self.functions = []
-        for result, name, given in re.findall(r"GUSSET_API\s+(.*?)(\bgusset_\w+)\(([^;]*?)\);", text, re.S):
-            given = [Item.of(one) for one in given.split(",")] if given.strip() != "void" else []
-            result = " ".join(result.replace("GUSSET_MUST_USE", "").split())
-            self.functions.append((result, name, given, re.sub(r"\s+", " ", text[text.index(name + "("):].split(";")[0])))
+        for one in interface["functions"]:
+            given = ", ".join(self.declared(field) for field in one["params"]) or "void"
+            result = one["result"]
+            self.functions.append((result, one["name"], [Item.of(field) for field in one["params"]], f"{one['name']}({given})"))
 
         self.destroyed = {name for _, name, _, _ in self.functions if name.endswith("_destroy")}
+
+    def declared(self, param):
+        """A parameter as C declares it."""
+        pointers = param.get("pointers", [])
+        stars = "".join("*const " if target == "const" else "*" for target in [*pointers[1:], ""][:len(pointers)])
+        constant, tag = "const " * (pointers[:1] == ["const"]), "struct " * (param["type"] in self.tagged)
+        return f"{constant}{tag}{param['type']} {stars}{param['name']}"
 
     def versioned(self, kind):
         return kind in self.structs and self.structs[kind][0].name == "struct_size"
@@ -327,7 +329,7 @@ def write_header(header):
 
 
 def main():
-    header = Header(open(sys.argv[1]).read())
+    header = Header(json.loads(open(sys.argv[1]).read()))
     {"source": write_source, "header": write_header}[sys.argv[2]](header)
 
 

@@ -1,7 +1,7 @@
 # Which versions will do: the binary interface is that of major.minor, and within it later is better. The version is the header's.
 foreach(_gusset_up "../../.." "../../../.." "../..")
   get_filename_component(_gusset_here "${CMAKE_CURRENT_LIST_DIR}" REALPATH)
-  get_filename_component(_gusset_header "${_gusset_here}/${_gusset_up}/include/gusset.h" ABSOLUTE)
+  get_filename_component(_gusset_header "${_gusset_here}/${_gusset_up}/include/gusset/base.h" ABSOLUTE)
   if(EXISTS "${_gusset_header}")
     file(STRINGS "${_gusset_header}" _gusset_line REGEX "^#define GUSSET_VERSION_STRING ")
     string(REGEX REPLACE ".*\"(.*)\"" "\\1" PACKAGE_VERSION "${_gusset_line}")

@@ -15,7 +15,7 @@ verb=$1 include=$2
 root=$(cd "$(dirname "$0")/../.." && pwd)
 symbols=$include/gusset.symbols
 [ -e "$symbols" ] || symbols=$include/../share/gusset/gusset.symbols
-version=$(sed -n 's/^#define GUSSET_VERSION_STRING "\(.*\)"/\1/p' "$include/gusset.h")
+version=$(sed -n 's/^#define GUSSET_VERSION_STRING "\(.*\)"/\1/p' "$include/gusset/base.h")
 soname=libgusset.so.${version%.*}
 baseline=$root/packaging/abi/$soname.xml
 debian=$root/packaging/debian/libgusset${version%.*}.symbols
@@ -24,8 +24,8 @@ debian=$root/packaging/debian/libgusset${version%.*}.symbols
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-for header in "$include"/*.h; do
-  sed -E '/^GUSSET_[A-Z_]*API/,/;$/ s/\);$/) { __builtin_trap(); }/' "$header"
+for header in "$include"/*.h "$include"/gusset/*.h; do
+  sed -E '/^GUSSET_[A-Z_]*API/ { :more; /;$/! { N; b more }; s/\);$/) { __builtin_trap(); }/ }' "$header"
   sed -nE '/GUSSET_VERSION_/d; s/^(#define|   ) (GUSSET_[A-Z0-9_]+) (= )?(0x)?[0-9A-F]+,?$/enum the_\2 { value_of_\2 = \2 } the_\2;/p' \
     "$header"
 done >"$work/interface.c"

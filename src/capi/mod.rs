@@ -40,5 +40,6 @@ pub mod net;
 /// cbindgen:ignore
 pub mod plugin;
 pub mod status;
+mod status_text;
 pub mod surface;
 pub mod version;

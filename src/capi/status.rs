@@ -1,12 +1,13 @@
 //! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data,
 //! 2000-2999 environment.
 //!
-//! The comment of each code is its text too: the build script makes `status_text` of the first
-//! sentences. Each error of the core becomes a code with an element in one place, `From<Error>`.
+//! The first sentence of each comment is the text of its status too: see `status_text.rs`. Each error of the core becomes a code with an element in one place, `From<Error>`.
 
 use crate::error::{Element, Error, PairFault, Side};
 use std::borrow::Cow;
 use std::ffi::c_char;
+
+pub(super) use super::status_text::text;
 
 /// What a function returns; `GUSSET_OK` is 0.
 #[repr(i32)]
@@ -378,13 +379,6 @@ impl From<Error> for Failure {
     }
 }
 
-include!(concat!(env!("OUT_DIR"), "/status_text.rs"));
-
-/// What [`gusset_status_text`] gives.
-pub(super) fn text(status: i32) -> &'static std::ffi::CStr {
-    status_text(status)
-}
-
 /// What a status means, in a few English words.
 ///
 /// Never NULL; static.
@@ -395,5 +389,5 @@ pub(super) fn text(status: i32) -> &'static std::ffi::CStr {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
-    status_text(status).as_ptr()
+    text(status).as_ptr()
 }

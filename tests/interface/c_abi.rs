@@ -3,6 +3,7 @@
 //! `GUSSET_UPDATE=1 cargo test --test interface` rewrites the committed header and the list of
 //! symbols.
 
+use gusset_interface::source::Kind;
 use std::ffi::CStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,8 +13,13 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// What a C program links besides the static library, on Linux.
 const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
 
-/// The library's, and a plugin host's.
-const HEADERS: [&str; 2] = ["gusset.h", "gusset_plugin.h"];
+/// All headers, one after the other.
+fn headers() -> String {
+    let include = Path::new(ROOT).join("include");
+    let library = gusset_interface::library_headers(Path::new(ROOT), env!("CARGO_PKG_VERSION")).unwrap();
+    let paths = library.iter().filter(|(path, _)| path.ends_with(".h")).map(|(path, _)| Path::new(ROOT).join(path)).chain([include.join("gusset_plugin.h")]);
+    paths.map(|path| fs::read_to_string(path).unwrap()).collect()
+}
 
 /// Compares a committed file with what it must be, or rewrites it.
 fn committed(path: &str, generated: &str) {
@@ -33,24 +39,21 @@ fn committed(path: &str, generated: &str) {
 
 #[test]
 fn the_committed_headers_are_the_generated_ones() {
-    let config = |name: &str| cbindgen::Config::from_file(Path::new(ROOT).join(name)).unwrap();
-    let mut library = config("cbindgen.toml");
-    let [major, minor, patch] =
-        [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH")];
-    let versions = format!(
-        "\n/** Version of this header; compare with gusset_version() of the library loaded. */\n\
-         #define GUSSET_VERSION_MAJOR {major}\n#define GUSSET_VERSION_MINOR {minor}\n#define GUSSET_VERSION_PATCH {patch}\n\
-         #define GUSSET_VERSION_STRING \"{major}.{minor}.{patch}\"\n"
-    );
-    library.after_includes = Some(library.after_includes.unwrap_or_default() + &versions);
-    // The interfaces alone: C has no use for the constants of the core.
-    let sources = [("mod.rs", library), ("plugin/mod.rs", config("cbindgen_plugin.toml"))];
-    for (name, (source, config)) in HEADERS.iter().zip(sources) {
-        let builder = cbindgen::Builder::new().with_src(Path::new(ROOT).join("src/capi").join(source));
-        let mut generated = Vec::new();
-        builder.with_config(config).generate().expect("the header can be generated").write(&mut generated);
-        committed(&format!("include/{name}"), &String::from_utf8(generated).unwrap());
+    let root = Path::new(ROOT);
+    for (path, text) in gusset_interface::library_headers(root, env!("CARGO_PKG_VERSION")).unwrap() {
+        committed(&path, &text);
+        // The page that programs include names each.
+        let page = if path.ends_with(".h") { "include/gusset.h" } else { "include/gusset/span.hpp" };
+        let page = fs::read_to_string(root.join(page)).unwrap();
+        assert!(page.contains(&format!("{}", path.trim_start_matches("include/"))), "{path}");
     }
+    let (path, text) = gusset_interface::status_texts(root).unwrap();
+    committed(&path, &text);
+    let config = cbindgen::Config::from_file(root.join("cbindgen_plugin.toml")).unwrap();
+    let builder = cbindgen::Builder::new().with_src(root.join("src/capi/plugin/mod.rs"));
+    let mut generated = Vec::new();
+    builder.with_config(config).generate().expect("the header can be generated").write(&mut generated);
+    committed("include/gusset_plugin.h", &String::from_utf8(generated).unwrap());
 }
 
 #[test]
@@ -59,7 +62,7 @@ fn the_version_is_the_package_s() {
     #[allow(unsafe_code)]
     let version = unsafe { CStr::from_ptr(gusset::capi::version::gusset_version()) };
     assert_eq!(version.to_str().unwrap(), env!("CARGO_PKG_VERSION"));
-    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset/base.h")).unwrap();
     let parts: Vec<_> = env!("CARGO_PKG_VERSION").split('.').collect();
     for (name, part) in ["MAJOR", "MINOR", "PATCH"].iter().zip(parts) {
         assert!(header.contains(&format!("#define GUSSET_VERSION_{name} {part}\n")), "{name}");
@@ -68,32 +71,18 @@ fn the_version_is_the_package_s() {
 
 #[test]
 fn every_status_has_a_text_of_its_own() {
-    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
-    let numbers: Vec<i32> = header
-        .lines()
-        .filter_map(|line| line.trim().strip_prefix("GUSSET_")?.split_once(" = ")?.1.trim_end_matches(',').parse().ok())
-        .collect();
-    assert!(numbers.len() > 20);
     #[allow(unsafe_code)]
-    let text = |status| {
+    let text = |status: i64| {
         // SAFETY: the function returns a static string.
-        unsafe { CStr::from_ptr(gusset::capi::status::gusset_status_text(status)) }.to_str().unwrap()
+        unsafe { CStr::from_ptr(gusset::capi::status::gusset_status_text(status as i32)) }.to_str().unwrap()
     };
-    // Each is the first sentence of what the header says of the number.
-    let mut comment = String::new();
-    for line in header.lines().map(str::trim) {
-        if let Some(more) = line.strip_prefix("* ") {
-            comment += &format!("{more} ");
-        } else if let Some((_, number)) = line.strip_prefix("GUSSET_").and_then(|rest| rest.split_once(" = ")) {
-            if let Ok(number) = number.trim_end_matches(',').parse::<i32>() {
-                let begins = comment.to_lowercase().starts_with(&format!("{}.", text(number).to_lowercase()));
-                assert!(begins, "{number}: {} is not the beginning of {comment}", text(number));
-            }
-            comment.clear();
-        } else if line.starts_with("/**") {
-            comment.clear();
-        }
-    }
+    let items = gusset_interface::sources(Path::new(ROOT)).unwrap().into_iter().flat_map(|source| source.items);
+    let statuses = items.filter_map(|item| match item.kind {
+        Kind::Enum(values) if item.name == "gusset_status" => Some(values),
+        _ => None,
+    });
+    let numbers: Vec<i64> = statuses.flatten().map(|(_, number, _)| number).collect();
+    assert!(numbers.len() > 20);
     let mut texts: Vec<_> = numbers.iter().map(|&n| text(n)).collect();
     assert!(!texts.contains(&"unknown status"));
     assert_eq!(text(-1), "unknown status");
@@ -125,8 +114,7 @@ fn the_library_exports_what_the_header_declares_and_nothing_else() {
     let (effects, symbols): (Vec<_>, Vec<_>) = symbols.partition(|symbol| symbol.starts_with("Ofx"));
     committed("include/gusset.symbols", &(symbols.join("\n") + "\n"));
     assert!(effects.is_empty(), "{effects:?}");
-    let headers = HEADERS.map(|name| fs::read_to_string(Path::new(ROOT).join("include").join(name)).unwrap());
-    let header = headers.concat();
+    let header = headers();
     for symbol in &symbols {
         assert!(header.contains(&format!("{symbol}(")), "{symbol} is not declared");
     }

@@ -2,6 +2,7 @@
 
 mod c_abi;
 mod circles;
+mod comments;
 mod features;
 mod floors;
 mod lenders;

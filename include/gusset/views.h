@@ -1,0 +1,150 @@
+/* Views of the caller's arrays in one line: inline functions, which copy nothing. See gusset.h. */
+
+#ifndef GUSSET_VIEWS_H
+#define GUSSET_VIEWS_H
+
+#include "curve.h"
+#include "mesh.h"
+#include "net.h"
+#include "surface.h"
+
+/// A view of all its fields; gusset_triangles_f32 and the functions after it are its cases.
+static inline gusset_mesh_view gusset_mesh_view_of(gusset_scalar scalar, const void *points, size_t point_count,
+                                                   const uint32_t *offsets, const uint32_t *corners, size_t face_count,
+                                                   uint32_t face_size) {
+    gusset_mesh_view view;
+    view.struct_size = sizeof view;
+    view.positions = points;
+    view.position_stride = 0;
+    view.vertex_count = point_count;
+    view.face_offsets = offsets;
+    view.face_corners = corners;
+    view.face_count = face_count;
+    view.scalar = scalar;
+    view.index = GUSSET_U32;
+    view.face_size = face_size;
+    view.reserved = 0;
+    view.merge = NULL;
+    return view;
+}
+
+/// A view of triangles: point_count packed points x, y, z, and three vertices for each triangle.
+static inline gusset_mesh_view gusset_triangles_f32(const float *points, size_t point_count, const uint32_t *corners,
+                                                    size_t triangle_count) {
+    return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, triangle_count, 3);
+}
+
+/// As gusset_triangles_f32, in double precision.
+static inline gusset_mesh_view gusset_triangles_f64(const double *points, size_t point_count, const uint32_t *corners,
+                                                    size_t triangle_count) {
+    return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, triangle_count, 3);
+}
+
+/// A view of quads: point_count packed points x, y, z, and four vertices for each quad.
+static inline gusset_mesh_view gusset_quads_f32(const float *points, size_t point_count, const uint32_t *corners,
+                                                size_t quad_count) {
+    return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, quad_count, 4);
+}
+
+/// As gusset_quads_f32, in double precision.
+static inline gusset_mesh_view gusset_quads_f64(const double *points, size_t point_count, const uint32_t *corners,
+                                                size_t quad_count) {
+    return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, quad_count, 4);
+}
+
+/// A view of polygons: point_count packed points x, y, z; face f has the vertices corners[offsets[f]] to
+/// corners[offsets[f + 1] - 1], and there are face_count + 1 offsets.
+static inline gusset_mesh_view gusset_polygons_f32(const float *points, size_t point_count, const uint32_t *offsets,
+                                                   const uint32_t *corners, size_t face_count) {
+    return gusset_mesh_view_of(GUSSET_F32, points, point_count, offsets, corners, face_count, 0);
+}
+
+/// As gusset_polygons_f32, in double precision.
+static inline gusset_mesh_view gusset_polygons_f64(const double *points, size_t point_count, const uint32_t *offsets,
+                                                   const uint32_t *corners, size_t face_count) {
+    return gusset_mesh_view_of(GUSSET_F64, points, point_count, offsets, corners, face_count, 0);
+}
+
+/// Lends the mesh of a result, without vertices if the handle is NULL. Valid until the result is destroyed.
+static inline gusset_mesh_view gusset_result_mesh(const gusset_result *result) {
+    gusset_mesh_view view = gusset_mesh_view_of(GUSSET_F64, NULL, 0, NULL, NULL, 0, 0);
+    (void)!gusset_result_get_mesh(result, &view);
+    return view;
+}
+
+/// One outline of point_count packed points, x and y or x, y, z each; closed: 0 or 1.
+static inline gusset_outlines gusset_points_f64(const double *points, size_t point_count, uint32_t dimension,
+                                                uint32_t closed) {
+    gusset_outlines outlines;
+    outlines.struct_size = sizeof outlines;
+    outlines.points = points;
+    outlines.point_stride = 0;
+    outlines.point_count = point_count;
+    outlines.offsets = NULL;
+    outlines.outline_count = 0;
+    outlines.constraints = NULL;
+    outlines.constraint_count = 0;
+    outlines.dimension = dimension;
+    outlines.closed = closed;
+    return outlines;
+}
+
+/// The nodes of a sheet: rows x columns packed points x, y, z, open in both directions.
+static inline gusset_nodes gusset_nodes_of(gusset_scalar scalar, const void *points, size_t rows, size_t columns) {
+    gusset_nodes nodes;
+    nodes.struct_size = sizeof nodes;
+    nodes.nodes = points;
+    nodes.rows = rows;
+    nodes.columns = columns;
+    nodes.row_stride = 0;
+    nodes.column_stride = 0;
+    nodes.scalar = scalar;
+    nodes.scheme = 0;
+    nodes.closed_u = 0;
+    nodes.closed_v = 0;
+    return nodes;
+}
+
+/// As gusset_nodes_of, in single precision.
+static inline gusset_nodes gusset_nodes_f32(const float *points, size_t rows, size_t columns) {
+    return gusset_nodes_of(GUSSET_F32, points, rows, columns);
+}
+
+/// As gusset_nodes_of, in double precision.
+static inline gusset_nodes gusset_nodes_f64(const double *points, size_t rows, size_t columns) {
+    return gusset_nodes_of(GUSSET_F64, points, rows, columns);
+}
+
+/// The coordinates of a net: rows x columns packed points x, y, z in double precision.
+static inline gusset_net_view gusset_net_points_f64(double *points, size_t rows, size_t columns) {
+    gusset_net_view view;
+    view.struct_size = sizeof view;
+    view.rows = rows;
+    view.columns = columns;
+    view.x = points;
+    view.y = points + 1;
+    view.z = points + 2;
+    view.row_stride = 3 * sizeof *points * columns;
+    view.column_stride = 3 * sizeof *points;
+    view.scalar = GUSSET_F64;
+    view.reserved = 0;
+    return view;
+}
+
+/// As gusset_net_points_f64, in single precision.
+static inline gusset_net_view gusset_net_points_f32(float *points, size_t rows, size_t columns) {
+    gusset_net_view view;
+    view.struct_size = sizeof view;
+    view.rows = rows;
+    view.columns = columns;
+    view.x = points;
+    view.y = points + 1;
+    view.z = points + 2;
+    view.row_stride = 3 * sizeof *points * columns;
+    view.column_stride = 3 * sizeof *points;
+    view.scalar = GUSSET_F32;
+    view.reserved = 0;
+    return view;
+}
+
+#endif /* GUSSET_VIEWS_H */

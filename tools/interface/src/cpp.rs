@@ -1,0 +1,71 @@
+//! The choices of the C interface as enums of C++.
+
+use crate::source::{Kind, Source};
+use std::fmt::Write;
+
+/// Words that C++ keeps for itself, and what the enums say instead.
+const KEYWORDS: [(&str, &str); 1] = [("auto", "automatic")];
+/// Columns of a header.
+const WIDTH: usize = 120;
+
+/// The text of `gusset/choices.hpp`: an enum for each choice, except sets of bits.
+pub fn choices(sources: &[Source]) -> String {
+    let items = || sources.iter().flat_map(|source| &source.items);
+    let mut text = String::from(
+        "// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.\n\
+         #ifndef GUSSET_CHOICES_HPP\n#define GUSSET_CHOICES_HPP\n\n#include <gusset.h>\n\nnamespace gusset {\n",
+    );
+    for item in items() {
+        let Kind::Choice(_) = item.kind else { continue };
+        if item.comment.tag("bits").is_some() {
+            continue;
+        }
+        let names: Vec<&str> = items()
+            .filter(|other| matches!(&other.kind, Kind::Constant(kind, _) if kind.name == item.name))
+            .map(|other| other.name.as_str())
+            .collect();
+        let shared = shared_prefix(&names);
+        let values: Vec<String> = names.iter().map(|name| format!("{} = {name}", word(&name[shared..]))).collect();
+        let _ = write!(text, "\n/// {} See ::{}.\n", item.comment.brief, item.name);
+        let head = format!("enum class {} : uint32_t {{", camel_case(&item.name));
+        let line = format!("{head} {} }};", values.join(", "));
+        if line.len() <= WIDTH {
+            let _ = writeln!(text, "{line}");
+        } else {
+            let _ = writeln!(text, "{head}\n    {}\n}};", values.join(",\n    "));
+        }
+    }
+    text += "\n} // namespace gusset\n\n#endif\n";
+    text
+}
+
+/// The length of what all names begin with, up to an underscore.
+pub fn shared_prefix(names: &[&str]) -> usize {
+    let Some(first) = names.first() else { return 0 };
+    let ends = first.match_indices('_').map(|(at, _)| at + 1);
+    ends.filter(|&end| names.iter().all(|name| name.len() > end && name.starts_with(&first[..end]))).max().unwrap_or(0)
+}
+
+fn word(name: &str) -> String {
+    let lower = name.to_lowercase();
+    KEYWORDS.iter().find(|(keyword, _)| *keyword == lower).map_or(lower, |(_, word)| (*word).to_owned())
+}
+
+/// `FacingRun` of `gusset_facing_run`.
+fn camel_case(name: &str) -> String {
+    let parts = name.trim_start_matches("gusset_").split('_');
+    parts.map(|part| part[..1].to_uppercase() + &part[1..]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lose_what_all_share() {
+        assert_eq!(shared_prefix(&["GUSSET_GAP_AUTO", "GUSSET_GAP_GIVEN"]), "GUSSET_GAP_".len());
+        assert_eq!(shared_prefix(&["GUSSET_F32", "GUSSET_F64"]), "GUSSET_".len());
+        assert_eq!(shared_prefix(&["GUSSET_JOIN_WELD", "GUSSET_JOIN_WELD_ALL"]), "GUSSET_JOIN_".len());
+        assert_eq!((camel_case("gusset_facing_run"), word("AUTO")), ("FacingRun".to_owned(), "automatic".to_owned()));
+    }
+}

@@ -1,0 +1,312 @@
+//! The headers: declarations as cbindgen writes them, in the order of the sources, each with its comment.
+
+use crate::comment::{Cause, Comment};
+use crate::source::{BASE, Item, Kind, Source, Type};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Columns of a header.
+const WIDTH: usize = 120;
+/// The declarations of cbindgen without comments, by name.
+///
+/// # Errors
+///
+/// What cbindgen says.
+pub fn declarations(root: &Path, folder: &str, config: &str) -> Result<BTreeMap<String, String>, String> {
+    let config = cbindgen::Config::from_file(root.join(config)).map_err(|error| error.to_string())?;
+    let builder = cbindgen::Builder::new().with_src(root.join(folder).join("mod.rs")).with_config(config);
+    let mut written = Vec::new();
+    builder.generate().map_err(|error| error.to_string())?.write(&mut written);
+    let text = String::from_utf8(written).map_err(|error| error.to_string())?;
+    Ok(text.split("\n\n").filter_map(|block| declared(block).map(|name| (name, block.trim_matches('\n').to_owned()))).collect())
+}
+
+/// What the first header has above its declarations: how functions are exported, and the version.
+pub fn prelude(version: &str) -> String {
+    let mut numbers = version.splitn(3, '.');
+    let mut part = || numbers.next().unwrap_or("0");
+    let (major, minor, patch) = (part(), part(), part());
+    format!(
+        "\n#if defined(_WIN32) && defined(GUSSET_SHARED)\n#define GUSSET_API __declspec(dllimport)\n#elif defined(__GNUC__)\n\
+         #define GUSSET_API __attribute__((visibility(\"default\")))\n#else\n#define GUSSET_API\n#endif\n\n\
+         #if defined(__GNUC__)\n#define GUSSET_MUST_USE __attribute__((warn_unused_result))\n#else\n#define GUSSET_MUST_USE\n#endif\n\n\
+         /// Version of this header; compare with gusset_version() of the library loaded.\n\
+         #define GUSSET_VERSION_MAJOR {major}\n#define GUSSET_VERSION_MINOR {minor}\n#define GUSSET_VERSION_PATCH {patch}\n\
+         #define GUSSET_VERSION_STRING \"{version}\"\n"
+    )
+}
+
+/// The name that a declaration declares; none of what is not ours.
+fn declared(block: &str) -> Option<String> {
+    let block = block.trim();
+    let ours = |word: &str| word.to_ascii_lowercase().starts_with("gusset_");
+    let name = if let Some(rest) = block.strip_prefix("#define ") {
+        words(rest).next()?
+    } else if let Some(rest) = block.strip_prefix("enum ") {
+        words(rest).next()?
+    } else if block.starts_with("typedef") {
+        match block.split_once("(*") {
+            Some((_, rest)) if !block.contains('{') => words(rest).next()?,
+            _ => words(block).last()?,
+        }
+    } else {
+        let before = block.split_once('(')?.0;
+        words(before).last()?
+    };
+    ours(name).then(|| name.to_owned())
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+}
+
+/// How a header is written.
+pub trait Style {
+    /// The comment of an item.
+    fn comment(&self, source: &Source, item: &Item) -> Comment;
+    /// What stands above the items of a file.
+    fn heading(&self, source: &Source) -> String;
+}
+
+/// The headers that programs include.
+pub struct Plain;
+
+impl Style for Plain {
+    fn comment(&self, _: &Source, item: &Item) -> Comment {
+        item.comment.clone()
+    }
+
+    fn heading(&self, source: &Source) -> String {
+        let rule = "-".repeat(WIDTH - 6);
+        let text = format!("{} {}", source.comment.brief, source.comment.detail);
+        let lines: String = wrapped(text.trim(), "", WIDTH - 6).iter().fold(String::new(), |mut lines, line| {
+            let _ = write!(lines, "\n/* {line} */");
+            lines
+        });
+        format!("/* {rule} */{lines}")
+    }
+}
+
+/// The text of each header, by its name without the ending, in the order in which they include each other.
+///
+/// # Errors
+///
+/// A sentence about what is missing, or what a header needs of a later one.
+pub fn texts(sources: &[Source], declarations: &BTreeMap<String, String>, prelude: &str, style: &dyn Style) -> Result<Vec<(String, String)>, String> {
+    let sources = in_order(sources)?;
+    let mut order: Vec<&str> = Vec::new();
+    for source in &sources {
+        if !order.contains(&source.header.as_str()) {
+            order.push(&source.header);
+        }
+    }
+    let home: BTreeMap<&str, usize> = sources
+        .iter()
+        .flat_map(|source| source.items.iter().map(|item| (item.name.as_str(), source.header.as_str())))
+        .filter_map(|(name, header)| Some((name, order.iter().position(|other| *other == header)?)))
+        .collect();
+    let mut known = BTreeSet::new();
+    let mut made = Vec::new();
+    for (number, header) in order.iter().enumerate() {
+        let (mut includes, mut tags) = (BTreeSet::new(), BTreeSet::new());
+        let mut body = String::new();
+        let own = || sources.iter().filter(|source| source.header == *header);
+        for source in own() {
+            if !source.comment.brief.is_empty() {
+                let _ = writeln!(body, "\n{}", style.heading(source));
+            }
+            let mut last = "";
+            for item in &source.items {
+                let declaration = declarations.get(&item.name).ok_or_else(|| format!("cbindgen does not declare {}", item.name))?;
+                let mut ahead = BTreeSet::new();
+                for (word, tag) in needs(item) {
+                    if home.contains_key(word) && word != item.name && !known.contains(word) {
+                        if !tag {
+                            return Err(format!("{} needs {word}, which is declared after it", item.name));
+                        }
+                        ahead.insert(word);
+                    } else if let Some(&place) = home.get(word).filter(|place| **place < number) {
+                        includes.insert(order[place]);
+                    }
+                }
+                for word in ahead.into_iter().filter(|word| tags.insert(*word)) {
+                    let _ = writeln!(body, "\nstruct {word};");
+                }
+                // The values of a choice stand together.
+                let family = if let Kind::Constant(kind, _) = &item.kind { kind.name.as_str() } else { "" };
+                if family.is_empty() || family != last {
+                    body.push('\n');
+                }
+                last = if let Kind::Choice(_) = item.kind { item.name.as_str() } else { family };
+                body += &documented(item, &style.comment(source, item), declaration);
+                known.insert(item.name.as_str());
+            }
+        }
+        let includes: String = order.iter().filter(|name| includes.contains(**name)).fold(String::new(), |mut text, name| {
+            let _ = writeln!(text, "#include \"{name}.h\"");
+            text
+        });
+        made.push(((*header).to_owned(), framed(header, &includes, &body, prelude)));
+    }
+    Ok(made)
+}
+
+/// The names that an item needs, each with whether a declaration of its tag suffices.
+fn needs(item: &Item) -> Vec<(&str, bool)> {
+    match &item.kind {
+        Kind::Struct(fields) => fields.iter().map(|field| need(&field.kind)).collect(),
+        Kind::Callback(fields, result) | Kind::Function(fields, result) => {
+            fields.iter().map(|field| need(&field.kind)).chain(result.as_ref().map(need)).collect()
+        }
+        Kind::Constant(kind, _) | Kind::Choice(kind) => vec![need(kind)],
+        Kind::Handle | Kind::Enum(_) => Vec::new(),
+    }
+}
+
+fn need(kind: &Type) -> (&str, bool) {
+    (kind.name.as_str(), !kind.pointers.is_empty())
+}
+
+/// The files as they are listed, except that headers and files stand after those that they need.
+fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
+    let items = || sources.iter().flat_map(|source| &source.items);
+    let by_tag = |name: &str| items().any(|item| item.name == name && matches!(item.kind, Kind::Struct(_) | Kind::Handle));
+    let home = |name: &str| sources.iter().position(|source| source.items.iter().any(|item| item.name == name));
+    // For each file the files that declare what it needs complete.
+    let needed = |source: &Source| -> Vec<usize> {
+        let names = source.items.iter().flat_map(needs).filter(|&(name, pointed)| !(pointed && by_tag(name)));
+        names.filter_map(|(name, _)| home(name)).collect()
+    };
+    let needed: Vec<Vec<usize>> = sources.iter().map(needed).collect();
+    let mut headers: Vec<&str> = sources.iter().map(|source| source.header.as_str()).collect();
+    headers.dedup();
+    let number = |file: usize| headers.iter().position(|header| *header == sources[file].header);
+    let between: Vec<Vec<usize>> = (0..headers.len())
+        .map(|header| {
+            let own = (0..sources.len()).filter(|&file| number(file) == Some(header));
+            own.flat_map(|file| &needed[file]).filter_map(|&file| number(file)).filter(|&other| other != header).collect()
+        })
+        .collect();
+    let mut order = Vec::new();
+    for header in sorted(&between).map_err(|at| format!("{}.h needs a header that needs it", headers[at]))? {
+        let own: Vec<usize> = (0..sources.len()).filter(|&file| number(file) == Some(header)).collect();
+        let within: Vec<Vec<usize>> = own
+            .iter()
+            .map(|&file| needed[file].iter().filter(|&&other| other != file).filter_map(|other| own.iter().position(|file| file == other)).collect())
+            .collect();
+        let files = sorted(&within).map_err(|at| format!("src/capi/{} needs a file that needs it", sources[own[at]].path))?;
+        order.extend(files.into_iter().map(|file| &sources[own[file]]));
+    }
+    Ok(order)
+}
+
+/// An order in which everything stands after what it needs, and otherwise as it is numbered; or one that needs itself.
+fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
+    fn visit(at: usize, needed: &[Vec<usize>], open: &mut Vec<usize>, order: &mut Vec<usize>) -> Result<(), usize> {
+        if order.contains(&at) {
+            return Ok(());
+        }
+        if open.contains(&at) {
+            return Err(at);
+        }
+        open.push(at);
+        for &other in &needed[at] {
+            visit(other, needed, open, order)?;
+        }
+        open.pop();
+        order.push(at);
+        Ok(())
+    }
+    let mut order = Vec::new();
+    for at in 0..needed.len() {
+        visit(at, needed, &mut Vec::new(), &mut order)?;
+    }
+    Ok(order)
+}
+
+fn framed(header: &str, includes: &str, body: &str, prelude: &str) -> String {
+    let guard = format!("GUSSET_{}_H", header.to_uppercase());
+    let above = if header == BASE { prelude } else { "" };
+    let includes = if header == BASE { "#include <stddef.h>\n#include <stdint.h>\n" } else { includes };
+    format!(
+        "/* Generated from src/capi; do not edit. See gusset.h. */\n\n#ifndef {guard}\n#define {guard}\n\n{includes}{above}\n\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n"
+    )
+}
+
+/// A declaration with its comment before it, and those of its fields or values within.
+fn documented(item: &Item, comment: &Comment, declaration: &str) -> String {
+    let mut text = comment_lines(comment, "");
+    let inner: Vec<(&str, &Comment)> = match &item.kind {
+        Kind::Struct(fields) => fields.iter().map(|field| (field.name.as_str(), &field.comment)).collect(),
+        Kind::Enum(values) => values.iter().map(|(name, _, comment)| (name.as_str(), comment)).collect(),
+        _ => Vec::new(),
+    };
+    if let Kind::Function(..) = item.kind {
+        // Lines end after a parameter.
+        let words: Vec<&str> = declaration.split_whitespace().collect();
+        let declaration = words.join(" ").replace(' ', "\u{a0}").replace(",\u{a0}", ", ");
+        for line in wrapped(&declaration, "    ", WIDTH) {
+            text += &line.replace('\u{a0}', " ");
+            text.push('\n');
+        }
+        return text;
+    }
+    let mut inner = inner.into_iter().peekable();
+    for line in declaration.lines() {
+        let indent = &line[..line.len() - line.trim_start().len()];
+        if let Some((_, comment)) = inner.next_if(|(name, _)| !indent.is_empty() && words(line).any(|word| word == *name)) {
+            // The first page of gusset.h says it once for all structs.
+            if !line.ends_with(" struct_size;") && !line.ends_with(" reserved;") {
+                text += &comment_lines(comment, indent);
+            }
+        }
+        text += line;
+        text.push('\n');
+    }
+    text
+}
+
+fn comment_lines(comment: &Comment, indent: &str) -> String {
+    let mut text = String::new();
+    let mut paragraph = |words: &str, hanging: &str| {
+        for line in wrapped(words, hanging, WIDTH - 4 - indent.len()) {
+            let _ = writeln!(text, "{indent}/// {line}");
+        }
+    };
+    paragraph(&format!("{} {}", comment.brief, comment.detail), "");
+    for words in &comment.text {
+        let hanging = if words.starts_with("- ") { "  " } else { "" };
+        paragraph(words, hanging);
+    }
+    for (name, words) in &comment.params {
+        paragraph(&format!("@param {name} {words}"), "    ");
+    }
+    if !comment.errors.is_empty() {
+        let causes: Vec<_> = comment.errors.iter().map(Cause::to_string).collect();
+        paragraph(&format!("@errors {}", causes.join(", ")), "    ");
+    }
+    for (name, words) in &comment.tags {
+        let mut lines = words.split('\n');
+        paragraph(format!("@{name} {}", lines.next().unwrap_or_default()).trim_end(), "    ");
+        lines.for_each(|line| paragraph(line, ""));
+    }
+    text
+}
+
+/// Lines of at most `width` characters, all but the first after `hanging`.
+fn wrapped(text: &str, hanging: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            Some(_) => lines.push(format!("{hanging}{word}")),
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}

@@ -1,0 +1,97 @@
+//! Reads the Rust sources of the C interface, and writes what follows from them.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`comment`] | parses comments: the grammar of their tags |
+//! | [`cpp`] | writes the choices as enums of C++ |
+//! | [`source`] | reads the items that C sees |
+//! | [`headers`] | writes the headers, by cbindgen and in the order of the sources |
+//! | [`description`] | writes the description that other generators read |
+//! | [`doxygen`] | writes the headers again with what the reference adds to each comment |
+
+pub mod comment;
+pub mod cpp;
+pub mod description;
+pub mod doxygen;
+pub mod headers;
+pub mod source;
+
+use std::path::Path;
+
+/// Folder of the interface.
+pub const FOLDER: &str = "src/capi";
+
+/// A generated file: its path in the repository, and its text.
+pub type Generated = (String, String);
+
+/// The headers of the library that are generated: those of C, and the choices of C++.
+///
+/// # Errors
+///
+/// A sentence about what the sources or cbindgen refuse.
+pub fn library_headers(root: &Path, version: &str) -> Result<Vec<Generated>, String> {
+    let sources = sources(root)?;
+    let mut made = written(root, version, &sources, &headers::Plain)?;
+    made.push(("include/gusset/choices.hpp".to_owned(), cpp::choices(&sources)));
+    Ok(made)
+}
+
+/// The same headers, as doxygen reads them.
+///
+/// # Errors
+///
+/// As [`library_headers`].
+pub fn reference_headers(root: &Path, version: &str) -> Result<Vec<Generated>, String> {
+    let sources = sources(root)?;
+    let examples = doxygen::examples(&root.join("examples/reference"))?;
+    written(root, version, &sources, &doxygen::Reference { sources: &sources, examples: &examples })
+}
+
+/// The functions and structs of the library that C sees.
+///
+/// # Errors
+///
+/// As [`library_headers`].
+pub fn sources(root: &Path) -> Result<Vec<source::Source>, String> {
+    source::read(&root.join(FOLDER), &["plugin"])
+}
+
+fn written(root: &Path, version: &str, sources: &[source::Source], style: &dyn headers::Style) -> Result<Vec<Generated>, String> {
+    let declarations = headers::declarations(root, FOLDER, "cbindgen.toml")?;
+    let texts = headers::texts(sources, &declarations, &headers::prelude(version), style)?;
+    Ok(texts.into_iter().map(|(name, text)| (format!("include/gusset/{name}.h"), text)).collect())
+}
+
+/// The texts of the statuses as Rust source: the first sentence of each comment.
+///
+/// # Errors
+///
+/// As [`library_headers`].
+pub fn status_texts(root: &Path) -> Result<Generated, String> {
+    let mut code = String::from(
+        "//! The text of each status: the first sentence of its comment. Written by `gusset-interface headers`; do not edit.\n\n\
+         use std::ffi::CStr;\n\n/// The text of a status, without a dot.\npub(super) fn text(status: i32) -> &'static CStr {\n    match status {\n",
+    );
+    for source in sources(root)? {
+        for item in source.items {
+            let source::Kind::Enum(values) = item.kind else { continue };
+            for (_, number, comment) in values {
+                let sentence = comment.brief.trim_end_matches('.');
+                let (first, rest) = sentence.split_at(sentence.chars().next().map_or(0, char::len_utf8));
+                code += &format!("        {number} => c{:?},\n", format!("{}{rest}", first.to_lowercase()));
+            }
+        }
+    }
+    code += "        _ => c\"unknown status\",\n    }\n}\n";
+    Ok((format!("{FOLDER}/status_text.rs"), code))
+}
+
+/// The description as JSON, an item a line.
+///
+/// # Errors
+///
+/// As [`library_headers`].
+pub fn library_description(root: &Path, version: &str) -> Result<String, String> {
+    let plugin = source::read(&root.join(FOLDER).join("plugin"), &[])?;
+    Ok(description::lines(&description::describe(&sources(root)?, &plugin, version)))
+}
