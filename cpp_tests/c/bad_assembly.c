@@ -425,7 +425,7 @@ static void assembly_results(void) {
     /* The first piece inside out: with GUSSET_OUTWARD_KEEP the second is turned to agree with it, else the first one is. */
     static const uint32_t inside_out[12] = {0, 2, 1, 0, 3, 2, 0, 4, 3, 0, 1, 4};
     pieces[0].face_corners = inside_out;
-    static const gusset_outward ways[3] = {GUSSET_OUTWARD_CLOSED, GUSSET_OUTWARD_KEEP, GUSSET_OUTWARD_DEFAULT};
+    static const gusset_outward ways[3] = {GUSSET_OUTWARD_CLOSED, GUSSET_OUTWARD_KEEP, GUSSET_OUTWARD_AUTO};
     for (int way = 0; way < 3; ++way) {
         const uint32_t keep = ways[way] == GUSSET_OUTWARD_KEEP;
         larger.known.outward = ways[way];

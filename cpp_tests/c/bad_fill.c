@@ -118,7 +118,7 @@ static void results(void) {
         options.struct_size = sizeof options;
         turned.face_corners = inside_out;
         parts.struct_size = sizeof parts, out.struct_size = sizeof out;
-        for (options.outward = GUSSET_OUTWARD_DEFAULT; options.outward <= GUSSET_OUTWARD_CLOSED; ++options.outward) {
+        for (options.outward = GUSSET_OUTWARD_AUTO; options.outward <= GUSSET_OUTWARD_CLOSED; ++options.outward) {
             const int turns = options.outward == GUSSET_OUTWARD_CLOSED;
             const uint32_t *faces = turns ? pyramid_faces : inside_out;
             EXPECT(GUSSET_OK, gusset_fill(context, &turned, NULL, 0, &options, &fill));

@@ -45,7 +45,7 @@ static void wrong_operations(void) {
     gusset_net *net = NULL;
     gusset_sheet *sheet = NULL;
     EXPECT(GUSSET_OK, gusset_net_from_heights_create(context, &flat, &net));
-    EXPECT(GUSSET_OK, gusset_sheet_from_nodes_create(context, &given, &sheet));
+    EXPECT(GUSSET_OK, gusset_sheet_create(context, &given, NULL, 0, &sheet));
     EXPECT(GUSSET_OK, gusset_join(context, pieces, 2, NULL, &results[0]));
     EXPECT(GUSSET_OK, gusset_stitch(context, &pieces[0], NULL, &pieces[1], NULL, NULL, &results[1]));
     EXPECT(GUSSET_OK, gusset_strip(context, a[0], 2, b[0], 2, NULL, &results[2]));

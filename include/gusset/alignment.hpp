@@ -7,13 +7,6 @@
 
 namespace gusset {
 
-/// Where pieces begin; see the constants.
-enum class AlignmentStart : uint32_t {
-    as_given = GUSSET_ALIGN_AS_GIVEN,
-    principal_axes = GUSSET_ALIGN_PRINCIPAL_AXES,
-    rims = GUSSET_ALIGN_RIMS
-};
-
 /// The options of alignment; see gusset_alignment_options.
 struct AlignmentOptions {
     AlignmentStart start = AlignmentStart::as_given;

@@ -9,22 +9,6 @@
 
 namespace gusset {
 
-/// Elements of meshes; of a net or a sheet its nodes, twice, and its cells.
-enum class Domain : uint32_t {
-    vertices = GUSSET_DOMAIN_VERTICES,
-    corners = GUSSET_DOMAIN_CORNERS,
-    faces = GUSSET_DOMAIN_FACES
-};
-
-/// How the values of several sources become one; see GUSSET_RULE_LINEAR and the others.
-enum class Rule : uint32_t {
-    linear = GUSSET_RULE_LINEAR,
-    normal = GUSSET_RULE_NORMAL,
-    skin_weights = GUSSET_RULE_SKIN_WEIGHTS,
-    nearest = GUSSET_RULE_NEAREST,
-    texture = GUSSET_RULE_TEXTURE
-};
-
 namespace detail {
 template <class Value>
 constexpr uint32_t value_type() {

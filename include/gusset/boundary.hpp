@@ -19,15 +19,6 @@ struct Loop {
     bool is_closed() const noexcept { return (flags & GUSSET_LOOP_OPEN) == 0; }
 };
 
-/// The treatment of edges with three or more faces.
-enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
-
-/// The extent of the checks of the mesh.
-enum class Survey : uint32_t {
-    whole_mesh = GUSSET_SURVEY_WHOLE_MESH,
-    boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY
-};
-
 /// The options of boundary loops; see gusset_boundary_options.
 struct BoundaryOptions {
     NonManifold non_manifold = NonManifold::cut;

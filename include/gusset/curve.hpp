@@ -93,23 +93,6 @@ private:
     detail::Handle<gusset_curve_form, gusset_curve_form_destroy> form_;
 };
 
-/// The rule by which samples are spread.
-enum class SampleRule : uint32_t {
-    count = GUSSET_SAMPLE_COUNT,
-    step = GUSSET_SAMPLE_STEP,
-    chord = GUSSET_SAMPLE_CHORD
-};
-
-/// The interpolation of nodes by curves and surfaces; see the constants.
-enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
-
-/// The format that a curve is exported to; see the constants.
-enum class CurveFormat : uint32_t {
-    svg = GUSSET_CURVE_FORMAT_SVG,
-    contour = GUSSET_CURVE_FORMAT_CONTOUR,
-    spline = GUSSET_CURVE_FORMAT_SPLINE
-};
-
 struct Line;
 struct CurveOfDegrees;
 struct OffsetCurve;

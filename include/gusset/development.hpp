@@ -8,13 +8,6 @@
 
 namespace gusset {
 
-/// Which distortion is least; see gusset_develop_options.
-enum class Distortion : uint32_t {
-    symmetric = GUSSET_DISTORTION_SYMMETRIC,
-    rigid = GUSSET_DISTORTION_RIGID,
-    conformal = GUSSET_DISTORTION_CONFORMAL
-};
-
 /// How a surface is developed; see gusset_develop_options.
 struct DevelopOptions {
     Distortion distortion = Distortion::symmetric;

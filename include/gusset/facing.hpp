@@ -6,11 +6,6 @@
 
 namespace gusset {
 
-/// The choice among several facing runs.
-enum class FacingRun : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
-/// The weights of vertices in the centres of loops.
-enum class Centres : uint32_t { vertices = GUSSET_CENTRES_VERTICES, length = GUSSET_CENTRES_LENGTH };
-
 /// An arc of a loop: its first place and its number of vertices.
 struct LoopArc {
     /// The first place on the loop.

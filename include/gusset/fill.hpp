@@ -7,29 +7,6 @@
 
 namespace gusset {
 
-/// The weight that the triangulation of a rim minimises.
-enum class FillWeight : uint32_t {
-    continuation = GUSSET_WEIGHT_CONTINUATION,
-    area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
-    bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
-    area = GUSSET_WEIGHT_AREA
-};
-/// The new vertices of patches.
-enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
-
-/// How faired patches go on the old surface.
-enum class FillContinuity : uint32_t { c1 = GUSSET_CONTINUITY_C1, c2 = GUSSET_CONTINUITY_C2 };
-
-/// The loops that are no holes.
-enum class FillKeep : uint32_t { none = GUSSET_KEEP_NONE, longest = GUSSET_KEEP_LONGEST, borders = GUSSET_KEEP_BORDERS };
-
-/// The loops that get one patch.
-enum class FillTogether : uint32_t {
-    apart = GUSSET_TOGETHER_APART,
-    one = GUSSET_TOGETHER_ONE,
-    cheapest = GUSSET_TOGETHER_CHEAPEST
-};
-
 /// The options of filling; see gusset_fill_options. A limit of 0 is none.
 struct FillOptions {
     FillWeight weight = FillWeight::continuation;

@@ -79,9 +79,6 @@ private:
     gusset_frame_options options_ = detail::sized<gusset_frame_options>();
 };
 
-/// Where the nodes of a frame move; see gusset_frame_offset_create.
-enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
-
 /// Nodes, and curves across and along a body through them; see gusset_frame_create.
 class Frame {
 public:

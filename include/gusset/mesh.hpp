@@ -116,12 +116,6 @@ private:
     gusset_mesh_view view_;
 };
 
-/// The positions of new vertices; see the constants.
-enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
-
-/// The side that closed components of a result face; see the constants.
-enum class Outward : uint32_t { keep = GUSSET_OUTWARD_KEEP, closed = GUSSET_OUTWARD_CLOSED };
-
 /// For each vertex the smallest one with an equal key, or without keys at the same position; see
 /// gusset_mesh_find_merge. Throws std::invalid_argument if there is not one key for each vertex.
 inline std::vector<uint32_t> find_merge(const MeshView &mesh, Indices keys = {}, const Context &context = Context()) {

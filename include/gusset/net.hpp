@@ -23,9 +23,6 @@ constexpr NetMeasures operator|(NetMeasures a, NetMeasures b) {
     return static_cast<NetMeasures>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
 }
 
-/// The way of nodes from one net to another; see Net::morphed.
-enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
-
 /// How cells are made plane; see gusset_planarise_options.
 struct PlanariseOptions {
     /// The distance that is plane enough, as a part of the diagonal of the box; 0: the default.
@@ -52,12 +49,6 @@ struct SettleOptions {
     std::vector<uint8_t> free;
     /// 0: the default.
     uint32_t max_iterations = 0;
-};
-
-/// The interpolation of positions between nodes.
-enum class Interpolation : uint32_t {
-    bicubic = GUSSET_INTERPOLATION_BICUBIC,
-    bilinear = GUSSET_INTERPOLATION_BILINEAR
 };
 
 /// The deviations of the cells of a net from planes; see gusset_net_planarity.

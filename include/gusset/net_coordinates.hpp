@@ -6,9 +6,6 @@
 
 namespace gusset {
 
-/// The type of coordinates.
-enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
-
 /// One coordinate of all nodes of a net, in memory that belongs to someone else.
 template <class T>
 class MatrixView {
@@ -74,7 +71,7 @@ gusset_net_view net_view(std::size_t rows, std::size_t columns, const T *x, cons
     auto view = sized<gusset_net_view>();
     view.rows = rows;
     view.columns = columns;
-    // Only gusset_net_borrow_create and gusset_net_read write there; they are given writable
+    // Only gusset_net_create with borrowed memory and gusset_net_read write there; they are given writable
     // memory.
     view.x = const_cast<T *>(x);
     view.y = const_cast<T *>(y);

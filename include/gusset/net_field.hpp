@@ -9,9 +9,6 @@
 
 namespace gusset {
 
-/// An axis of coordinates.
-enum class Axis : uint32_t { x = GUSSET_AXIS_X, y = GUSSET_AXIS_Y, z = GUSSET_AXIS_Z };
-
 /// Three rows of four numbers, the fourth of each the displacement; see gusset_transform.
 using Transform = gusset_transform;
 /// A map of homogeneous coordinates: four rows of four.
@@ -74,12 +71,6 @@ private:
 };
 static_assert(sizeof(Operation) == sizeof(gusset_operation), "an operation is what C takes");
 
-/// The interpolation of a strength from one key to the next.
-enum class Easing : uint32_t {
-    linear = GUSSET_EASING_LINEAR,
-    smooth = GUSSET_EASING_SMOOTH,
-    hold = GUSSET_EASING_HOLD
-};
 /// A time, and the strength of a field there.
 struct FieldKey {
     /// The time, and the part of the field that is applied then.

@@ -79,28 +79,6 @@ constexpr CellSides operator|(CellSides a, CellSides b) {
 /// Opposite corners of a cell: the first and the third, or the second and the fourth.
 enum class Diagonal : uint32_t { falling = 1, rising = 2 };
 
-/// The 18 local gluings; see the constants.
-enum class GluingType : uint32_t {
-    horizontal = GUSSET_TYPE_HORIZONTAL,
-    vertical = GUSSET_TYPE_VERTICAL,
-    east_south = GUSSET_TYPE_EAST_SOUTH,
-    south_west = GUSSET_TYPE_SOUTH_WEST,
-    west_north = GUSSET_TYPE_WEST_NORTH,
-    north_east = GUSSET_TYPE_NORTH_EAST,
-    east_west = GUSSET_TYPE_EAST_WEST,
-    north_south = GUSSET_TYPE_NORTH_SOUTH,
-    but_north = GUSSET_TYPE_BUT_NORTH,
-    but_east = GUSSET_TYPE_BUT_EAST,
-    but_south = GUSSET_TYPE_BUT_SOUTH,
-    but_west = GUSSET_TYPE_BUT_WEST,
-    all = GUSSET_TYPE_ALL,
-    top_bottom = GUSSET_TYPE_TOP_BOTTOM,
-    right_left = GUSSET_TYPE_RIGHT_LEFT,
-    point = GUSSET_TYPE_POINT,
-    falling = GUSSET_TYPE_FALLING,
-    rising = GUSSET_TYPE_RISING
-};
-
 /// Nodes to be glued or unglued; see gusset_gluing.
 struct LocalGluing : gusset_gluing {
     /// The link from a node to the next one of its row.

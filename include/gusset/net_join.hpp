@@ -6,20 +6,6 @@
 
 namespace gusset {
 
-/// A direction within a net.
-enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
-
-/// The rows, or columns, that are replicated; see the constants.
-enum class Replication : uint32_t {
-    uniform = GUSSET_REPLICATE_UNIFORM,
-    first = GUSSET_REPLICATE_FIRST,
-    last = GUSSET_REPLICATE_LAST,
-    at = GUSSET_REPLICATE_AT,
-    at_poles = GUSSET_REPLICATE_AT_POLES,
-    /// For ConcatenateOptions only.
-    refuse = GUSSET_REPLICATE_REFUSE
-};
-
 /// The options of a reformat; see gusset_net_copy_options.
 struct ReformatOptions {
     /// 0: as many as there are.
@@ -29,18 +15,6 @@ struct ReformatOptions {
     uint32_t row_index = 0, column_index = 0;
 };
 
-/// The treatment of the cells between two nets that were joined.
-enum class BridgeMode : uint32_t {
-    keep = GUSSET_BRIDGE_KEEP,
-    hide = GUSSET_BRIDGE_HIDE,
-    weld = GUSSET_BRIDGE_WELD
-};
-/// The topology of a bridge.
-enum class BridgeKind : uint32_t {
-    ribbon = GUSSET_BRIDGE_RIBBON,
-    tube = GUSSET_BRIDGE_TUBE,
-    thread = GUSSET_BRIDGE_THREAD
-};
 /// The properties under which Net::settle finds the equilibrium of a bridge.
 using BridgeProperties = gusset_bridge_properties;
 

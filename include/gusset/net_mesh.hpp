@@ -7,13 +7,6 @@
 
 namespace gusset {
 
-/// The faces of the mesh of a net.
-enum class NetFaces : uint32_t {
-    quads = GUSSET_NET_QUADS,
-    triangles_shorter = GUSSET_NET_TRIANGLES_SHORTER,
-    triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
-};
-
 /// The options of the mesh of a net; see gusset_net_mesh_options.
 struct NetMeshOptions {
     NetFaces faces = NetFaces::quads;

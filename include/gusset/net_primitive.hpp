@@ -8,13 +8,6 @@
 
 namespace gusset {
 
-/// The cells of the two caps of a box.
-enum class BoxKind : uint32_t {
-    slit = GUSSET_NET_BOX_SLIT,
-    cross = GUSSET_NET_BOX_CROSS,
-    concentric = GUSSET_NET_BOX_CONCENTRIC
-};
-
 /// A shape for Net::from_primitive, centred at the origin, its axis along z; it owns its profile.
 /// See the constants GUSSET_NET_PLANE to GUSSET_NET_PILLOW and gusset_net_primitive_create.
 class Primitive {
@@ -62,7 +55,7 @@ public:
     static Primitive box(const Point3 &size, const std::array<uint32_t, 3> &cells, BoxKind kind = BoxKind::slit) {
         Primitive primitive = Primitive(GUSSET_NET_BOX).sized(size);
         std::memcpy(primitive.given_.cells, cells.data(), sizeof primitive.given_.cells);
-        primitive.given_.box_kind = static_cast<gusset_net_box>(kind);
+        primitive.given_.box_kind = static_cast<gusset_box_kind>(kind);
         return primitive;
     }
     /// A Möbius strip: the radius of its middle line, and its width.

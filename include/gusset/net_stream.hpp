@@ -6,13 +6,6 @@
 
 namespace gusset {
 
-/// The coding of coordinates; see the constants.
-enum class StreamMode : uint32_t {
-    quantised = GUSSET_STREAM_QUANTISED,
-    lossless = GUSSET_STREAM_LOSSLESS,
-    raw = GUSSET_STREAM_RAW
-};
-
 /// The options of a stream; see gusset_stream_options.
 struct StreamOptions {
     StreamMode mode = StreamMode::quantised;

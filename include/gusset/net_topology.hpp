@@ -6,9 +6,6 @@
 
 namespace gusset {
 
-/// The cells that count.
-enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
-
 /// The cell complex of a net with its glued nodes identified, and its topology. It keeps nothing of
 /// the net. See gusset_net_complex_view, whose lists live as long as this.
 class NetComplex {

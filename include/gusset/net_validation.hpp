@@ -6,14 +6,6 @@
 
 namespace gusset {
 
-/// The kind of a finding; see the constants.
-enum class NetFindingKind : uint32_t {
-    link_apart = GUSSET_NET_FINDING_LINK_APART,
-    seam_apart = GUSSET_NET_FINDING_SEAM_APART,
-    loop = GUSSET_NET_FINDING_LOOP,
-    zero_length = GUSSET_NET_FINDING_ZERO_LENGTH,
-    few_nodes = GUSSET_NET_FINDING_FEW_NODES
-};
 /// One finding; kind is a NetFindingKind.
 using NetFinding = gusset_net_finding;
 inline bool operator==(const NetFinding &finding, NetFindingKind kind) {

@@ -6,46 +6,6 @@
 
 namespace gusset {
 
-/// The kind of a curve; see the constants.
-enum class CurveKind : uint32_t {
-    composite = GUSSET_CURVE_KIND_COMPOSITE,
-    single = GUSSET_CURVE_KIND_SINGLE,
-    blend_c1 = GUSSET_CURVE_KIND_BLEND_C1,
-    blend_c2 = GUSSET_CURVE_KIND_BLEND_C2,
-    cubic_c2 = GUSSET_CURVE_KIND_CUBIC_C2,
-    chain = GUSSET_CURVE_KIND_CHAIN
-};
-/// The guide of the control point of a section; see the constants.
-enum class SectionMethod : uint32_t {
-    bisector = GUSSET_METHOD_BISECTOR,
-    median = GUSSET_METHOD_MEDIAN,
-    normal = GUSSET_METHOD_NORMAL,
-    symmedian = GUSSET_METHOD_SYMMEDIAN,
-    alpha = GUSSET_METHOD_ALPHA
-};
-/// The rule that fixes the parameters of points.
-enum class ParameterLock : uint32_t {
-    parameter = GUSSET_LOCK_PARAMETER,
-    self_consistent = GUSSET_LOCK_SELF_CONSISTENT,
-    data_guide = GUSSET_LOCK_DATA_GUIDE
-};
-/// The parameters of the joints of composite curves.
-enum class JointParameter : uint32_t {
-    half = GUSSET_JOINT_PARAMETER_HALF,
-    knot = GUSSET_JOINT_PARAMETER_KNOT,
-    g2 = GUSSET_JOINT_PARAMETER_G2
-};
-/// The method that solves for a curve.
-enum class OutlineSolver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
-/// The ends of open outlines.
-enum class OutlineEnds : uint32_t {
-    free = GUSSET_ENDS_FREE,
-    perpendicular = GUSSET_ENDS_PERPENDICULAR,
-    level = GUSSET_ENDS_LEVEL,
-    upright = GUSSET_ENDS_UPRIGHT,
-    level_or_upright = GUSSET_ENDS_LEVEL_OR_UPRIGHT
-};
-
 /// A constraint at a point: a corner or a tangent.
 struct Constraint : gusset_constraint {
     /// A corner at a point.

@@ -6,9 +6,6 @@
 
 namespace gusset {
 
-/// The vertices that are welded: the ends of free edges, so that borders are sewn, or all.
-enum class WeldVertices : uint32_t { boundary = GUSSET_WELD_BOUNDARY, all = GUSSET_WELD_ALL };
-
 /// The options of welding; see gusset_weld_options.
 struct WeldOptions {
     WeldVertices vertices = WeldVertices::boundary;

@@ -6,9 +6,6 @@
 
 namespace gusset {
 
-/// The kind of an entry of a scene.
-enum class SceneEntryKind : uint32_t { net = GUSSET_SCENE_NET, group = GUSSET_SCENE_GROUP };
-
 /// An entry of a scene; see gusset_scene_entry_report.
 struct SceneEntry {
     /// A net or a group.

@@ -8,17 +8,6 @@
 
 namespace gusset {
 
-/// The estimate of mixed derivatives at nodes; see the constants.
-enum class Twists : uint32_t {
-    differences = GUSSET_TWISTS_DIFFERENCES,
-    adini = GUSSET_TWISTS_ADINI,
-    zero = GUSSET_TWISTS_ZERO
-};
-/// The surface that is made of a frame.
-enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET_FRAME_CURVES };
-/// The coordinate that runs along a curve of a sheet.
-enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
-
 /// The interpolation of nodes. A closed direction ends with its first line again.
 struct SheetOptions {
     /// Closed along columns: the last row is the first one again.

@@ -2,7 +2,7 @@
 #ifndef GUSSET_SPAN_HPP
 #define GUSSET_SPAN_HPP
 
-#include <gusset.h>
+#include <gusset/choices.hpp>
 
 #include <array>
 #include <cstddef>

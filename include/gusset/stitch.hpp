@@ -9,28 +9,6 @@
 
 namespace gusset {
 
-/// The treatment of faces that intersect each other.
-enum class Intersections : uint32_t {
-    automatic = GUSSET_INTERSECTIONS_AUTO,
-    ignore = GUSSET_INTERSECTIONS_IGNORE,
-    report = GUSSET_INTERSECTIONS_REPORT
-};
-/// The treatment of pieces that are oriented against each other.
-enum class Orientation : uint32_t {
-    fix = GUSSET_ORIENTATION_FIX,
-    refuse = GUSSET_ORIENTATION_REFUSE,
-    keep = GUSSET_ORIENTATION_KEEP
-};
-
-/// The part of the loops that is joined.
-enum class StitchExtent : uint32_t {
-    whole_loops = GUSSET_EXTENT_WHOLE_LOOPS,
-    open_arcs = GUSSET_EXTENT_OPEN_ARCS,
-    automatic = GUSSET_EXTENT_AUTO,
-    arcs = GUSSET_EXTENT_ARCS
-};
-/// What lies between the rims in the end; the blend is the best-looking joint.
-enum class Finish : uint32_t { strip = GUSSET_FINISH_STRIP, blend = GUSSET_FINISH_BLEND };
 /// The options of stitching; see gusset_stitch_options.
 struct StitchOptions {
     Meridians meridians = Meridians::continuation;

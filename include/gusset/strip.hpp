@@ -6,26 +6,6 @@
 
 namespace gusset {
 
-/// The choice of meridians; see the constants.
-enum class Meridians : uint32_t {
-    continuation = GUSSET_MERIDIANS_CONTINUATION,
-    min_area = GUSSET_MERIDIANS_MIN_AREA,
-    index = GUSSET_MERIDIANS_INDEX,
-    arc_length = GUSSET_MERIDIANS_ARC_LENGTH,
-    greedy = GUSSET_MERIDIANS_GREEDY,
-    min_diagonal = GUSSET_MERIDIANS_MIN_DIAGONAL,
-    smooth = GUSSET_MERIDIANS_SMOOTH,
-    quad = GUSSET_MERIDIANS_QUAD
-};
-/// The effort of the search for the best strip.
-enum class StripSearch : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
-/// The first meridian of a closed strip.
-enum class StripStart : uint32_t {
-    automatic = GUSSET_START_AUTO,
-    closest = GUSSET_START_CLOSEST,
-    given = GUSSET_START_GIVEN
-};
-
 /// The paper's rule for meridians by index: for each i = 0 .. n of a polyline of n segments its j
 /// on another of m <= n segments.
 inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
@@ -33,9 +13,6 @@ inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
         detail::check(gusset_meridians_index(n, m, out, capacity, written));
     });
 }
-
-/// The faces of strips.
-enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
 /// Interior rows: none, by the mean edge, or a number.
 struct StripRows {

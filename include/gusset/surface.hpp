@@ -35,9 +35,9 @@ public:
     }
 
 private:
-    PointSpacing(gusset_point_spacing kind, double chord, uint32_t points)
+    PointSpacing(gusset_spacing_rule kind, double chord, uint32_t points)
         : kind_(kind), chord_(chord), points_(points) {}
-    gusset_point_spacing kind_ = GUSSET_POINT_SPACING_AUTO;
+    gusset_spacing_rule kind_ = GUSSET_POINT_SPACING_AUTO;
     double chord_ = 0.0;
     uint32_t points_ = 0;
 };

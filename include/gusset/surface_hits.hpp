@@ -33,16 +33,6 @@ struct Line : gusset_line {
 };
 static_assert(sizeof(Line) == sizeof(gusset_line), "a line is what C takes");
 
-/// The hits that are wanted.
-enum class HitSelection : uint32_t { all = GUSSET_HITS_ALL, first = GUSSET_HITS_FIRST, any = GUSSET_HITS_ANY };
-/// The kind of a hit; see the constants.
-enum class HitKind : uint32_t {
-    none = GUSSET_HIT_NONE,
-    crossing = GUSSET_HIT_CROSSING,
-    touch = GUSSET_HIT_TOUCH,
-    inside = GUSSET_HIT_INSIDE
-};
-
 /// A point that a line or a curve and a surface have in common; see gusset_surface_hit.
 struct Hit : gusset_surface_hit {
     /// No hit.

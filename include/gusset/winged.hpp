@@ -6,12 +6,6 @@
 
 namespace gusset {
 
-/// The winding of faces, seen from outside.
-enum class Winding : uint32_t {
-    counter_clockwise = GUSSET_FACES_COUNTER_CLOCKWISE,
-    clockwise = GUSSET_FACES_CLOCKWISE
-};
-
 /// Winged-edge tables; see gusset_winged_create.
 class Winged {
 public:

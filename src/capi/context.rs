@@ -1,4 +1,4 @@
-//! The context: how a host steers a call and learns what happened.
+//! Contexts: Threads, progress, cancellation, log, and the report of the last error.
 
 use super::glue::versioned;
 use super::guard::caught;
@@ -238,10 +238,7 @@ pub(crate) use lend;
 
 /// Creates a context with automatic threads and no callbacks.
 ///
-/// @param[out] context receives it, for gusset_context_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
@@ -257,9 +254,6 @@ pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context
 /// Destroys a context; NULL is allowed.
 ///
 /// No call may be using it.
-///
-/// @param[in,out] context the context.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
     handle::destroy(context);
@@ -267,11 +261,8 @@ pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
 
 /// Sets the number of threads, on which results do not depend.
 ///
-/// @param[in,out] context the context.
 /// @param threads 0 as many as the machine has, 1 the calling thread only.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
     change(context, |state| state.threads = threads)
@@ -279,12 +270,9 @@ pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context
 
 /// Sets the progress callback.
 ///
-/// @param[in,out] context the context.
 /// @param progress NULL for none.
 /// @param user handed to it, and not looked at.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
     context: *mut gusset_context,
@@ -298,12 +286,9 @@ pub unsafe extern "C" fn gusset_context_set_progress(
 
 /// Sets the log callback.
 ///
-/// @param[in,out] context the context.
 /// @param log NULL for none.
 /// @param user handed to it, and not looked at.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
     context: *mut gusset_context,
@@ -324,10 +309,8 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusse
 
 /// Cancels the running call, and every later one until gusset_context_reset.
 ///
-/// @param context the context.
 /// @complexity O(1).
 /// @threads From any thread; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     if let Ok(context) = handle::get(context, "context") {
@@ -339,10 +322,8 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
 ///
 /// NULL is allowed.
 ///
-/// @param context the context.
 /// @complexity O(1).
 /// @threads From any thread.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     if let Ok(context) = handle::get(context, "context") {
@@ -352,10 +333,8 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
 
 /// How much of the running (or last) call is done, 0 to 1; 0 for NULL.
 ///
-/// @param context the context.
 /// @return 0 to 1; 0 for NULL.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
     handle::get(context, "context").map_or(0.0, |context| context.watch.fraction())
@@ -367,10 +346,8 @@ pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_cont
 /// Never NULL. Valid until the next call with the context. Empty too for NULL, and while a call is
 /// running.
 ///
-/// @param context the context.
 /// @return a NUL-terminated UTF-8 string, never NULL.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
     let state = handle::get(context, "context").and_then(gusset_context::lock);
@@ -379,12 +356,7 @@ pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_conte
 
 /// What went wrong in the last call with this context, as numbers.
 ///
-/// @param context the context.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     CONTEXT_BUSY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_report(
     context: *const gusset_context,

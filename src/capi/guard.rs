@@ -63,7 +63,7 @@ mod tests {
     use crate::capi::context::{
         guard, gusset_context, gusset_context_create, gusset_context_destroy, gusset_context_get_message,
     };
-    use crate::capi::net::scene::{gusset_scene_add, gusset_scene_create, gusset_scene_destroy};
+    use crate::capi::scene::{gusset_scene_add, gusset_scene_create, gusset_scene_destroy};
     use crate::capi::status::gusset_status::{GUSSET_ERROR_PANIC, GUSSET_OK};
     use std::ffi::CStr;
     use std::process::Command;

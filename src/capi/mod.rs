@@ -9,14 +9,17 @@
 //! | `handle` | objects behind opaque pointers, with their kinds |
 //! | `host` | callbacks, as the core calls them |
 //! | [`context`] | threads, progress, cancel, log, message, report; how calls begin and end |
+//! | [`transform`] | affine maps |
 //! | [`version`] | versions of the library and of its binary interface |
 //!
 //! | folder | what it owns |
 //! |---|---|
 //! | [`mesh`] | the mesh view; boundaries, checks, repairs; stitching, holes, joining |
 //! | [`curve`] | the handle of a curve, places on it; outlines, frames of a body |
-//! | [`net`] | the handle of a net; gluing, motion, measures, scenes, streams |
-//! | [`surface`] | sheets, the handle of a surface, its queries; the paper's search |
+//! | [`net`] | the handle of a net; gluing, motion, measures |
+//! | [`scene`], [`stream`] | nets in groups; nets as bytes |
+//! | [`surface`] | sheets, the handle of a surface, its queries |
+//! | [`papers`] | winged-edge tables, the search by the logical scale |
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
 //!
 //! Unsafe code is here, in the kernels of `simd`, in `threads` and in `reserve`, nowhere else.
@@ -37,9 +40,13 @@ mod host;
 pub mod input;
 pub mod mesh;
 pub mod net;
+pub mod papers;
 /// cbindgen:ignore
 pub mod plugin;
+pub mod scene;
 pub mod status;
 mod status_text;
+pub mod stream;
 pub mod surface;
+pub mod transform;
 pub mod version;

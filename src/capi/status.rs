@@ -1,5 +1,5 @@
-//! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data,
-//! 2000-2999 environment.
+//! Statuses: Numbers that functions return. 1 to 999 are mistakes of the caller, 1000 to 1999 lie
+//! in the data, 2000 to 2999 come from the environment. A number never changes its meaning.
 //!
 //! The first sentence of each comment is the text of its status too: see `status_text.rs`. Each error of the core becomes a code with an element in one place, `From<Error>`.
 
@@ -386,7 +386,6 @@ impl From<Error> for Failure {
 /// @param status any number; for one that is no status, "unknown status".
 /// @return a static string, never NULL.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
     text(status).as_ptr()

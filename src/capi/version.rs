@@ -1,4 +1,4 @@
-//! What is loaded.
+//! Versions: The version of the library and of its binary interface.
 
 use std::ffi::{CStr, c_char};
 
@@ -8,7 +8,6 @@ use std::ffi::{CStr, c_char};
 ///
 /// @return a static string, never NULL.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_version() -> *const c_char {
     const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
@@ -25,7 +24,6 @@ pub extern "C" fn gusset_version() -> *const c_char {
 ///
 /// @return the number.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_abi() -> u32 {
     1

@@ -17,7 +17,11 @@ const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
 fn headers() -> String {
     let include = Path::new(ROOT).join("include");
     let library = gusset_interface::library_headers(Path::new(ROOT), env!("CARGO_PKG_VERSION")).unwrap();
-    let paths = library.iter().filter(|(path, _)| path.ends_with(".h")).map(|(path, _)| Path::new(ROOT).join(path)).chain([include.join("gusset_plugin.h")]);
+    let paths = library
+        .iter()
+        .filter(|(path, _)| path.ends_with(".h"))
+        .map(|(path, _)| Path::new(ROOT).join(path))
+        .chain([include.join("gusset_plugin.h")]);
     paths.map(|path| fs::read_to_string(path).unwrap()).collect()
 }
 

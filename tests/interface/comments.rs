@@ -28,7 +28,9 @@ fn every_function_says_what_its_callers_need() {
             if item.comment.brief.is_empty() || !item.comment.brief.ends_with('.') {
                 lack("a first sentence");
             }
-            for param in params.iter().filter(|param| param.comment.brief.is_empty() && reference.usual(param).is_none()) {
+            for param in
+                params.iter().filter(|param| param.comment.brief.is_empty() && reference.usual(param).is_none())
+            {
                 lack(&format!("@param {}", param.name));
             }
             let status = result.as_ref().is_some_and(|kind| kind.name == "gusset_status");
@@ -72,7 +74,12 @@ fn every_name_in_a_comment_or_an_example_exists() {
         }
     }
     let examples = doxygen::examples(&Path::new(ROOT).join("examples/reference")).unwrap();
-    wrong.extend(examples.iter().filter(|(name, _)| !names.contains(name.as_str())).map(|(name, (file, _))| format!("{file}: {name}")));
+    wrong.extend(
+        examples
+            .iter()
+            .filter(|(name, _)| !names.contains(name.as_str()))
+            .map(|(name, (file, _))| format!("{file}: {name}")),
+    );
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

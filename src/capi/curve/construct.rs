@@ -1,4 +1,4 @@
-//! C interface: curves made of curves.
+//! Curves from curves: Parts, other degrees, offsets.
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
@@ -56,17 +56,13 @@ impl gusset_offset_options {
 /// On a closed curve the part may run over the start, and from a place to itself it goes round once. A
 /// curve of n segments ends at segment n - 1 and t = 1.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param from where it begins.
 /// @param to where it ends.
-/// @param[out] part receives the result, for gusset_curve_destroy, as for all functions of this
-///     group; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is
-///     from, 1 is to), OUT_OF_RANGE (an open curve, and to before from), UNKNOWN_VALUE, TOO_LARGE,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @param part receives the result, for gusset_curve_destroy, as for all functions of this group;
+///     NULL on failure.
+/// @errors NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before
+///     from), TOO_LARGE
 /// @complexity O(points).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_part_create(
@@ -83,12 +79,7 @@ pub unsafe extern "C" fn gusset_curve_part_create(
 
 /// The same curve run through from its end to its start.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param[out] reversed receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_reverse_create(
@@ -103,19 +94,15 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
 ///
 /// A raised segment stays the same curve. A lowered segment is fitted by least squares with fixed ends.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param lowest segments of a lower degree are raised to this, 1 to 64; 1 raises none.
 /// @param highest segments of a higher degree are lowered to this, lowest to 64; 64 lowers none.
-/// @param tolerance segments that would deviate by more are not lowered; at least 0, in the unit of the
-///     points; infinity is allowed.
-/// @param[out] deviations receives for each segment a bound on its deviation from the original. A
+/// @param tolerance segments that would deviate by more are not lowered; at least 0, in the unit of
+///     the points; infinity is allowed.
+/// @param deviations receives for each segment a bound on its deviation from the original. A
 ///     segment that was kept has the deviation that lowering would cost. NULL if it is not wanted.
-/// @param[out] changed receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree,
-///     tolerance), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(degree) for each new control point of a raised segment, O(degree^3) a lowered segment.
-/// @since 0.1
+/// @errors OUT_OF_RANGE (a degree, tolerance), TOO_LARGE
+/// @complexity O(degree) for each new control point of a raised segment, O(degree^3) a lowered
+///     segment.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_change_degree_create(
@@ -140,18 +127,12 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
 ///
 /// Places where it crosses itself are not removed.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param distance how far to the left of it, to the right if negative; in the unit of the points,
 ///     finite.
 /// @param options its tolerance must be given.
-/// @param[out] report what became of it; NULL if it is not wanted.
-/// @param[out] offset receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree),
-///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @param report what became of it; NULL if it is not wanted.
+/// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE
 /// @complexity O(degree) for each of the places measured.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_offset_create(

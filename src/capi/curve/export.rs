@@ -1,4 +1,4 @@
-//! C interface: export of curves to other formats.
+//! Curves in other forms: SVG paths, TrueType contours, B-splines.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, view};
@@ -65,18 +65,13 @@ versioned! { gusset_curve_form_view: 72 }
 
 /// Exports a curve to another format.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param format GUSSET_CURVE_FORMAT_...
-/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: how far from the middle a joint still counts as
-///     there, at least 0, in the unit of the points; rounding always does. Other formats do not read it.
-/// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (format),
-///     CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG),
-///     OUT_OF_RANGE (a degree that the format lacks: see gusset_curve_change_degree_create; tolerance),
-///     OUT_OF_MEMORY, CANCELLED.
+/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: how far from the middle a joint still counts
+///     as there, at least 0, in the unit of the points; rounding always does. Other formats do not
+///     read it.
+/// @errors UNKNOWN_VALUE (format), CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours),
+///     EMPTY_CURVE (not for SVG), OUT_OF_RANGE (a degree that the format lacks: see
+///     gusset_curve_change_degree_create; tolerance)
 /// @complexity O(points).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_export_create(
@@ -108,9 +103,6 @@ pub unsafe extern "C" fn gusset_curve_export_create(
 }
 
 /// Destroys a form; NULL is allowed.
-///
-/// @param[in,out] form the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form) {
     handle::destroy(form);
@@ -118,11 +110,7 @@ pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form)
 
 /// Lends the parts.
 ///
-/// @param form the form.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_form_get_view(

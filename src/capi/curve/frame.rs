@@ -1,4 +1,6 @@
-//! C interface: frames of outlines.
+//! Frames: Curves across and along a body, through a common grid of nodes.
+//!
+//! @source Nadopta, introduction; the correspondences are our own.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::outline::{Given, gusset_outline, gusset_outlines};
@@ -15,19 +17,19 @@ use glam::DVec3;
 use gusset_base::alloc;
 
 /// Which points of a section belong to which of the next.
-pub type gusset_correspondence = u32;
+pub type gusset_correspondence_rule = u32;
 /// The points of the sections by their places: all sections have equally many.
-pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence = 0;
+pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence_rule = 0;
 /// Equal parts of the arc length of each section, or of the lengths between corners that all sections
 /// have. Closed sections start where they are turned least against each other, wherever their first
 /// points are; one that runs the other way round than the first one is taken backwards. Open sections
 /// go from their first points to their last.
-pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence = 1;
+pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence_rule = 1;
 /// Where half-planes at equal angles round the axis, straight or bent, meet each section; the
 /// farthest place where there are several.
-pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence = 2;
+pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence_rule = 2;
 /// Landmarks of each section, and equal parts of the arc length between them.
-pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence = 3;
+pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence_rule = 3;
 
 /// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing
 /// of the points.
@@ -61,19 +63,22 @@ c_enum! { direction: OffsetDirection {
 pub struct gusset_frame_options {
     /// sizeof(gusset_frame_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_CORRESPONDENCE_...
-    pub correspondence: gusset_correspondence,
+    /// Which points of a section belong to which of the next.
+    pub correspondence: gusset_correspondence_rule,
     /// The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
     /// parts from each landmark to the next.
     pub columns: u32,
     /// 1: the last section is followed by the first one. 0 or 1.
+    /// @flag
     pub ring: u32,
     /// 1: closed sections start at their first points, or at the corner after the first section's; read
     /// with ARC_LENGTH. 0 or 1.
+    /// @flag
     pub given_starts: u32,
     /// 1: corners that only the points' polygon has are drawn smooth. 0: a point is a corner where that
     /// turns by 40 degrees and far more than usual, or by the `corner_angle` of the curves across if
     /// that is less than pi; there they turn sharply. 0 or 1.
+    /// @flag
     pub smooth_corners: u32,
     /// 0.
     pub reserved: u32,
@@ -184,20 +189,16 @@ impl gusset_frame_options {
 /// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve
 /// across through each row of it, and a curve along through each column.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sections at least 2, 3 of a ring.
-/// @param options NULL for the defaults.
-/// @param[out] frame receives the result, for gusset_frame_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (too few sections
-///     or columns; landmarks that are not as many for each section, or not in order; an axis
-///     without direction, or points of it that are not as many as sections; missing points of
-///     another correspondence than GIVEN), NO_SUCH_ELEMENT (a missing point), SECTIONS_DIFFER,
-///     NO_NODE (a section that a half-plane does not meet, or that is no curve; with the section
-///     and the column, a missing node with none before it, or none behind, in its column).
-/// @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <= 128
-///     of them, none are shared by sections with more.
+/// @errors as gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are
+///     not as many for each section, or not in order; an axis without direction, or points of it
+///     that are not as many as sections; missing points of another correspondence than GIVEN),
+///     NO_SUCH_ELEMENT (a missing point), SECTIONS_DIFFER, NO_NODE (a section that a half-plane
+///     does not meet, or that is no curve; with the section and the column, a missing node with
+///     none before it, or none behind, in its column)
+/// @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <=
+///     128 of them, none are shared by sections with more.
 /// @source Nadopta, introduction; the correspondences are ours.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_create(
@@ -240,19 +241,14 @@ pub unsafe extern "C" fn gusset_frame_create(
 /// spheres become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
 /// nothing tells a direction stay.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param frame may be destroyed afterwards.
 /// @param distances in the unit of the points, finite.
-/// @param distance_count 1: all nodes move by the same; the number of rows: each section by its own;
-///     rows x columns: each node by its own, row by row.
-/// @param direction GUSSET_OFFSET_...
-/// @param[out] offset receives the result, for gusset_frame_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), those of
-///     gusset_frame_create for the new nodes.
+/// @param distance_count 1: all nodes move by the same; the number of rows: each section by its
+///     own; rows x columns: each node by its own, row by row.
+/// @errors COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), as
+///     gusset_frame_create (for the new nodes)
 /// @complexity O(nodes), and that of the curves.
 /// @source Nadopta, introduction, for the aim; the directions are ours.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_offset_create(
@@ -281,9 +277,6 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
 }
 
 /// Destroys what gusset_frame_create or gusset_frame_offset_create made; NULL is allowed.
-///
-/// @param[in,out] frame the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
     handle::destroy(frame);
@@ -291,11 +284,7 @@ pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
 
 /// Lends the nodes and the curves, valid until the frame is destroyed.
 ///
-/// @param frame the frame.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_get_view(
@@ -327,16 +316,13 @@ pub unsafe extern "C" fn gusset_frame_get_view(
 /// Cuts the curves along by the plane through a point across a normal, and draws a curve through
 /// the crossings as the curves across were made: a new section.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param frame the frame.
 /// @param point x, y, z.
 /// @param normal x, y, z, of any length but 0.
-/// @param[out] section receives one outline, for gusset_outline_destroy; NULL on failure; point i
-///     of it is on the curve along column i, at its first crossing.
-/// @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (the normal),
-///     NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+/// @param section receives one outline, for gusset_outline_destroy; NULL on failure; point i of it
+///     is on the curve along column i, at its first crossing.
+/// @errors as gusset_outline_create, OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in
+///     the report is the column that the plane does not cross)
 /// @complexity O(segments).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_slice_create(

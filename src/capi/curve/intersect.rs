@@ -1,4 +1,4 @@
-//! C interface: points, intersections and minima found on curves.
+//! Intersections of curves: Intersections, tangency points and samples.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
@@ -109,16 +109,12 @@ impl gusset_places {
 ///
 /// A plane curve meets the line through `point` along (x, y) where it meets the plane across (-y, x, 0).
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param point x, y, z of a point of the plane.
 /// @param normal x, y, z across it, of any length but 0.
-/// @param[out] places receives the result, for gusset_places_destroy, as for all functions of this
+/// @param places receives the result, for gusset_places_destroy, as for all functions of this
 ///     group; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal),
-///     NOT_FINITE, OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (normal), NOT_FINITE
 /// @complexity O(points), and O(degree^2) a crossing.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
@@ -146,18 +142,15 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
 /// places where the distance of the curves is least, each once. Joints of neighbouring segments do not
 /// count where a curve meets itself.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param other the other curve; NULL for the curve itself.
-/// @param within a length, 0 or more and finite, 0 if other is NULL; in space at least 1e-12 of the curves'
-///     size is taken.
-/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
-///     in common, parts that stay as near, and parts where no place can be told from the next.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
-///     CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0), OUT_OF_MEMORY,
-///     CANCELLED.
+/// @param within a length, 0 or more and finite, 0 if other is NULL; in space at least 1e-12 of the
+///     curves' size is taken.
+/// @param places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are
+///     parts in common, parts that stay as near, and parts where no place can be told from the
+///     next.
+/// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within
+///     is not 0)
 /// @complexity Bounded work for each pair of segments whose boxes meet or are as near as within.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_create(
@@ -182,17 +175,14 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
 /// those of both segments, but not those between. Angles within 1e-7 of 0, pi / 2 and pi are taken
 /// for these; tangents count as along the direction, or against it, to 1e-9.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve, of any dimension and degree.
 /// @param direction x, y, z, of any length but 0, packed.
 /// @param angle 0 to pi.
-/// @param[out] places receives the places; overlaps are parts all of whose tangents make the angle,
-///     as those of straight segments: where each begins and ends, twice. NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (direction,
-///     angle), NOT_FINITE (direction), OUT_OF_MEMORY, CANCELLED.
+/// @param places receives the places; overlaps are parts all of whose tangents make the angle, as
+///     those of straight segments: where each begins and ends, twice. NULL on failure.
+/// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
 /// @complexity O(points), and O(degree^2) for each place.
 /// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
@@ -214,15 +204,9 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
 
 /// Points along a curve, in its order; of a closed curve the start is not repeated at the end.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param rule GUSSET_SAMPLE_...
 /// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
-/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
-///     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE
 /// @complexity O(points, and samples).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_sample_create(
@@ -248,9 +232,6 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
 }
 
 /// Destroys what was found; NULL is allowed.
-///
-/// @param[in,out] places the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
     handle::destroy(places);
@@ -258,11 +239,7 @@ pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
 
 /// Lends what was found.
 ///
-/// @param places the places.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_places_get_view(

@@ -1,4 +1,4 @@
-//! C interface: queries of curves whose answers have a size that the caller knows.
+//! Measures of curves: Derivatives, lengths, nearest points, bounds and moments.
 
 use crate::capi::context::{answer_struct, guard, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
@@ -26,6 +26,7 @@ pub struct gusset_curve_nearest_point {
 }
 
 /// The measures of a curve, as flags.
+/// @bits
 pub type gusset_curve_measure_flags = u32;
 /// The arc length: `length`.
 pub const GUSSET_CURVE_MEASURE_LENGTH: gusset_curve_measure_flags = 1;
@@ -45,7 +46,7 @@ pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
 pub struct gusset_curve_measures {
     /// sizeof(gusset_curve_measures), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_CURVE_MEASURE_... of the measures that this struct has; the fields of all others are 0.
+    /// Of the measures that this struct has; the fields of all others are 0.
     pub defined: gusset_curve_measure_flags,
     /// 0.
     pub reserved: u32,
@@ -94,22 +95,18 @@ fn room<'a, T>(
 /// Computes points, derivatives, tangents and curvatures at many places: only those that the caller
 /// gives room for.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param places count of them, at any alignment.
 /// @param count the number of places, at least 0.
-/// @param order the highest derivative, 0 for the points alone, at most 64; read if derivatives is given.
-/// @param[out] derivatives receives 3 (order + 1) count numbers: for each place x, y, z of the point,
+/// @param order the highest derivative, 0 for the points alone, at most 64; read if derivatives is
+///     given.
+/// @param derivatives receives 3 (order + 1) count numbers: for each place x, y, z of the point,
 ///     then of the first derivative by t, and so on; 0 beyond the degree. NULL: not wanted.
-/// @param[out] tangents receives 3 count numbers: x, y, z of each direction, of length 1; 0 on a segment
+/// @param tangents receives 3 count numbers: x, y, z of each direction, of length 1; 0 on a segment
 ///     without extent. NULL: not wanted.
-/// @param[out] curvatures receives count numbers, 1 over the radius: on a plane segment positive where it
-///     turns from x to y; infinite where the first derivative is 0. NULL: not wanted.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
-///     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. Nothing is
-///     written then.
+/// @param curvatures receives count numbers, 1 over the radius: on a plane segment positive where
+///     it turns from x to y; infinite where the first derivative is 0. NULL: not wanted.
+/// @errors NO_SUCH_ELEMENT (a place), OUT_OF_RANGE (order, CANCELLED. Nothing is written then)
 /// @complexity O(degree^2) a place, for each of the outputs.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_evaluate(
@@ -145,16 +142,12 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
 
 /// The nearest points of a curve to many points.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param points x, y, z of each, packed, count of them; any finite numbers. A distance above the
 ///     largest number is infinite.
 /// @param count see points.
-/// @param[out] out receives count results.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE,
-///     TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @param out receives count results.
+/// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
 /// @complexity About O(log segments + degree^2) a point, on the context's threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_nearest(
@@ -176,14 +169,11 @@ pub unsafe extern "C" fn gusset_curve_nearest(
 
 /// The arc lengths from the start to many places.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param places count of them, at any alignment.
 /// @param count see places.
-/// @param[out] out receives count numbers.
-/// @return GUSSET_OK, or an error: those of gusset_curve_evaluate, except OUT_OF_RANGE.
+/// @param out receives count numbers.
+/// @errors as gusset_curve_evaluate (except OUT_OF_RANGE)
 /// @complexity O(points) in all.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_lengths_at(
@@ -207,15 +197,11 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
 
 /// The places at many arc lengths from the start; beyond the ends, the ends.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param lengths count numbers.
 /// @param count see lengths.
-/// @param[out] out receives count places.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
-///     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @param out receives count places.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_places_at(
@@ -240,16 +226,11 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 ///
 /// A measure that the curve lacks is not an error: `defined` of the measures lacks its flag.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
-/// @param flags the sum of GUSSET_CURVE_MEASURE_...; 0 for all that the curve has.
-/// @param[out] measures receives the measures; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (flags), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(points) for length and bounds, O(sum of degree^2) for all others. The length is right
-///     to 1e-13, and exact except for rounding up to degree 2; the centre is that of 16 chords a
-///     segment; all others are exact except for rounding.
-/// @since 0.1
+/// @param flags 0 for all that the curve has.
+/// @errors UNKNOWN_VALUE (flags)
+/// @complexity O(points) for length and bounds, O(sum of degree^2) for all others. The length is
+///     right to 1e-13, and exact except for rounding up to degree 2; the centre is that of 16
+///     chords a segment; all others are exact except for rounding.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_measure(

@@ -1,4 +1,6 @@
-//! C interface: curves, and places on them.
+//! Curves: Curves of Bezier segments, and places on them.
+//!
+//! @source Textbook properties of Bezier curves: Bernstein bases, de Casteljau, hodographs.
 
 pub mod construct;
 pub mod export;
@@ -114,7 +116,6 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 ///
 /// Degrees are 1 to 64; coordinates any finite numbers.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param controls x, y of each control point, or x, y, z, packed.
 /// @param control_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
 /// @param dimension 2 or 3.
@@ -122,12 +123,8 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 ///     control_count - 1.
 /// @param end_count the number of segments and 1.
 /// @param closed 1 if the last control point is the first one again, else 0.
-/// @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: MISALIGNED_ARGUMENT, NULL_ARGUMENT, BAD_OFFSETS, OUT_OF_RANGE
-///     (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(points).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_create(
@@ -152,9 +149,6 @@ pub unsafe extern "C" fn gusset_curve_create(
 }
 
 /// Destroys a curve; NULL is allowed.
-///
-/// @param[in,out] curve the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
     handle::destroy(curve);
@@ -162,11 +156,7 @@ pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
 
 /// Lends the control points, valid until the curve is destroyed.
 ///
-/// @param curve the curve.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_get_view(

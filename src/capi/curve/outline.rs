@@ -1,4 +1,6 @@
-//! C interface: identification of outlines: input, and the resulting curves.
+//! Outlines: Passes curves through given points: the inverse problem of Bezier curves.
+//!
+//! @source Nadopta.
 
 use crate::capi::context::{create, guard, gusset_context, lend};
 use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
@@ -33,7 +35,7 @@ pub const GUSSET_CONSTRAINT_TANGENT_ANGLE: gusset_constraint_kind = 2;
 pub struct gusset_constraint {
     /// The point, counted over all outlines.
     pub point: u32,
-    /// GUSSET_CONSTRAINT_...
+    /// The demand of a constraint.
     pub kind: gusset_constraint_kind,
     /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
     /// GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
@@ -120,7 +122,7 @@ pub struct gusset_outline_view {
 pub struct gusset_outline_report {
     /// sizeof(gusset_outline_report), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_FIT_...
+    /// The outcome of an outline.
     pub fit: gusset_fit_status,
     /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
     /// max_sweeps of the options: runs with 1, 2, 3, ... of them show how an iteration goes.
@@ -207,21 +209,16 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
 /// A point that cannot be treated as asked is no failure: its status says so, and the curve passes
 /// it all the same if that is possible at all.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param outlines any number of them.
 /// @param options NULL for the defaults: smooth quadratic segments by the bisector, one control
 ///     point for each point.
-/// @param[out] outline receives the result, for gusset_outline_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE, BAD_OFFSETS,
-///     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a
-///     constraint whose point does not exist or is not behind the one before; the report has the
-///     constraint), OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
+///     NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint whose point does not
+///     exist or is not behind the one before; the report has the constraint)
 /// @complexity Composite, blended and cubic curves take linear time; linear memory, none for each
 ///     outline but for its result, and about 1,500 bytes a point of the largest outline with
 ///     GUSSET_JOINT_PARAMETER_G2.
 /// @source Nadopta; the composite and blended readings are ours.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_create(
@@ -238,9 +235,6 @@ pub unsafe extern "C" fn gusset_outline_create(
 }
 
 /// Destroys what gusset_outline_create made; NULL is allowed.
-///
-/// @param[in,out] outline the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
     handle::destroy(outline);
@@ -248,11 +242,7 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
 
 /// Lends the curves, valid until the outline is destroyed.
 ///
-/// @param outline the outline.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_view(
@@ -275,13 +265,9 @@ pub unsafe extern "C" fn gusset_outline_get_view(
 
 /// The account of outline `index`.
 ///
-/// @param outline the outline.
 /// @param index its number, from 0.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NO_SUCH_ELEMENT.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_report(
@@ -309,14 +295,9 @@ pub unsafe extern "C" fn gusset_outline_get_report(
 
 /// Copies the curve of outline `index`. gusset_curve_measure of the copy has girth, area and centre.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param outline the outline.
 /// @param index its number, from 0.
-/// @param[out] curve receives it, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_curve_create(
@@ -337,22 +318,19 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
 /// point of an open outline is that of the neighbour's section there. Where it cannot be had, or
 /// the normal, the method (the bisector) takes its place, and the status says so.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param outlines the outlines.
 /// @param options NULL for the defaults; method, alpha and solver are read, and by
 ///     GUSSET_SOLVER_STEP tolerance and max_steps; all must be valid.
-/// @param[out] controls receives x, y, z of each point's control point; the ends of open outlines,
-///     which have no section, have themselves. NULL: not wanted. Unspecified on failure.
-/// @param[out] parameters receives the parameter of each point on its section; 0 and 1 at the ends of
+/// @param controls receives x, y, z of each point's control point; the ends of open outlines, which
+///     have no section, have themselves. NULL: not wanted. Unspecified on failure.
+/// @param parameters receives the parameter of each point on its section; 0 and 1 at the ends of
 ///     open outlines. NULL: not wanted. Unspecified on failure.
-/// @param[out] statuses receives GUSSET_POINT_... of each point. NULL: not wanted. Unspecified on
-///     failure.
-/// @param[out] steps receives the steps of GUSSET_SOLVER_STEP, of all sections. NULL: not wanted.
-/// @return GUSSET_OK, or an error: those of gusset_outline_create.
+/// @param statuses receives GUSSET_POINT_... of each point. NULL: not wanted. Unspecified on failure.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP, of all sections. NULL: not wanted.
+/// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
 ///     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outlines_find_sections(

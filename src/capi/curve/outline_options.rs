@@ -1,4 +1,4 @@
-//! Options of the identification of outlines in C, and its reports.
+//! Options of outlines: How curves are chosen, and what became of each point.
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::choice;
@@ -161,20 +161,21 @@ pub const GUSSET_FIT_DEGREE_TOO_HIGH: gusset_fit_status = 6;
 pub struct gusset_outline_options {
     /// sizeof(gusset_outline_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_CURVE_KIND_...
+    /// The kind of the curve of an outline.
     pub curve: gusset_curve_kind,
-    /// GUSSET_METHOD_...
+    /// The guide of the control point of a section.
     pub method: gusset_section_method,
-    /// GUSSET_LOCK_..., for composite and single curves; a chain has its own.
+    /// For composite and single curves; a chain has its own.
     pub lock: gusset_parameter_lock,
-    /// GUSSET_JOINT_PARAMETER_..., for composite curves and chains.
+    /// For composite curves and chains.
     pub joint: gusset_joint_parameter,
-    /// GUSSET_SOLVER_...
+    /// The method that solves for a curve.
     pub solver: gusset_outline_solver,
-    /// GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent
-    /// demanded there comes first.
+    /// For open outlines, and parts of them that end at corners; a tangent demanded there
+    /// comes first.
     pub ends: gusset_outline_ends,
     /// Read for GUSSET_METHOD_ALPHA; 0 to 1.
+    /// @when method GUSSET_METHOD_ALPHA
     pub alpha: f64,
     /// Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for
     /// 1/6.

@@ -1,4 +1,7 @@
-//! C interface: alignment of pieces that overlap.
+//! Alignment: Finds the rigid poses at which overlapping pieces fit.
+//!
+//! @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy
+//!     (1994); P. Neugebauer (1997); S. Rusinkiewicz (2019).
 
 use crate::align::{Aligned, Alignment, Options, Overlap, Pose, Reason, Start, align};
 use crate::capi::context::{create, gusset_context, lend};
@@ -6,8 +9,8 @@ use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice};
 use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
-use crate::capi::net::scene::gusset_transform;
 use crate::capi::status::{Failure, gusset_status};
+use crate::capi::transform::gusset_transform;
 use crate::error::Error;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
@@ -51,7 +54,7 @@ pub const GUSSET_ALIGNED_TRUSTED_BY_NONE: gusset_aligned_reason = 6;
 pub struct gusset_alignment_options {
     /// sizeof(gusset_alignment_options), set by the caller.
     pub struct_size: usize,
-    /// Where the pieces begin: GUSSET_ALIGN_...
+    /// Where the pieces begin.
     pub start: gusset_alignment_start,
     /// So many points of each piece are looked for on the others; 0: 2,000.
     pub samples: u32,
@@ -79,7 +82,7 @@ pub struct gusset_aligned_piece {
     /// the distances of pairs least changes them, as a root of a mean square; turns count in radii
     /// of the piece. Of the first piece 1.
     pub hold: f64,
-    /// GUSSET_ALIGNED_...
+    /// Whether the pose of a piece can be trusted, and if not why.
     pub reason: gusset_aligned_reason,
     /// 0.
     pub reserved: u32,
@@ -202,22 +205,17 @@ impl gusset_alignment {
 /// overlaps hold it in all six directions by more than the noise of normals, and pieces lead from
 /// it to the first one by pairs that fit.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's
 ///     struct_size says, at least one.
 /// @param piece_count see pieces.
-/// @param options NULL for the defaults.
-/// @param[out] alignment receives the result, for gusset_alignment_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
-///     EMPTY_MESH without pieces, UNKNOWN_VALUE, OUT_OF_RANGE (max_distance; or a pose that is no
-///     rotation and translation, whose number is the report's index), COUNT_DIFFERS (fewer poses
-///     than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces),
+///     OUT_OF_RANGE (max_distance; or a pose that is no rotation and translation, whose number is
+///     the report's index), COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
 /// @complexity O(V log V) for V vertices of a piece, and O(samples log V) for each piece and each
 ///     one near it in each round, of which 10 to 30 are common; with GUSSET_ALIGN_RIMS 512^2 for
 ///     each two pieces. Linear extra memory.
 /// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
 ///     P. Neugebauer (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_alignment_create(
@@ -246,9 +244,6 @@ pub unsafe extern "C" fn gusset_alignment_create(
 }
 
 /// Destroys an alignment; NULL is allowed.
-///
-/// @param[in,out] alignment the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_alignment_destroy(alignment: *mut gusset_alignment) {
     handle::destroy(alignment);
@@ -256,11 +251,7 @@ pub unsafe extern "C" fn gusset_alignment_destroy(alignment: *mut gusset_alignme
 
 /// Lends the poses and what is known of them.
 ///
-/// @param alignment the alignment.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_alignment_get_view(

@@ -1,4 +1,8 @@
-//! C interface: values of elements, carried over to results.
+//! Attributes: Carries colours, normals, texture coordinates, skin weights, materials and numbers
+//! to results.
+//!
+//! @source Means of directions after S. Buss and J. Fillmore (2001); charts across gaps are our
+//!     own.
 
 use crate::attributes::{Channel, Origins, Output, Rule, ValueType, apply};
 use crate::capi::context::{guard, gusset_context};
@@ -30,18 +34,18 @@ pub const GUSSET_VALUE_U32: gusset_value_type = 5;
 
 /// How the values of several sources become one. An element with one source has its value, bit for
 /// bit.
-pub type gusset_channel_rule = u32;
+pub type gusset_rule = u32;
 /// The weighted mean, as of colours; of integers rounded.
-pub const GUSSET_RULE_LINEAR: gusset_channel_rule = 0;
+pub const GUSSET_RULE_LINEAR: gusset_rule = 0;
 /// Directions of three components, floats: the weighted mean on the sphere, of length 1. Those of
 /// faces that the operation turned over are turned, too.
-pub const GUSSET_RULE_NORMAL: gusset_channel_rule = 1;
+pub const GUSSET_RULE_NORMAL: gusset_rule = 1;
 /// Weights of bones, at least 0: the weighted mean, of which the max_influences largest are kept,
 /// the first of equal ones, and made to have the sum 1, or of integers the largest number of the
 /// type.
-pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_channel_rule = 2;
+pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_rule = 2;
 /// The value of the source that counts most, the first of equal ones, as of materials and numbers.
-pub const GUSSET_RULE_NEAREST: gusset_channel_rule = 3;
+pub const GUSSET_RULE_NEAREST: gusset_rule = 3;
 /// Texture coordinates. At the corners of new faces they are the weighted mean where both sides are
 /// on one chart: on each rim as long as the old faces have the same values at its vertices, and
 /// across a gap where for most of the new faces the values beyond are nearer to where their own
@@ -50,7 +54,7 @@ pub const GUSSET_RULE_NEAREST: gusset_channel_rule = 3;
 /// seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the
 /// cut, or, where that is no repeat of the texture, as where the base's chart goes on: no face runs
 /// back over the chart. Of vertices and faces it is the weighted mean.
-pub const GUSSET_RULE_TEXTURE: gusset_channel_rule = 4;
+pub const GUSSET_RULE_TEXTURE: gusset_rule = 4;
 
 c_enum! {
     value_type: ValueType {
@@ -75,14 +79,15 @@ c_enum! {
 pub struct gusset_channel {
     /// sizeof(gusset_channel), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_DOMAIN_...: the elements that have values.
+    /// The elements that have values.
     pub domain: gusset_domain,
-    /// GUSSET_VALUE_...; zero is no valid value.
+    /// Zero is no valid value.
     pub value_type: gusset_value_type,
     /// How many values an element has, 1 to 4096.
     pub components: u32,
-    /// GUSSET_RULE_...
-    pub rule: gusset_channel_rule,
+    /// How the values of several sources become one. An element with one source has its
+    /// value, bit for bit.
+    pub rule: gusset_rule,
     /// With GUSSET_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
     pub max_influences: u32,
     /// 0.
@@ -111,25 +116,20 @@ fixed! { gusset_channel_values: 24 }
 /// Elements of one source have its bits; the rule says what becomes of several. An element without
 /// sources, or whose sources all lack the channel, has 0.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param origins the origins of the result's elements.
 /// @param channel what the values are.
 /// @param inputs the values of each input of the origins, in their order; at any alignment.
 /// @param input_count their number.
-/// @param[out] values receives the components of each element at the start of every stride, at any
+/// @param values receives the components of each element at the start of every stride, at any
 ///     alignment; the bytes between are left alone. From its first byte to its last it must not
 ///     overlap the inputs' values.
 /// @param count the number of elements that it has room for, at least those of the result.
 /// @param stride bytes from one element to the next; 0 for packed ones.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (components, or value_type and components that the rule does
-///     not take; a negative skin weight, with the element and the input), NOT_FINITE with the
-///     element and the input, but for GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of
-///     inputs than there are, or of values, with the input), BAD_STRIDE, SIZE_OVERFLOW,
-///     BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE, linear in the corners of
-///     new faces; on the context's threads.
-/// @since 0.1
+/// @errors OUT_OF_RANGE (components, or value_type and components that the rule does not take; a
+///     negative skin weight, with the element and the input), NOT_FINITE (with the element and the
+///     input, but for GUSSET_RULE_NEAREST), COUNT_DIFFERS (another number of inputs than there are,
+///     or of values, with the input), BAD_STRIDE, BUFFER_TOO_SMALL, OVERLAP
+/// @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE, linear in the
+///     corners of new faces; on the context's threads.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_attributes_apply(
@@ -208,14 +208,10 @@ pub(crate) fn carry_over(
 /// gusset_mesh_view takes it. Without keys, a vertex whose position is not finite is one with itself
 /// alone.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
 /// @param keys one for each vertex, at any alignment; NULL: positions.
-/// @param[out] merge room for as many numbers as the mesh has vertices; at any alignment.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @param merge room for as many numbers as the mesh has vertices; at any alignment.
+/// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_mesh_find_merge(

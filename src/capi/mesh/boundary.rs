@@ -1,4 +1,7 @@
-//! C interface: boundary loops.
+//! Boundary loops: Finds the free boundary loops of a mesh, in a stated direction, and reports
+//! everything unusual in them.
+//!
+//! @source Nesterenko, algorithm 1, as corrected.
 
 use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
 use crate::capi::context::{create, gusset_context, lend};
@@ -33,18 +36,21 @@ pub const GUSSET_SURVEY_WHOLE_MESH: gusset_survey = 0;
 /// GUSSET_SURVEY_WHOLE_MESH.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: gusset_survey = 1;
 
+/// Bits that describe a loop.
+/// @bits
+pub type gusset_loop_flags = u32;
 /// The chain does not close: it has one vertex more than it has edges.
-pub const GUSSET_LOOP_OPEN: u32 = 1;
+pub const GUSSET_LOOP_OPEN: gusset_loop_flags = 1;
 /// The loop passes a vertex where the surface touches itself.
-pub const GUSSET_LOOP_BOW_TIE: u32 = 2;
+pub const GUSSET_LOOP_BOW_TIE: gusset_loop_flags = 2;
 /// It was cut from a longer walk at a vertex that the walk passed twice.
-pub const GUSSET_LOOP_SPLIT: u32 = 4;
+pub const GUSSET_LOOP_SPLIT: gusset_loop_flags = 4;
 /// It runs along, or ends at, an edge with three or more faces.
-pub const GUSSET_LOOP_NON_MANIFOLD: u32 = 8;
+pub const GUSSET_LOOP_NON_MANIFOLD: gusset_loop_flags = 8;
 /// The faces along it disagree in orientation.
-pub const GUSSET_LOOP_NOT_ORIENTED: u32 = 16;
+pub const GUSSET_LOOP_NOT_ORIENTED: gusset_loop_flags = 16;
 /// It has an edge of length 0.
-pub const GUSSET_LOOP_ZERO_LENGTH: u32 = 32;
+pub const GUSSET_LOOP_ZERO_LENGTH: gusset_loop_flags = 32;
 
 /// The loop runs this edge against its face.
 pub const GUSSET_EDGE_REVERSED: u8 = 1;
@@ -92,9 +98,9 @@ handle! { gusset_boundary }
 pub struct gusset_boundary_options {
     /// sizeof(gusset_boundary_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_NON_MANIFOLD_...
+    /// The treatment of edges with three or more faces.
     pub non_manifold: gusset_non_manifold,
-    /// GUSSET_SURVEY_...
+    /// The part of the mesh that is checked.
     pub survey: gusset_survey,
 }
 
@@ -115,8 +121,8 @@ pub struct gusset_loop_view {
     pub edge_flags: *const u8,
     /// The sum of the edges' lengths, in the unit of the positions.
     pub length: f64,
-    /// GUSSET_LOOP_... bits; 0 for an ordinary closed loop.
-    pub flags: u32,
+    /// Bits; 0 for an ordinary closed loop.
+    pub flags: gusset_loop_flags,
     /// The number of the walk that the loop was cut from.
     pub walk: u32,
 }
@@ -125,7 +131,7 @@ pub struct gusset_loop_view {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_defect {
-    /// GUSSET_DEFECT_...
+    /// The kind of a defect.
     pub kind: gusset_defect_kind,
     /// The face, half-edge or vertex.
     pub index: u32,
@@ -190,17 +196,11 @@ impl From<&Defect> for gusset_defect {
 /// border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places
 /// are no errors: see the flags of each loop, and the defects.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param options NULL for the defaults.
-/// @param[out] boundary receives the result, for gusset_boundary_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors as gusset_mesh_view
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex, or O(H + B log B) for
 ///     GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
 /// @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round
 ///     each vertex.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_create(
@@ -220,9 +220,6 @@ pub unsafe extern "C" fn gusset_boundary_create(
 }
 
 /// Destroys a boundary; NULL is allowed.
-///
-/// @param[in,out] boundary the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary) {
     handle::destroy(boundary);
@@ -230,11 +227,7 @@ pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary)
 
 /// Lends the number of loops and all defects, valid until the boundary is destroyed.
 ///
-/// @param boundary the boundary.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_view(
@@ -252,13 +245,9 @@ pub unsafe extern "C" fn gusset_boundary_get_view(
 
 /// Lends loop number `index`, below loop_count of gusset_boundary_view.
 ///
-/// @param boundary the boundary.
 /// @param index its number, from 0.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NO_SUCH_ELEMENT.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_loop(

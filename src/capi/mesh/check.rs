@@ -1,4 +1,6 @@
-//! C interface: checks of meshes.
+//! Checks: Reports everything wrong or unusual in a mesh.
+//!
+//! @source Textbook topology of polygon meshes.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -7,14 +9,17 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::check::{Check, check};
 
+/// Bits that describe a mesh.
+/// @bits
+pub type gusset_mesh_flags = u32;
 /// There are edges, and every one has exactly two faces; degenerate faces have none.
-pub const GUSSET_MESH_CLOSED: u32 = 1;
+pub const GUSSET_MESH_CLOSED: gusset_mesh_flags = 1;
 /// No non-manifold edge and no non-manifold vertex.
-pub const GUSSET_MESH_MANIFOLD: u32 = 2;
+pub const GUSSET_MESH_MANIFOLD: gusset_mesh_flags = 2;
 /// No edge whose two faces run it in the same direction.
-pub const GUSSET_MESH_ORIENTED: u32 = 4;
+pub const GUSSET_MESH_ORIENTED: gusset_mesh_flags = 4;
 /// Faces can be turned over so that it becomes oriented.
-pub const GUSSET_MESH_ORIENTABLE: u32 = 8;
+pub const GUSSET_MESH_ORIENTABLE: gusset_mesh_flags = 8;
 
 /// What a check found. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_check(Check);
@@ -39,8 +44,8 @@ pub struct gusset_check_view {
     pub component_count: u32,
     /// Walks round the boundary, fan by fan.
     pub boundary_walk_count: u32,
-    /// GUSSET_MESH_... bits.
-    pub properties: u32,
+    /// Bits.
+    pub properties: gusset_mesh_flags,
     /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
     pub euler: i64,
     /// The number of handles of all components together; -1 if the mesh is not manifold or not
@@ -74,12 +79,8 @@ versioned! { gusset_check_view: 192 }
 ///
 /// What it finds is no error.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param[out] check receives the result, for gusset_check_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_create(
@@ -95,9 +96,6 @@ pub unsafe extern "C" fn gusset_check_create(
 }
 
 /// Destroys a check; NULL is allowed.
-///
-/// @param[in,out] check the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
     handle::destroy(check);
@@ -105,11 +103,7 @@ pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
 
 /// Lends what the check found.
 ///
-/// @param check the check.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_get_view(

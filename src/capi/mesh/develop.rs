@@ -1,4 +1,7 @@
-//! C interface: developments.
+//! Developments: Cuts surfaces open and lays them out in the plane with little distortion.
+//!
+//! @source W. Tutte (1963); B. Levy and others (2002); J. Erickson and K. Whittlesey (2005); M.
+//!     Ben-Chen and others (2008); M. Rabinovich and others (2017).
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
@@ -24,7 +27,7 @@ pub const GUSSET_DISTORTION_CONFORMAL: gusset_distortion = 2;
 pub struct gusset_develop_options {
     /// sizeof(gusset_develop_options), set by the caller.
     pub struct_size: usize,
-    /// Which distortion is least: GUSSET_DISTORTION_...
+    /// Which distortion is least.
     pub distortion: gusset_distortion,
     /// Darts at the most: cuts from the border of a chart to where its curvature is.
     pub max_darts: u32,
@@ -86,21 +89,15 @@ impl gusset_develop_options {
 /// Nets and sheets are developed by their meshes; see gusset_net_to_mesh and
 /// gusset_sheet_to_mesh.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the surface.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE
-///     (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (a vertex of a cut; the
-///     report's input is the cut, the index the place in it), CUT_NOT_CONNECTED (the same),
-///     REPEATED_CORNER (a face), OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets),
+///     INDEX_OUT_OF_RANGE (a vertex of a cut; the report's input is the cut, the index the place in
+///     it), CUT_NOT_CONNECTED (the same), REPEATED_CORNER (a face)
 /// @complexity O(H log H) for H half-edges if charts unfold; else, for each step of the descent and
 ///     each dart, O(n^1.5) for n vertices of the chart. Memory O(n log n).
 /// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B.
 ///     Levy et al., Least squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal
 ///     homotopy and homology generators (2005), for the cuts that open; M. Ben-Chen et al.,
 ///     Conformal flattening by curvature prescription and metric scaling (2008), for darts.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_develop(
@@ -122,12 +119,8 @@ pub unsafe extern "C" fn gusset_develop(
 
 /// Lends the places in the plane, the places they come from, and the report on each chart, for results of gusset_develop.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_develop(

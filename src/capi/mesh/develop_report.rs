@@ -1,4 +1,4 @@
-//! C interface: the report of developments.
+//! Developments: reports: Charts, cuts and distortion of a development.
 
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::lent;
@@ -45,7 +45,7 @@ pub struct gusset_chart {
     pub vertex_count: u32,
     /// The number of its faces; see face_charts.
     pub face_count: u32,
-    /// How it came about: GUSSET_CHART_...
+    /// How it came about.
     pub finish: gusset_chart_finish,
     /// Steps of all its descents.
     pub iterations: u32,

@@ -1,5 +1,6 @@
-//! The steps of stitching that can be called by themselves: facing arcs, and the rule for
-//! meridians.
+//! Facing arcs: Finds which vertices of two loops face each other.
+//!
+//! @source Nesterenko, algorithm 2.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -31,14 +32,15 @@ handle! { gusset_facing }
 pub struct gusset_facing_options {
     /// sizeof(gusset_facing_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_RUN_...
+    /// Which of several runs of facing vertices is joined.
     pub run: gusset_facing_run,
-    /// GUSSET_TOLERANCE_...
+    /// The source of a tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
     /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read
     /// for GUSSET_TOLERANCE_GIVEN.
+    /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// GUSSET_CENTRES_...
+    /// The definition of the centre of a loop.
     pub centres: gusset_centres,
     /// 0.
     pub reserved: u32,
@@ -88,20 +90,15 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 
 /// Finds which vertices of two loops face each other.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of
 ///     them, at least 1 each.
 /// @param count_a see points_a.
 /// @param points_b see points_a.
 /// @param count_b see points_a.
-/// @param options NULL for the defaults.
-/// @param[out] facing receives the result, for gusset_facing_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is beyond the tolerance,
-///     as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED.
+/// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a
+///     loop is beyond the tolerance, as with coaxial rims, or the centres coincide)
 /// @complexity O((N + M) log M); linear extra memory.
 /// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_create(
@@ -125,9 +122,6 @@ pub unsafe extern "C" fn gusset_facing_create(
 }
 
 /// Destroys what gusset_facing_create made; NULL is allowed.
-///
-/// @param[in,out] facing the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
     handle::destroy(facing);
@@ -136,10 +130,7 @@ pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
 /// Lends what was found.
 ///
 /// @param facing what was found.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_get_view(
@@ -162,14 +153,12 @@ pub unsafe extern "C" fn gusset_facing_get_view(
 /// @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
 ///     N vertices has N - 1, a closed one N.
 /// @param m see n.
-/// @param[out] j receives n + 1 numbers; NULL with capacity 0 asks for how many.
+/// @param j receives n + 1 numbers; NULL with capacity 0 asks for how many.
 /// @param capacity of j.
-/// @param[out] written receives their number; may not be NULL.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
-///     BUFFER_TOO_SMALL (nothing but the number is written).
+/// @param written receives their number; may not be NULL.
+/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the number is written)
 /// @complexity O(n).
 /// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_meridians_index(

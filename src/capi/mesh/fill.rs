@@ -1,4 +1,6 @@
-//! C interface: hole filling.
+//! Holes: Closes holes by new triangles.
+//!
+//! @source G. Barequet and M. Sharir (1995); P. Liepa (2003).
 
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
@@ -44,11 +46,11 @@ pub const GUSSET_TOGETHER_ONE: gusset_fill_together = 1;
 pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 
 /// The new vertices of patches.
-pub type gusset_refinement = u32;
+pub type gusset_fill_refinement = u32;
 /// No new vertices.
-pub const GUSSET_REFINE_NONE: gusset_refinement = 0;
+pub const GUSSET_REFINE_NONE: gusset_fill_refinement = 0;
 /// New vertices as dense as those round the hole.
-pub const GUSSET_REFINE_RIM_DENSITY: gusset_refinement = 1;
+pub const GUSSET_REFINE_RIM_DENSITY: gusset_fill_refinement = 1;
 
 /// How smoothly faired patches continue the old surface.
 pub type gusset_fill_continuity = u32;
@@ -65,21 +67,22 @@ pub const GUSSET_CONTINUITY_C2: gusset_fill_continuity = 1;
 pub struct gusset_fill_options {
     /// sizeof(gusset_fill_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_WEIGHT_...
+    /// The weight that the triangulation of a rim minimises.
     pub weight: gusset_fill_weight,
-    /// GUSSET_REFINE_...
-    pub refine: gusset_refinement,
-    /// GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
+    /// The new vertices of patches.
+    pub refine: gusset_fill_refinement,
+    /// Read if new vertices are asked for; otherwise the log says that it is not.
     pub fairing: gusset_fairing,
-    /// GUSSET_KEEP_...: which loops are no holes; read if all loops are asked for.
+    /// Which loops are no holes; read if all loops are asked for.
     pub keep: gusset_fill_keep,
-    /// GUSSET_INTERSECTIONS_...: whether faces of patches that cut each other or old faces are looked
-    /// for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
+    /// Whether faces of patches that cut each other or old faces are looked for, and
+    /// avoided by less fairing, other weights and no new vertices (AUTO), only reported
     /// (REPORT), or neither (IGNORE).
     pub intersections: gusset_intersections,
     /// 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
     /// which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
     /// which of them together says get one patch. 0 or 1.
+    /// @flag
     pub plan_only: u32,
     /// About how many new vertices a patch gets, at most about twice as many; where more would be
     /// needed the triangles are larger. 0: 50,000, or four for each vertex of its rims if that is
@@ -93,18 +96,19 @@ pub struct gusset_fill_options {
     pub max_diameter: f64,
     /// Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
     pub max_area: f64,
-    /// GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
+    /// What becomes of closed components of the result, patches and all.
     pub outward: gusset_outward,
-    /// GUSSET_TOGETHER_...: which loops get one patch; read without groups.
+    /// Which loops get one patch; read without groups.
     pub together: gusset_fill_together,
     /// A number for each of the loops given, loop_count in all: those with the same number get one
     /// patch, a surface of genus 0 between them, but for loops that are left for reasons of their
     /// own. NULL: as together says. Needs loops.
     pub groups: *const u32,
-    /// GUSSET_CONTINUITY_...: how smoothly faired vertices go on the surface round the hole.
+    /// How smoothly faired vertices go on the surface round the hole.
     pub continuity: gusset_fill_continuity,
     /// 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
     /// 1.
+    /// @flag
     pub ignore_creases: u32,
 }
 
@@ -203,26 +207,20 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// view has the pairs that are left. No faired vertex leaves the box round its rims, larger on all
 /// sides by half its diagonal.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
 /// @param loops the vertices of each loop in order, in either direction, each consecutive pair (and
 ///     the last with the first) an edge with exactly one face; loop_count of them. NULL with 0: all
 ///     loops that the mesh has.
 /// @param loop_count see loops.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
-///     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops),
-///     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in the loop, whose number is the
+///     report's input), NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
 /// @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
 ///     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
 ///     ear, O(n log n); linear memory. Several loops of n vertices in all: O(n log n) if they are
 ///     few, O(n^3) if they are many. Besides O(H log d) for H half-edges and at most d edges at a
-///     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n faces
-///     near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops that touch
-///     at one vertex look at each other's edges there.
+///     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n
+///     faces near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops
+///     that touch at one vertex look at each other's edges there.
 /// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill(
@@ -261,12 +259,8 @@ pub unsafe extern "C" fn gusset_fill(
 
 /// Lends the reports of the loops, for results of gusset_fill.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_fill(

@@ -1,4 +1,4 @@
-//! C interface: the report of hole filling.
+//! Holes: reports: What filling did to each hole.
 
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::input::{Choice, lent};
@@ -81,12 +81,12 @@ pub struct gusset_hole {
     /// The area of the cone of triangles from its edges to their common centre: that of the hole if
     /// it is planar and convex, more otherwise.
     pub area: f64,
-    /// GUSSET_HOLE_...
+    /// The outcome for one loop.
     pub status: gusset_hole_status,
-    /// GUSSET_WEIGHT_...: the weight that the patch's triangulation is best by: the one asked for, or
-    /// one that cuts less.
+    /// The weight that the patch's triangulation is best by: the one asked for, or one that
+    /// cuts less.
     pub weight: gusset_fill_weight,
-    /// GUSSET_PATCH_...: what the patch is made of: what was asked for, or less, which cuts less.
+    /// What the patch is made of: what was asked for, or less, which cuts less.
     pub finish: gusset_patch_finish,
     /// The number of the patch, from 0 on in the order of the faces; loops with the same number have
     /// one patch. UINT32_MAX if it has none, as all have in a plan.

@@ -1,4 +1,6 @@
-//! C interface: joining many pieces.
+//! Joining: Joins many open pieces to one mesh.
+//!
+//! @source Nesterenko for a single gap; the rest is our own.
 
 use crate::assemble::assemble;
 use crate::attributes::KeepSplits;
@@ -28,26 +30,21 @@ use gusset_base::alloc;
 /// the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
 /// ones keep their bits.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's
 ///     struct_size says, at least one; each may have several components.
 /// @param piece_count see pieces.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
-///     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
-///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
-///     report's index is its number, its input is 0 or 1 for the first or the second loop, its
-///     value the piece that does not exist, else the vertex, and the message says what is wrong:
-///     there is no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop
-///     that can be joined passes it or several do, it is on the pair's other loop, or its loop is
-///     in a pair before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces),
+///     MIXED_SCALARS (a piece has f64 positions and the first one f32), OUT_OF_RANGE (a tolerance,
+///     max_gap, or one of pairs or of excluded: the report's index is its number, its input is 0 or
+///     1 for the first or the second loop, its value the piece that does not exist, else the
+///     vertex, and the message says what is wrong: there is no such piece, or no such vertex of it;
+///     of pairs also: no vertex is named, no loop that can be joined passes it or several do, it is
+///     on the pair's other loop, or its loop is in a pair before), TOO_LARGE
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
-///     vertices on loops, the time of each strip as for gusset_stitch, and of each hole as
-///     for gusset_fill; a pass over all faces for each strip that is faired or tested for
+///     vertices on loops, the time of each strip as for gusset_stitch, and of each hole as for
+///     gusset_fill; a pass over all faces for each strip that is faired or tested for
 ///     intersections. Extra memory is linear in the pieces and the result.
 /// @source Nesterenko for a single gap; the rest is our own.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_join(
@@ -79,12 +76,8 @@ pub unsafe extern "C" fn gusset_join(
 
 /// Lends the report on pieces, joints, loops and holes, for results of gusset_join.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_join(

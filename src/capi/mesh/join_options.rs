@@ -1,4 +1,4 @@
-//! Options of joining in C.
+//! Options of joining: Which borders are joined, and how.
 
 use crate::assemble::{MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};
@@ -70,23 +70,27 @@ pub struct gusset_loop_pair {
 pub struct gusset_join_options {
     /// sizeof(gusset_join_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_WELDING_...
+    /// The treatment of coincident borders of pieces.
     pub weld: gusset_welding,
     /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
     /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
     /// turned, nor in the end.
     pub orientation: gusset_orientation,
-    /// GUSSET_GAP_...
+    /// The widest gap that is closed.
     pub gap: gusset_gap,
     /// 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
     /// 1.
+    /// @flag
     pub whole_loops_only: u32,
     /// 1: loops of one component may be joined without being asked for. 0 or 1.
+    /// @flag
     pub within_components: u32,
     /// 1: holes that are left in the end are filled. 0 or 1.
+    /// @flag
     pub fill: u32,
     /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
     /// finite and at least 0; 0 leaves all open.
+    /// @when gap GUSSET_GAP_GIVEN
     pub max_gap: f64,
     /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
     /// different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
@@ -108,12 +112,14 @@ pub struct gusset_join_options {
     /// How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
     /// two must be valid too; intersections REPORT is as IGNORE.
     pub fill_options: *const gusset_fill_options,
-    /// GUSSET_OUTWARD_...: the side that closed components of the result face; outwards by default. The wall of a
-    /// cavity within another component is turned too. A result that is not turned is mostly as the first piece has it.
+    /// The side that closed components of the result face; outwards by default. The wall of
+    /// a cavity within another component is turned too. A result that is not turned is
+    /// mostly as the first piece has it.
     pub outward: gusset_outward,
     /// GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
     pub overlaps: gusset_overlaps,
     /// Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+    /// @when overlaps GUSSET_OVERLAPS_TRIM
     pub trim_options: *const gusset_trim_options,
 }
 

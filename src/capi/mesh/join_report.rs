@@ -1,11 +1,11 @@
-//! C interface: the report of joined pieces.
+//! Joining: reports: What became of each joint and each loop.
 
 use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::input::{Choice, lent};
 use crate::capi::mesh::fill_report::gusset_hole;
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::stitch_options::gusset_strip_finish;
+use crate::capi::mesh::stitch_options::gusset_finish;
 use crate::error::Error;
 use crate::stitch::IndexMap;
 use gusset_base::alloc;
@@ -97,13 +97,12 @@ pub struct gusset_joint {
     pub intersections: gusset_indices,
     /// 1 if they were looked for.
     pub intersections_known: u32,
-    /// GUSSET_JOINT_...
+    /// The outcome for two loops that face each other.
     pub outcome: gusset_joint_outcome,
     /// 1 if both sides are whole loops.
     pub whole: u32,
-    /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
-    /// the strip.
-    pub finish: gusset_strip_finish,
+    /// What the strip is. A blend that was asked for may have had to give way to the strip.
+    pub finish: gusset_finish,
 }
 
 /// A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
@@ -120,7 +119,7 @@ pub struct gusset_left_loop {
     pub gap: f64,
     /// How far that loop, or that side, may be to be joined; 0 if there is none.
     pub allowed_gap: f64,
-    /// GUSSET_LEFT_...
+    /// The reason why a loop has no strip.
     pub reason: gusset_left_reason,
     /// 0.
     pub reserved: u32,

@@ -1,4 +1,4 @@
-//! C interface: meshes, as arrays of the host or of a result.
+//! Meshes: Views of polygon meshes in memory of the caller or of a result.
 
 pub mod align;
 pub mod attributes;
@@ -21,7 +21,6 @@ pub mod stitch_options;
 pub mod strip;
 pub mod trim;
 pub mod weld;
-pub mod winged;
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, Choice, choice, lent};

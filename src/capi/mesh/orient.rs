@@ -1,4 +1,6 @@
-//! C interface: orientation.
+//! Orientation: Turns faces over until neighbours agree.
+//!
+//! @source Textbook; the least number of faces is our own.
 
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
@@ -17,7 +19,7 @@ use gusset_base::alloc;
 pub struct gusset_orient_options {
     /// sizeof(gusset_orient_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_OUTWARD_...
+    /// The side that closed components of a result face.
     pub outward: gusset_outward,
     /// 0.
     pub reserved: u32,
@@ -60,14 +62,8 @@ versioned! { gusset_orient_options: 16 reserved, gusset_orient_report: 72 }
 /// corner and has the others in reverse order; all else is as it was: vertices, positions, order of
 /// faces.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors as gusset_mesh_view
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient(
@@ -92,12 +88,8 @@ pub unsafe extern "C" fn gusset_orient(
 
 /// Lends the flags, lists and counts, for results of gusset_orient.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_orient(

@@ -1,4 +1,5 @@
-//! C interface: where the elements of results come from.
+//! Origins: Names the elements of the inputs from which each vertex, corner and face of a result
+//! comes.
 
 use crate::attributes::{Domain, Origins};
 use crate::capi::context::lend;
@@ -61,9 +62,6 @@ pub struct gusset_origins_view {
 versioned! { gusset_origins_view: 64 }
 
 /// Destroys origins; NULL is allowed.
-///
-/// @param[in,out] origins the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_origins_destroy(origins: *mut gusset_origins) {
     handle::destroy(origins);
@@ -71,13 +69,7 @@ pub unsafe extern "C" fn gusset_origins_destroy(origins: *mut gusset_origins) {
 
 /// Lends the origins of the result's vertices, corners or faces, valid until they are destroyed.
 ///
-/// @param origins the origins.
-/// @param domain GUSSET_DOMAIN_...
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_origins_get_view(

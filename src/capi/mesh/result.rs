@@ -1,4 +1,4 @@
-//! C interface: results, the meshes that operations make.
+//! Results: The mesh that an operation makes, with the report of the operation.
 
 use crate::attributes::Origins;
 use crate::capi::context::{create, gusset_context, lend};
@@ -159,9 +159,6 @@ impl From<&Quality> for gusset_quality_report {
 }
 
 /// Destroys a result; NULL is allowed.
-///
-/// @param[in,out] result the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_result_destroy(result: *mut gusset_result) {
     handle::destroy(result);
@@ -169,11 +166,7 @@ pub unsafe extern "C" fn gusset_result_destroy(result: *mut gusset_result) {
 
 /// Lends the mesh, valid until the result is destroyed.
 ///
-/// @param result the result.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_mesh(
@@ -185,12 +178,8 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
 
 /// Gives measures of the new faces and of the result, for results of gusset_stitch and gusset_fill.
 ///
-/// @param result the result.
-/// @param[out] quality receives the measures; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_quality(
@@ -211,19 +200,14 @@ pub unsafe extern "C" fn gusset_result_get_quality(
 /// - a corner that gusset_sew added on an edge has the corners of its face at both ends of that edge;
 /// - each vertex of a development comes from one vertex, and its corners and faces are those of the surface;
 /// - a vertex of the mesh of a net has the first of its nodes, and a face its cell. A corner has the node of the cell
-///   of its own face, which differs on either side of a seam: an image need not run back there;
+/// of its own face, which differs on either side of a seam: an image need not run back there;
 /// - the nodes of a sheet are those between its cells, (rows + 1) * (columns + 1) of them, row after row. A vertex and
-///   a corner have the nodes of their cell, by its parameters, and faces have their cells. On a line that closes the
-///   sheet each corner has the nodes on the side of its own face.
+/// a corner have the nodes of their cell, by its parameters, and faces have their cells. On a line that closes the
+/// sheet each corner has the nodes on the side of its own face.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param result the result.
-/// @param[out] origins receives the origins, for gusset_origins_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
-///     CANCELLED.
-/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
-///     face (of a sheet 52 for each vertex and corner), and linear in n.
-/// @since 0.1
+/// @errors TOO_LARGE
+/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner
+///     and face (of a sheet 52 for each vertex and corner), and linear in n.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_origins_create(

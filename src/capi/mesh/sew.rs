@@ -1,4 +1,4 @@
-//! C interface: sewing.
+//! Sewing: Joins coincident borders, also where their vertices do not match.
 
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
@@ -63,16 +63,11 @@ versioned! { gusset_sew_report: 104 }
 /// other. Of vertices made one the smallest is left, and its position keeps its bits; new vertices
 /// have the position of an old one.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
 /// @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded
 ///     before edges are split, and borders after it.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_weld, TOO_LARGE (the result has too many
-///     elements).
+/// @errors as gusset_weld, TOO_LARGE (the result has too many elements)
 /// @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside
 ///     each edge; linear extra memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sew(
@@ -93,12 +88,8 @@ pub unsafe extern "C" fn gusset_sew(
 
 /// Lends the maps, lists and counts, for results of gusset_sew.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_sew(

@@ -1,11 +1,14 @@
-//! C interface: stitching.
+//! Stitching: Joins two loops by a strip of new faces.
+//!
+//! @source Nesterenko, algorithm 2 and the intermediate mesh; best strips after H. Fuchs, Z.
+//!     Kedem and S. Uselton (1977).
 
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, Choice, lent};
 use crate::capi::mesh::result::{Made, gusset_result, report};
-use crate::capi::mesh::stitch_options::{gusset_stitch_options, gusset_strip_finish};
+use crate::capi::mesh::stitch_options::{gusset_finish, gusset_stitch_options};
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::stitch::{Request, stitch};
@@ -66,9 +69,8 @@ pub struct gusset_stitch_report {
     /// How often the fairing, of rows or of the blend that was kept, had to be taken back in
     /// places.
     pub back_off_count: u32,
-    /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
-    /// the strip.
-    pub finish: gusset_strip_finish,
+    /// What the strip is. A blend that was asked for may have had to give way to the strip.
+    pub finish: gusset_finish,
     /// Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
     /// end, ascending. Each keeps its first corner and has the others in reverse order.
     pub turned_outwards: gusset_indices,
@@ -84,8 +86,6 @@ versioned! { gusset_stitch_report: 192 }
 /// every old face is kept. An arc of one vertex gets a fan, which touches its piece at that vertex
 /// only; two arcs of one vertex each get one meridian and no face.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh_a the first mesh.
 /// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
 ///     (and the last with the first) an edge with exactly one face. If both are NULL, the loops
 ///     that lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to
@@ -93,13 +93,10 @@ versioned! { gusset_stitch_report: 192 }
 ///     along them agree in orientation and are manifold there; two of one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
 /// @param loop_b see loop_a.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
-///     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT,
-///     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
-///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two
+///     that share no vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
+///     f32 and B f64 positions), TOO_LARGE
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians
 ///     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
 ///     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
@@ -113,7 +110,6 @@ versioned! { gusset_stitch_report: 192 }
 ///     and two starts.
 /// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
 ///     start: N + 1 and M + 1 points.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch(
@@ -143,11 +139,8 @@ pub unsafe extern "C" fn gusset_stitch(
 
 /// Lends the strip of a stitch alone: the vertices of the two rims, the new ones, and the faces between them.
 ///
-/// @param result the result of gusset_stitch.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_stitch.
+/// @errors as gusset_result_get_stitch
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip_mesh(
@@ -159,12 +152,8 @@ pub unsafe extern "C" fn gusset_result_get_strip_mesh(
 
 /// Lends the maps, rims and meridians, for results of gusset_stitch.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_stitch(

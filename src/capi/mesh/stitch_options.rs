@@ -1,4 +1,4 @@
-//! Options of stitching in C.
+//! Options of stitching: How a strip is chosen, subdivided and smoothed.
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::choice;
@@ -35,13 +35,13 @@ pub const GUSSET_MERIDIANS_QUAD: gusset_meridians = 6;
 pub const GUSSET_MERIDIANS_MIN_AREA: gusset_meridians = 7;
 
 /// The effort of the search for the best strip.
-pub type gusset_search = u32;
+pub type gusset_strip_search = u32;
 /// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
 /// fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
 /// the best on all rims that were measured.
-pub const GUSSET_SEARCH_AUTO: gusset_search = 0;
+pub const GUSSET_SEARCH_AUTO: gusset_strip_search = 0;
 /// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch.
-pub const GUSSET_SEARCH_EXACT: gusset_search = 1;
+pub const GUSSET_SEARCH_EXACT: gusset_strip_search = 1;
 
 /// The first meridian of a closed strip.
 pub type gusset_strip_start = u32;
@@ -125,13 +125,13 @@ pub const GUSSET_CENTRES_VERTICES: gusset_centres = 0;
 pub const GUSSET_CENTRES_LENGTH: gusset_centres = 1;
 
 /// The number of interior rows.
-pub type gusset_strip_rows = u32;
+pub type gusset_row_rule = u32;
 /// No interior rows: every meridian is one edge.
-pub const GUSSET_ROWS_NONE: gusset_strip_rows = 0;
+pub const GUSSET_ROWS_NONE: gusset_row_rule = 0;
 /// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
-pub const GUSSET_ROWS_MEAN_EDGE: gusset_strip_rows = 1;
+pub const GUSSET_ROWS_MEAN_EDGE: gusset_row_rule = 1;
 /// As many as row_count says.
-pub const GUSSET_ROWS_COUNT: gusset_strip_rows = 2;
+pub const GUSSET_ROWS_COUNT: gusset_row_rule = 2;
 
 /// The faces of strips.
 pub type gusset_strip_cells = u32;
@@ -141,9 +141,9 @@ pub const GUSSET_CELLS_TRIANGLES: gusset_strip_cells = 0;
 pub const GUSSET_CELLS_QUADS: gusset_strip_cells = 1;
 
 /// The surface between the rims.
-pub type gusset_strip_finish = u32;
+pub type gusset_finish = u32;
 /// The strip of meridians, with its rows.
-pub const GUSSET_FINISH_STRIP: gusset_strip_finish = 0;
+pub const GUSSET_FINISH_STRIP: gusset_finish = 0;
 /// The best-looking joint: triangles about as fine as those round the rims, graded between them,
 /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
 /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
@@ -154,7 +154,7 @@ pub const GUSSET_FINISH_STRIP: gusset_strip_finish = 0;
 /// the number of new triangles. Where sides as short as those round the rims would take more than
 /// about 50,000 new vertices, or 16 for each of the rims', the sides are up to twice as long; where
 /// that is not enough, the strip stays, and the log says so.
-pub const GUSSET_FINISH_BLEND: gusset_strip_finish = 1;
+pub const GUSSET_FINISH_BLEND: gusset_finish = 1;
 
 /// The source of a tolerance.
 pub type gusset_tolerance_mode = u32;
@@ -170,7 +170,7 @@ pub const GUSSET_TOLERANCE_EXACT: gusset_tolerance_mode = 2;
 /// The side that closed components of a result face.
 pub type gusset_outward = u32;
 /// As the operation does by default: gusset_join as GUSSET_OUTWARD_CLOSED, all others as GUSSET_OUTWARD_KEEP.
-pub const GUSSET_OUTWARD_DEFAULT: gusset_outward = 0;
+pub const GUSSET_OUTWARD_AUTO: gusset_outward = 0;
 /// Closed components stay as they are; gusset_orient turns each to the side that most of its faces had.
 pub const GUSSET_OUTWARD_KEEP: gusset_outward = 1;
 /// Closed components face outwards, each by its own volume. A shell within another one encloses its own inside, and
@@ -185,9 +185,9 @@ pub const GUSSET_OUTWARD_CLOSED: gusset_outward = 2;
 pub struct gusset_stitch_options {
     /// sizeof(gusset_stitch_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_MERIDIANS_...
+    /// The rule that chooses meridians.
     pub meridians: gusset_meridians,
-    /// GUSSET_ORIENTATION_...
+    /// The treatment of pieces that are oriented against each other.
     pub orientation: gusset_orientation,
     /// The first meridian joins the closest pair that is not joined by an edge already; with a
     /// twist, the vertex of rim B so many places later, counted in the direction in which rim A
@@ -195,20 +195,22 @@ pub struct gusset_stitch_options {
     /// rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and with GUSSET_EXTENT_OPEN_ARCS also if
     /// there are none to join.
     pub twist: i64,
-    /// GUSSET_EXTENT_...
+    /// The part of the loops that is joined.
     pub extent: gusset_stitch_extent,
-    /// GUSSET_RUN_...
+    /// Which of several runs of facing vertices is joined.
     pub run: gusset_facing_run,
-    /// GUSSET_ROWS_...
-    pub rows: gusset_strip_rows,
+    /// The number of interior rows.
+    pub rows: gusset_row_rule,
     /// Interior rows, read for GUSSET_ROWS_COUNT.
+    /// @when rows GUSSET_ROWS_COUNT
     pub row_count: u32,
-    /// GUSSET_CELLS_...
+    /// The faces of strips.
     pub cells: gusset_strip_cells,
-    /// GUSSET_TOLERANCE_...
+    /// The source of a tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
     /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the
     /// positions, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+    /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
     /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of
     /// vertices, 1 to its length. The arc runs along the loop as it was given, and may pass its
@@ -216,21 +218,20 @@ pub struct gusset_stitch_options {
     pub arc_a: [u32; 2],
     /// The same on loop B.
     pub arc_b: [u32; 2],
-    /// GUSSET_SEARCH_...
-    pub search: gusset_search,
-    /// GUSSET_START_...
+    /// The effort of the search for the best strip.
+    pub search: gusset_strip_search,
+    /// The first meridian of a closed strip.
     pub start: gusset_strip_start,
-    /// GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is
-    /// not.
+    /// Read if interior rows are asked for; otherwise the log says that it is not.
     pub fairing: gusset_fairing,
-    /// GUSSET_INTERSECTIONS_...
+    /// The treatment of faces that intersect each other.
     pub intersections: gusset_intersections,
-    /// GUSSET_CENTRES_...
+    /// The definition of the centre of a loop.
     pub centres: gusset_centres,
-    /// GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
+    /// What becomes of closed components of the result, the strip and all.
     pub outward: gusset_outward,
-    /// GUSSET_FINISH_...: what lies between the rims in the end.
-    pub finish: gusset_strip_finish,
+    /// What lies between the rims in the end.
+    pub finish: gusset_finish,
     /// 0.
     pub reserved: u32,
 }
@@ -298,7 +299,7 @@ impl gusset_stitch_options {
 /// The side that closed components face, `default` if the caller leaves it open.
 pub(crate) fn outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
     match given {
-        GUSSET_OUTWARD_DEFAULT => Ok(default),
+        GUSSET_OUTWARD_AUTO => Ok(default),
         GUSSET_OUTWARD_KEEP => Ok(Outward::Keep),
         GUSSET_OUTWARD_CLOSED => Ok(Outward::Closed),
         other => Err(Failure::unknown("outward", other.into())),

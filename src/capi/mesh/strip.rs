@@ -1,4 +1,6 @@
-//! C interface: strips between two polylines.
+//! Strips: Builds a strip of triangles between two polylines that belong to no mesh.
+//!
+//! @source H. Fuchs, Z. Kedem and S. Uselton (1977); Nesterenko.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
@@ -7,8 +9,8 @@ use crate::capi::mesh::facing::points;
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::result::{Made, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
-    GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, gusset_meridians, gusset_search, gusset_strip_cells,
-    gusset_strip_rows, gusset_strip_start, rows,
+    GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, gusset_meridians, gusset_row_rule, gusset_strip_cells,
+    gusset_strip_search, gusset_strip_start, rows,
 };
 use crate::capi::status::{Failure, gusset_status};
 use crate::stitch::{RuledOptions, Start, ruled};
@@ -19,19 +21,21 @@ use crate::stitch::{RuledOptions, Start, ruled};
 pub struct gusset_strip_options {
     /// sizeof(gusset_strip_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_MERIDIANS_...
+    /// The rule that chooses meridians.
     pub meridians: gusset_meridians,
-    /// GUSSET_SEARCH_...
-    pub search: gusset_search,
-    /// GUSSET_START_..., for closed polylines; open ones begin at their first points.
+    /// The effort of the search for the best strip.
+    pub search: gusset_strip_search,
+    /// For closed polylines; open ones begin at their first points.
     pub start: gusset_strip_start,
     /// 1: the polylines are closed; 0: they are open.
+    /// @flag
     pub closed: u32,
-    /// GUSSET_ROWS_...; the mean edge is the mean segment of both polylines.
-    pub rows: gusset_strip_rows,
+    /// The mean edge is the mean segment of both polylines.
+    pub rows: gusset_row_rule,
     /// Interior rows, read for GUSSET_ROWS_COUNT.
+    /// @when rows GUSSET_ROWS_COUNT
     pub row_count: u32,
-    /// GUSSET_CELLS_...
+    /// The faces of strips.
     pub cells: gusset_strip_cells,
     /// 0.
     pub reserved: u32,
@@ -87,20 +91,16 @@ impl gusset_strip_options {
 /// The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
 /// against polyline A, and along B. Where both sides advance at once triangles split a quad by its shorter diagonal.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
 ///     each, closed ones at least 3, and the last point is not the first again.
 /// @param count_a see points_a.
 /// @param points_b see points_a.
 /// @param count_b see points_a.
 /// @param options NULL for the defaults (open polylines).
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
-///     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
+/// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
 /// @complexity Time and memory of the meridians of gusset_stitch, and linear in the mesh.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
 ///     strips.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_strip(
@@ -122,12 +122,8 @@ pub unsafe extern "C" fn gusset_strip(
 
 /// Lends the meridians and the matrix, for results of gusset_strip.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip(

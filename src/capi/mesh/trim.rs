@@ -1,4 +1,7 @@
-//! C interface: trimming pieces that overlap.
+//! Trimming: Keeps one piece of each overlap.
+//!
+//! @source The idea is of G. Turk and M. Levoy, Zippered polygon meshes from range images
+//!     (1994).
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
@@ -100,20 +103,16 @@ impl gusset_trim_options {
 /// cut. What would be thinner than two faces goes, so do small islands, faces that hang on others
 /// by one vertex, and faces that cut those of an earlier piece.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's
 ///     struct_size says, at least one, all in one coordinate system; see gusset_alignment_create.
 /// @param piece_count see pieces.
-/// @param options NULL for the defaults.
-/// @param[out] trim receives the result, for gusset_trim_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
-///     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint),
-///     COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces),
+///     OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint), COUNT_DIFFERS (fewer
+///     viewpoints than pieces), TOO_LARGE
 /// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to
 ///     the square of the number of faces that lie in one place; linear extra memory.
 /// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
 ///     (1994), who clip one mesh at the other's border.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_trim_create(
@@ -139,9 +138,6 @@ pub unsafe extern "C" fn gusset_trim_create(
 }
 
 /// Destroys what is left of pieces; NULL is allowed.
-///
-/// @param[in,out] trim the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_trim_destroy(trim: *mut gusset_trim) {
     handle::destroy(trim);
@@ -149,11 +145,7 @@ pub unsafe extern "C" fn gusset_trim_destroy(trim: *mut gusset_trim) {
 
 /// Lends which faces are kept.
 ///
-/// @param trim the trimmed pieces.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_trim_get_view(trim: *const gusset_trim, view: *mut gusset_trim_view) -> gusset_status {

@@ -1,4 +1,4 @@
-//! C interface: welding.
+//! Welding: Merges coincident vertices.
 
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
@@ -38,7 +38,7 @@ pub const GUSSET_UNUSED_REMOVE: gusset_unused = 1;
 pub struct gusset_weld_options {
     /// sizeof(gusset_weld_options), set by the caller.
     pub struct_size: usize,
-    /// Which vertices: GUSSET_WELD_...
+    /// Which vertices.
     pub vertices: gusset_weld_vertices,
     /// GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
     /// have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48
@@ -54,10 +54,11 @@ pub struct gusset_weld_options {
     /// GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
     pub tolerance_mode: gusset_tolerance_mode,
     /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+    /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// GUSSET_COLLAPSE_...
+    /// Whether corners of one face may become one.
     pub collapse: gusset_collapse,
-    /// GUSSET_UNUSED_...
+    /// The treatment of vertices that no face uses.
     pub unused: gusset_unused,
 }
 
@@ -122,15 +123,9 @@ impl gusset_weld_options {
 /// one the smallest is left, and its position keeps its bits; the vertices left are in their old
 /// order. If every face is dropped, the result has none and is no valid input.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the
-///     tolerance), OUT_OF_MEMORY, CANCELLED.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (the tolerance)
 /// @complexity O(H log H) for H half-edges, if no vertex has very many and few corners of one face
 ///     lie together; linear extra memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld(
@@ -151,12 +146,8 @@ pub unsafe extern "C" fn gusset_weld(
 
 /// Lends the maps, lists and counts, for results of gusset_weld.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_weld(

@@ -1,4 +1,4 @@
-//! C interface: folds and contacts that deformations cause.
+//! Effects of a deformation: What a deformation glues, tears, folds and stretches.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -98,18 +98,14 @@ versioned! { gusset_net_analysis_options: 48 }
 /// The net stays as it is. The deformation is another net, or what fields would do: then the analysis
 /// has the determinants of their Jacobian too.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net before the deformation; its gluing counts.
 /// @param options the deformation; NULL for none.
-/// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (fields beside
-///     `after`), OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly
-///     glued is no surface), OUT_OF_MEMORY, CANCELLED, and those of gusset_net_deform.
-/// @complexity O(nodes), 24 bytes a node. For fields O(nodes x fields), and 8 bytes a cell and a copy
-///     of the net besides.
+/// @errors UNKNOWN_VALUE (fields beside `after`), OUT_OF_RANGE, SIDES_DIFFER (other sizes),
+///     CROSSING_CELL (with the cell (what is newly glued is no surface)), as gusset_net_deform
+/// @complexity O(nodes), 24 bytes a node. For fields O(nodes x fields), and 8 bytes a cell and a
+///     copy of the net besides.
 /// @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
 ///     neither follows from gluing nor implies it.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_create(
@@ -135,11 +131,8 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
 
 /// Lends an analysis.
 ///
-/// @param analysis the analysis.
-/// @param[out] view its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view its struct_size set.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_get_view(
@@ -169,9 +162,6 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
 }
 
 /// Destroys an analysis; NULL is allowed.
-///
-/// @param[in,out] analysis the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
     handle::destroy(analysis);

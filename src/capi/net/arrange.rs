@@ -1,9 +1,10 @@
-//! C interface: copies of nets, as they are or changed.
+//! Rows and columns: Parts, symmetries and other layouts of nets.
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, choice, flag};
+use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{edit, gusset_net};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::{CopyOptions, Direction, Replication, Shape, Turn};
@@ -73,20 +74,23 @@ pub struct gusset_net_copy_options {
     /// 1: rows and columns that repeat the one before them are left out. The links between the two
     /// are all contracted, and coordinates and links along them are equal. Two rows and two columns
     /// stay, and so do those on which a bridge ends. 0 or 1.
+    /// @flag
     pub compact: u32,
-    /// GUSSET_REPLICATE_... for rows.
+    /// For rows.
     pub row_replication: gusset_replication,
-    /// GUSSET_REPLICATE_... for columns.
+    /// For columns.
     pub column_replication: gusset_replication,
     /// Read for GUSSET_REPLICATE_AT: the row.
+    /// @when row_replication GUSSET_REPLICATE_AT
     pub row_index: u32,
     /// Read for GUSSET_REPLICATE_AT: the column.
+    /// @when row_replication GUSSET_REPLICATE_AT
     pub column_index: u32,
-    /// The symmetry that rows and columns undergo: GUSSET_NET_TURN_...
+    /// The symmetry that rows and columns undergo.
     pub turn: gusset_net_turn,
     /// GUSSET_F32 or GUSSET_F64: the type of the coordinates. From double to float they are rounded,
     /// and nodes whose coordinates are too large become missing. 0: the type of the net.
-    pub scalar: u32,
+    pub scalar: gusset_scalar,
     /// 0.
     pub reserved: u32,
 }
@@ -151,18 +155,13 @@ impl gusset_net_copy_options {
 /// has all rows, or all columns. A part, a compact, a turned or a larger net keeps the bits of its
 /// coordinates.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net unchanged.
 /// @param options NULL for a copy that differs in nothing.
-/// @param[out] copy receives it, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part beyond the
-///     net, fewer rows or columns than there are, an index beyond the net), CROSSING_CELL (only what
-///     is outside the part made opposite corners one), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes) for each step; O(1) for a copy that differs in nothing, unless the net is in
-///     the caller's memory.
+/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part beyond the net, fewer
+///     rows or columns than there are, an index beyond the net), CROSSING_CELL (only what is
+///     outside the part made opposite corners one), TOO_LARGE
+/// @complexity O(nodes) for each step; O(1) for a copy that differs in nothing, unless the net is
+///     in the caller's memory.
 /// @source Deryagin, "Reformatting".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_copy_create(
@@ -184,12 +183,8 @@ pub unsafe extern "C" fn gusset_net_copy_create(
 /// Makes missing every node of which a coordinate is `value`, the number that stands for what a
 /// scanner did not see.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param value the marker of missing data, compared exactly.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_clear_no_data(

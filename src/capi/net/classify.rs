@@ -1,4 +1,4 @@
-//! C interface: the nodes of a net that are one point, and what local gluings they make.
+//! Local gluings: How nodes and cells are glued at a place.
 
 use crate::capi::context::{answer, create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
@@ -18,15 +18,11 @@ fn number(found: Option<GluingType>) -> gusset_gluing_type {
 
 /// Writes for each node the smallest node that is the same point.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] classes room for capacity numbers, of which rows * columns are written.
+/// @param classes room for capacity numbers, of which rows * columns are written.
 /// @param capacity see classes.
-/// @param[out] written receives that number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
-///     written but the number), OUT_OF_MEMORY, CANCELLED.
+/// @param written receives that number. NULL and 0 ask for it.
+/// @errors BUFFER_TOO_SMALL (nothing is written but the number)
 /// @complexity O(nodes); 4 bytes a node.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classes(
@@ -53,13 +49,8 @@ handle! { gusset_net_groups }
 
 /// Finds the points that are several nodes.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] groups receives the result, for gusset_net_groups_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
 ///     the glued nodes.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_create(
@@ -89,11 +80,7 @@ versioned! { gusset_net_groups_view: 40 }
 
 /// Lends the groups.
 ///
-/// @param groups the groups.
-/// @param[out] view receives the groups; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_get_view(
@@ -108,9 +95,6 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
 }
 
 /// Destroys groups; NULL is allowed.
-///
-/// @param[in,out] groups the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_groups) {
     handle::destroy(groups);
@@ -125,19 +109,14 @@ pub const GUSSET_GLUING_PLACE_CELL: gusset_gluing_place = 1;
 
 /// Finds the local gluing at a node or of a cell.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param place GUSSET_GLUING_PLACE_NODE or GUSSET_GLUING_PLACE_CELL.
 /// @param element the node, row * columns + column, or the cell, row * (columns - 1) + column.
 /// @param cyclic 0, or 1 to count links of a node that lead back to the first row or column too.
-/// @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL for a node;
-///     GUSSET_TYPE_NONE for a node without glued links and for a quad.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED.
+/// @param found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL for a node; GUSSET_TYPE_NONE for a node without glued links and for a quad.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
 ///     all.
 /// @source Deryagin, Fig. 4.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classify(
@@ -160,15 +139,11 @@ pub unsafe extern "C" fn gusset_net_classify(
 
 /// Counts the local gluings of a net by type.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
-///     many cells have each type; NULL for what is not wanted.
-/// @param[out] cells see nodes.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @param nodes receive 18 numbers each, how many nodes (without links that lead back) and how many
+///     cells have each type; NULL for what is not wanted.
+/// @param cells see nodes.
+/// @errors NULL_ARGUMENT (net)
 /// @complexity O(nodes); 4 bytes a node.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_histogram(
@@ -203,7 +178,7 @@ pub struct gusset_gluing_occurrence {
     pub place: gusset_gluing_place,
     /// The node, row * columns + column, or the cell, row * (columns - 1) + column.
     pub element: u32,
-    /// One of GUSSET_TYPE_...
+    /// One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
     pub kind: gusset_gluing_type,
     /// Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
     /// for all; 1 for a diagonal.
@@ -241,17 +216,13 @@ impl From<&Occurrence> for gusset_gluing_occurrence {
 /// Writes all local gluings of a net with their types and orders: those at its nodes, in order, then
 /// those of its cells.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
-/// @param[out] found room for capacity of them.
+/// @param found room for capacity of them.
 /// @param capacity see found.
-/// @param[out] written receives their number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (cyclic),
-///     BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY, CANCELLED.
+/// @param written receives their number. NULL and 0 ask for it.
+/// @errors UNKNOWN_VALUE (cyclic), BUFFER_TOO_SMALL (nothing is written but the number)
 /// @complexity O(nodes); 4 bytes a node, and as much as is written.
 /// @source Deryagin, Fig. 4.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_gluing_occurrences(

@@ -1,4 +1,4 @@
-//! C interface: the quotient complex of a net.
+//! The quotient surface: The surface that a net becomes when glued nodes are one.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -15,14 +15,17 @@ pub const GUSSET_NET_CELLS_ALL: gusset_net_cells = 0;
 /// Those whose four nodes have finite coordinates and that no hidden bridge has.
 pub const GUSSET_NET_CELLS_PRESENT: gusset_net_cells = 1;
 
+/// Bits that describe the surface of a net.
+/// @bits
+pub type gusset_net_flags = u32;
 /// No edge has one face only.
-pub const GUSSET_NET_CLOSED: u32 = 1;
+pub const GUSSET_NET_CLOSED: gusset_net_flags = 1;
 /// A surface, with or without boundary: no wires, branches and pinches.
-pub const GUSSET_NET_MANIFOLD: u32 = 2;
+pub const GUSSET_NET_MANIFOLD: gusset_net_flags = 2;
 /// No edge that two faces run along the same way.
-pub const GUSSET_NET_ORIENTED: u32 = 4;
+pub const GUSSET_NET_ORIENTED: gusset_net_flags = 4;
 /// Faces can be turned over so that there is none.
-pub const GUSSET_NET_ORIENTABLE: u32 = 8;
+pub const GUSSET_NET_ORIENTABLE: gusset_net_flags = 8;
 
 /// The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the
 /// net.
@@ -61,7 +64,7 @@ pub struct gusset_net_complex_view {
     /// Handles if it is orientable, else crosscaps, of all pieces together; -1 if it is no surface.
     pub genus: i64,
     /// GUSSET_NET_CLOSED, ..._MANIFOLD, ..._ORIENTED, ..._ORIENTABLE.
-    pub properties: u32,
+    pub properties: gusset_net_flags,
     /// 0.
     pub reserved: u32,
     /// 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are
@@ -89,14 +92,8 @@ versioned! { gusset_net_complex_view: 216 }
 ///
 /// What it finds is no error.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param cells GUSSET_NET_CELLS_...
-/// @param[out] quotient receives the result, for gusset_net_complex_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
-///     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
+/// @errors TOO_LARGE (2^31 edges of one face)
 /// @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_create(
@@ -117,11 +114,8 @@ pub unsafe extern "C" fn gusset_net_complex_create(
 
 /// Lends what is known of a complex.
 ///
-/// @param quotient the complex.
-/// @param[out] view receives it; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view receives it; struct_size is set by the caller.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_get_view(
@@ -160,9 +154,6 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
 }
 
 /// Destroys a complex; NULL is allowed.
-///
-/// @param[in,out] quotient the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_complex_destroy(quotient: *mut gusset_net_complex) {
     handle::destroy(quotient);

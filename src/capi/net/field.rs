@@ -1,4 +1,4 @@
-//! C interface: deformation fields.
+//! Fields: Deforms and projects nets by chains of fields, fixed or in time.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
@@ -90,7 +90,8 @@ pub const GUSSET_EASING_HOLD: gusset_easing = 2;
 pub struct gusset_field {
     /// sizeof(gusset_field), set by the caller; in an array the same for all.
     pub struct_size: usize,
-    /// One of GUSSET_FIELD_...
+    /// What a field does, and what its values are. An axis and those that follow it: y and
+    /// z after x, z and x after y, x and y after z.
     pub kind: gusset_field_kind,
     /// For kinds that have one; else 0.
     pub axis: gusset_axis,
@@ -204,19 +205,15 @@ impl gusset_field {
 /// missing. Fields that are defined everywhere are not watched for overflow: a node that they make
 /// too large for its type is infinite then, and missing. Whatever the error, no node is moved.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param fields `count` of them.
 /// @param count see fields.
 /// @param time for fields with keys; a net is deformed from what it is now, so that animations
 ///     deform a copy of the net at rest.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis,
-///     easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node,
-///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @errors UNKNOWN_VALUE (kind, axis, easing), OUT_OF_RANGE (a value, strength or time),
+///     FIELD_UNDEFINED (with the node)
 /// @complexity O(nodes x fields), twice that if a field is not defined everywhere.
 /// @threads The same bits for any number of threads.
 /// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_deform(
@@ -236,13 +233,9 @@ pub unsafe extern "C" fn gusset_net_deform(
 /// Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
 /// stay together, nodes without a normal stay.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param distance a length of either sign, finite.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors OUT_OF_RANGE (distance)
 /// @complexity O(nodes), and as much memory as the coordinates take.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_displace(

@@ -1,4 +1,4 @@
-//! C interface: gluing and ungluing nets.
+//! Gluing of nodes: Glues and unglues nodes, and classifies the 18 local gluings.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::versioned;
@@ -37,7 +37,7 @@ pub const GUSSET_GLUING_TYPE: gusset_gluing_kind = 5;
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing {
-    /// One of GUSSET_GLUING_...
+    /// What a gusset_gluing glues.
     pub kind: gusset_gluing_kind,
     /// The link, node or cell; 0 for a seam.
     pub element: u32,
@@ -147,13 +147,16 @@ pub struct gusset_glue_options {
     /// 1: what coordinates tell replaces what was glued, before anything else. Neighbours that lie
     /// together are glued, and runs of two and more nodes of the sides that do, forwards or
     /// backwards. The orientation of faces stays. 0 or 1.
+    /// @flag
     pub detect: u32,
     /// 1: every link whose ends are one point already, by way of others, is contracted, and seams
     /// that links then say are dropped. Nets that glue the same neighbours have the same matrix in
     /// this canonical form, which `detect` gives too. 0 or 1.
+    /// @flag
     pub saturate: u32,
     /// 1: all nodes that are glued to each other get the position of the first of them, bit for bit.
     /// 0: positions stay.
+    /// @flag
     pub snap: u32,
     /// 0.
     pub reserved: u32,
@@ -165,19 +168,15 @@ versioned! { gusset_glue_options: 64 reserved }
 ///
 /// The options are done as a whole or not at all: on failure the net is as it was.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param options what is glued.
-/// @param[out] moved receives the number of nodes that got other bits; NULL if it is not wanted.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
-///     (kind, mask, reserved, a flag), OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT
-///     (the link, node or cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell
-///     (both pairs of opposite corners would be glued: the nineteenth local gluing, which no surface
-///     allows), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(nodes + glued pairs), and a sort of the nodes of the sides for `detect`. For `snap`
-///     alone O(rows + columns) if the net is glued along its sides alone, else O(nodes).
+/// @param moved receives the number of nodes that got other bits; NULL if it is not wanted.
+/// @errors UNKNOWN_VALUE (kind, mask, reserved, a flag), OUT_OF_RANGE (tolerance, a mask above 15),
+///     NO_SUCH_ELEMENT (the link, node or cell), BAD_SEAM (its place among the gluings),
+///     CROSSING_CELL (with the cell (both pairs of opposite corners would be glued: the nineteenth
+///     local gluing, which no surface allows)), TOO_LARGE
+/// @complexity O(nodes + glued pairs), and a sort of the nodes of the sides for `detect`. For
+///     `snap` alone O(rows + columns) if the net is glued along its sides alone, else O(nodes).
 /// @source Deryagin, "Local gluings of nodes".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_glue(
@@ -206,19 +205,15 @@ pub unsafe extern "C" fn gusset_net_glue(
 ///
 /// On failure the net is as it was.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param gluings count of them, done as a whole or not at all; at any alignment.
 /// @param count see gluings.
 /// @param separation 0, or how far apart what becomes separate is moved, in the unit of the
 ///     coordinates: each piece of a point that falls apart moves by half of it towards the mean of
 ///     its neighbours (of those that do not fall apart themselves, if there are any); one without
 ///     neighbours, or in the middle of them, stays.
-/// @param[out] moved receives the number of pieces that moved; NULL if it is not wanted.
-/// @return GUSSET_OK, or an error: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite
-///     number from 0 on).
+/// @param moved receives the number of pieces that moved; NULL if it is not wanted.
+/// @errors as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite number from 0 on)
 /// @complexity O(nodes), and a sort of the pairs.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_unglue(

@@ -1,4 +1,4 @@
-//! C interface: the gluing of a net: sides, matrix, seams, closures.
+//! Gluing of sides: Sides, the characteristic matrix, seams.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{fixed, versioned};
@@ -41,6 +41,7 @@ pub struct gusset_seam {
 }
 
 /// What becomes of the sides of a net: a sum of these.
+/// @bits
 pub type gusset_sides = u32;
 /// Every row is closed: its last node is its first one again.
 pub const GUSSET_SIDES_ROWS_CLOSED: gusset_sides = 1;
@@ -174,12 +175,9 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job
 ///
 /// On failure the net is as it was.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param gluing NULL for a sheet; it replaces what was glued.
-/// @return GUSSET_OK, or an error: as gusset_net_create.
+/// @errors as gusset_net_create
 /// @complexity O(nodes + pairs of seams).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_gluing(
@@ -215,17 +213,14 @@ versioned! { gusset_net_gluing_report: 40 }
 /// A buffer that is NULL, with capacity 0, is not wanted; the report has the sizes that both need. On
 /// failure the report is cleared, and the buffers may be written in part.
 ///
-/// @param net the net.
-/// @param[out] matrix room for matrix_capacity bytes, of which report->matrix_size are written as
+/// @param matrix room for matrix_capacity bytes, of which report->matrix_size are written as
 ///     gusset_net_gluing has them.
 /// @param matrix_capacity see matrix.
-/// @param[out] seams room for seam_capacity seams, of which report->seam_count are written.
+/// @param seams room for seam_capacity seams, of which report->seam_count are written.
 /// @param seam_capacity see seams.
-/// @param[out] report its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     BUFFER_TOO_SMALL, OUT_OF_MEMORY.
+/// @param report its struct_size set.
+/// @errors BUFFER_TOO_SMALL
 /// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_gluing(

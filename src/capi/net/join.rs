@@ -1,4 +1,4 @@
-//! C interface: joining nets, and splitting them again.
+//! Bridges: Joins nets to one, and takes them apart again.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{c_enum, versioned};
@@ -61,18 +61,20 @@ pub struct gusset_concatenate_options {
     pub tolerance: f64,
     /// Given to every new bridge.
     pub properties: gusset_bridge_properties,
-    /// GUSSET_DIRECTION_...: where each net lies from the one before.
+    /// Where each net lies from the one before.
     pub direction: gusset_direction,
     /// GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
     pub mode: gusset_bridge_mode,
-    /// GUSSET_REPLICATE_...: how nets with fewer nodes along the side are enlarged.
+    /// How nets with fewer nodes along the side are enlarged.
     pub equalise: gusset_replication,
     /// Read for GUSSET_REPLICATE_AT: the row or column.
+    /// @when equalise GUSSET_REPLICATE_AT
     pub equalise_index: u32,
     /// Each net but the first is turned by so many places along its side, which is closed then.
     pub twist: u32,
     /// 1: nets whose faces are taken the other way round than those of the first are flipped along
     /// the side; 0: refused.
+    /// @flag
     pub turn: u32,
     /// How many rows or columns of nodes of its own each new bridge has, evenly on straight lines
     /// between the two sides; 0 for GUSSET_BRIDGE_WELD.
@@ -89,7 +91,7 @@ pub struct gusset_bridge {
     pub struct_size: usize,
     /// What the host gave it.
     pub properties: gusset_bridge_properties,
-    /// GUSSET_DIRECTION_...: where the second net lies.
+    /// Where the second net lies.
     pub direction: gusset_direction,
     /// The first column (RIGHT) or row (DOWN) of the second net.
     pub at: u32,
@@ -151,22 +153,16 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
 /// bridges are kept; each net but the first gets a new one, between it and the one before, behind
 /// its own. All can be undone: see gusset_net_split_create.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param nets net_count handles, at least one, of one scalar type; the same one may come
-///     several times.
+/// @param nets net_count handles, at least one, of one scalar type; the same one may come several
+///     times.
 /// @param net_count see nets.
-/// @param options NULL for the defaults.
-/// @param[out] joined receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no nets),
-///     BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
+/// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
 ///     (sizes that are not to be equalised; or sides to be welded that are apart: the report has
 ///     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side; rows of
-///     bridges that are to be welded),
-///     CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///     bridges that are to be welded), CROSSING_CELL, TOO_LARGE
 /// @complexity O(nodes of the result); memory for it, and once more for nets that are enlarged,
 ///     turned or flipped.
 /// @source Deryagin, "Concatenation".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_concatenate_create(
@@ -189,16 +185,11 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 /// Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
 /// reverse order of joining. What is glued across the bridge is cut.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param bridge its number, counted from 0.
-/// @param[out] first receives the one, for gusset_net_destroy; NULL on failure.
-/// @param[out] second receives the other, likewise.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OVERLAP (first and second
-///     are the same place), NO_SUCH_ELEMENT (no such bridge, or it is within a part of the net
-///     only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+/// @param second receives the other, likewise.
+/// @errors OVERLAP (first and second are the same place), NO_SUCH_ELEMENT (no such bridge, or it is
+///     within a part of the net only), CROSSING_CELL
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_split_create(
@@ -224,13 +215,10 @@ pub unsafe extern "C" fn gusset_net_split_create(
 
 /// A bridge of a net.
 ///
-/// @param net the net.
 /// @param index its number, below bridge_count of gusset_net_gluing_report.
-/// @param[out] bridge its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NO_SUCH_ELEMENT.
+/// @param bridge its struct_size set.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_bridge(
@@ -260,18 +248,14 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 /// Does something else with the cells of a bridge, and gives it other properties. A bridge that has
 /// rows of its own cannot be welded: OUT_OF_RANGE.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param index of the bridge, below bridge_count of gusset_net_gluing_report.
 /// @param mode GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
 /// @param tolerance how far nodes that are welded may be apart, at least 0.
 /// @param properties NULL leaves them.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
-///     UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the place and the distance, CROSSING_CELL,
-///     OUT_OF_MEMORY; the net is then as it was.
+/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE, SIDES_DIFFER (with the place and the distance),
+///     CROSSING_CELL (the net is then as it was)
 /// @complexity O(nodes) if welding begins or ends, or if the net is shared with a copy or a scene;
 ///     else O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_bridge(

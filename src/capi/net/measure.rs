@@ -1,4 +1,4 @@
-//! C interface: areas, volumes, moments and planarity of nets.
+//! Measures of nets: Area, volume, moments, planarity.
 
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
 use crate::capi::glue::versioned;
@@ -8,6 +8,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
 /// What gusset_net_measure computes: a sum of these.
+/// @bits
 pub type gusset_net_measures = u32;
 /// area, volume, area_vector, low and high.
 pub const GUSSET_NET_MEASURES_EXTENT: gusset_net_measures = 1;
@@ -77,15 +78,11 @@ versioned! {
 /// inertia are exact but for rounding for the bilinear patches of the cells (divergence theorem).
 /// Where squares or cubes of coordinates overflow, beyond about 1e77, results are infinite or NaN.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param measures a sum of GUSSET_NET_MEASURES_...: only these are computed.
-/// @param[out] report its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (measures), OUT_OF_MEMORY, CANCELLED.
+/// @param measures only these are computed.
+/// @param report its struct_size set.
+/// @errors UNKNOWN_VALUE (measures)
 /// @complexity O(nodes), no memory.
 /// @threads From any thread; the same bits for any number of threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_measure(
@@ -123,19 +120,15 @@ pub unsafe extern "C" fn gusset_net_measure(
 
 /// Tells how plane the cells of a net are: whether it can be clad with plane quads.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param tolerance at least 0, for the count in the report.
-/// @param[out] cells a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
-///     corners are from the plane that lies evenly between them, as a part of its longer diagonal;
-///     0 for triangles and less, NaN for cells that are not there.
+/// @param cells a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its corners
+///     are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
+///     triangles and less, NaN for cells that are not there.
 /// @param capacity its size; NULL and 0 if it is not wanted.
-/// @param[out] written receives the number of cells.
-/// @param[out] report its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED.
+/// @param written receives the number of cells.
+/// @param report its struct_size set.
+/// @errors BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes), 8 bytes a cell.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_planarity(

@@ -1,9 +1,10 @@
-//! C interface: nets to meshes and back, and nets of height fields.
+//! Meshes and heights: Nets to meshes and back, and nets of height fields.
 
 use crate::capi::context::{create, create_and_tell, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lent};
+use crate::capi::mesh::gusset_scalar;
 use crate::capi::mesh::result::{Made, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::net::{gusset_net, read};
@@ -37,12 +38,16 @@ pub struct gusset_net_mesh_options {
     /// GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER or GUSSET_NET_TRIANGLES_FIXED.
     pub faces: gusset_net_faces,
     /// 1: a vertex for each node, and nothing is glued. 0 or 1.
+    /// @flag
     pub no_weld: u32,
     /// 1: finite vertices that nothing uses are kept. 0 or 1.
+    /// @flag
     pub keep_unused: u32,
     /// 1: a cell of which just one corner is missing becomes a triangle. 0 or 1.
+    /// @flag
     pub fill_corners: u32,
     /// 1: texture coordinates are wanted. 0 or 1.
+    /// @flag
     pub texture: u32,
     /// 0.
     pub reserved: u32,
@@ -101,7 +106,7 @@ pub struct gusset_heights {
     /// 0 or 1.
     pub has_no_data: u32,
     /// GUSSET_F32 or GUSSET_F64: of the values, and of the net.
-    pub scalar: u32,
+    pub scalar: gusset_scalar,
 }
 
 /// The cells of a net that is sought in a mesh.
@@ -117,11 +122,15 @@ pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
 pub struct gusset_net_grid_options {
     /// sizeof(gusset_net_grid_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_GRID_...
+    /// The cells of a net that is sought in a mesh.
     pub cells: gusset_grid_cells,
     /// 1: only the component of one face is a grid; 0: the mesh must be one grid. Read for GUSSET_GRID_QUADS.
+    /// @when cells GUSSET_GRID_QUADS
+    /// @flag
     pub has_face: u32,
     /// Read if has_face is 1: a face of the component.
+    /// @when has_face 1
+    /// @flag
     pub face: u32,
     /// 0.
     pub reserved: u32,
@@ -180,15 +189,8 @@ impl gusset_net_mesh_options {
 /// without faces is no failure. The grid of a range image becomes the mesh of what was seen by
 /// triangles, fill_corners and max_edge_ratio.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more)
 /// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_to_mesh(
@@ -205,12 +207,8 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
 
 /// Lends the maps between the net and its mesh, for results of gusset_net_to_mesh.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_net_mesh(
@@ -269,14 +267,9 @@ where
 /// Missing heights become missing nodes; faces are counter-clockwise from above, whichever way rows
 /// and columns run.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param heights the heights.
-/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing,
-///     origin), OUT_OF_MEMORY, CANCELLED.
+/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_from_heights_create(
@@ -305,17 +298,13 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
 /// and tori whose diagonals run without any rule may be refused, and so are fans of fewer than six
 /// triangles at the pole of an open sheet; at least one row of quads is needed.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh see gusset_mesh_view.
 /// @param options NULL for the defaults: quads, and the whole mesh is one grid.
-/// @param[out] grid receives where the net was found, for gusset_net_grid_destroy; NULL on failure. May be
-///     NULL.
-/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of the view, UNKNOWN_VALUE, NO_GRID with a face that shows it,
-///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles whose
-///     poles do not show by their degrees some attempts of that.
-/// @since 0.1
+/// @param grid receives where the net was found, for gusset_net_grid_destroy; NULL on failure. May
+///     be NULL.
+/// @errors NO_GRID (with a face that shows it)
+/// @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles
+///     whose poles do not show by their degrees some attempts of that.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_from_mesh_create(
@@ -348,9 +337,6 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
 }
 
 /// Destroys a grid; NULL is allowed.
-///
-/// @param[in,out] grid the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
     handle::destroy(grid);
@@ -358,11 +344,7 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 
 /// Lends where the net was found.
 ///
-/// @param grid the grid.
-/// @param[out] view receives the parts; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_get_view(

@@ -1,4 +1,6 @@
-//! Nets and their coordinates.
+//! Nets: Regular nets of quads: the handle and its coordinates.
+//!
+//! @source Deryagin, tetragonal regular networks; functions beyond the paper are our own.
 
 pub mod analyse;
 pub mod arrange;
@@ -16,10 +18,7 @@ pub mod normals;
 pub mod planarise;
 pub mod primitive;
 pub mod resample;
-pub mod scene;
-pub mod scene_instances;
 pub mod settle;
-pub mod stream;
 pub mod transform;
 pub mod validate;
 
@@ -27,6 +26,7 @@ use crate::capi::context::{create, guard, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input::{self, Choice, choice};
+use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::gluing::{gusset_net_gluing, topology};
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
 use crate::capi::status::{Failure, gusset_status};
@@ -63,8 +63,8 @@ pub struct gusset_net_view {
     pub row_stride: usize,
     /// Bytes from number to number in a row; 0 for numbers without gaps.
     pub column_stride: usize,
-    /// GUSSET_F32 or GUSSET_F64.
-    pub scalar: u32,
+    /// The type of coordinates.
+    pub scalar: gusset_scalar,
     /// 0.
     pub reserved: u32,
 }
@@ -192,7 +192,6 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 ///
 /// A net in the caller's memory changes the caller's coordinates with its own.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param view the coordinates, rows x columns numbers each; any numbers: a node with one that is
 ///     NaN or infinite is missing. For GUSSET_NET_MEMORY_COPY they have any alignment. For
 ///     GUSSET_NET_MEMORY_BORROW they are aligned to their scalar type, without gaps in rows,
@@ -200,14 +199,11 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 ///     and unmoved until the net is destroyed.
 /// @param gluing NULL for a sheet.
 /// @param memory GUSSET_NET_MEMORY_COPY or GUSSET_NET_MEMORY_BORROW.
-/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
-///     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
-///     BAD_SEAM with the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
+/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
+///     BAD_SEAM (with the seam), CROSSING_CELL (with the cell)
 /// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node for a copy, and 1/4 where sides do
 ///     not say it all. In the caller's memory O(1) without a matrix and seams.
 /// @source Deryagin, "Model of the tetragonal regular network".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_create(
@@ -253,9 +249,6 @@ fn read_view(view: *const gusset_net_view) -> Result<(gusset_net_view, Shape), F
 }
 
 /// Destroys a net; NULL is allowed.
-///
-/// @param[in,out] net the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
     handle::destroy(net);
@@ -284,11 +277,8 @@ fn lend(net: &Net<'_>) -> gusset_net_view {
 /// Lends size and coordinates to be read only, as copies may share them, valid until the net is
 /// changed or destroyed.
 ///
-/// @param net the net.
-/// @param[out] view its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view its struct_size set.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut gusset_net_view) -> gusset_status {
@@ -300,12 +290,8 @@ pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut 
 /// Nodes that are glued must be kept equal: see `snap` of gusset_glue_options. Memory shared with a
 /// copy or a scene is copied first.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param[out] view receives the arrays; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_net_get_view, OUT_OF_MEMORY.
+/// @errors as gusset_net_get_view
 /// @complexity O(1), or O(nodes) if memory is copied.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_edit(
@@ -332,14 +318,10 @@ pub unsafe extern "C" fn gusset_net_edit(
 ///
 /// Bytes between the numbers stay as they are.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param view where they go, of the net's rows and columns, in any layout and of either scalar
 ///     type: double to float is rounded.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
-///     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, CANCELLED.
+/// @errors SIDES_DIFFER (other rows or columns), BAD_STRIDE
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_read(

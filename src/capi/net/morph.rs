@@ -1,4 +1,4 @@
-//! C interface: nets between two nets.
+//! Morphs: Nets between two nets.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::c_enum;
@@ -24,19 +24,12 @@ c_enum! { path: MorphPath { GUSSET_MORPH_LINEAR => Linear, GUSSET_MORPH_RIGID =>
 /// bits as each other in it. It is glued as the first, and has its bridges; a node missing in one
 /// of them is missing between.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param first the net at 0.
-/// @param second the net at 1.
 /// @param t the time, from 0 for the bits of the first to 1 for those of the second.
-/// @param path one of GUSSET_MORPH_...
-/// @param[out] between receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (path),
-///     OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see gusset_net_copy_options),
-///     MIXED_SCALARS, GLUINGS_DIFFER with the node, ORIENTATION_CONFLICT (one is reversed),
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors UNKNOWN_VALUE (path), OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see
+///     gusset_net_copy_options), MIXED_SCALARS, GLUINGS_DIFFER (with the node),
+///     ORIENTATION_CONFLICT (one is reversed)
 /// @complexity O(nodes).
 /// @source Horn 1987, for the rotation.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_morph_create(

@@ -1,4 +1,4 @@
-//! The handle of a net.
+//! The handle of a net: Opaque; nets are the handles that functions change.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::handle::{self, handle};

@@ -1,4 +1,4 @@
-//! C interface: normals of nets.
+//! Normals: Unit normals, exact at poles and seams.
 
 use crate::capi::context::{answer_optional, gusset_context};
 use crate::capi::input;
@@ -45,21 +45,17 @@ fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Resu
 /// their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are
 /// there decide.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param[out] x receives the first coordinates of the normals, float or double as the net's are,
-///     rows x columns numbers, row after row without gaps, aligned; the three buffers are apart
-///     from each other and from the net's own.
-/// @param[out] y receives the second ones.
-/// @param[out] z receives the third ones.
+/// @param x receives the first coordinates of the normals, float or double as the net's are, rows x
+///     columns numbers, row after row without gaps, aligned; the three buffers are apart from each
+///     other and from the net's own.
+/// @param y receives the second ones.
+/// @param z receives the third ones.
 /// @param capacity the numbers that each has room for.
-/// @param[out] missing_count receives the number of nodes that have no normal and get zeros:
-///     missing ones, and those whose cells have no area or cancel out; may be NULL.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP,
-///     OUT_OF_MEMORY, CANCELLED (the buffers are filled in part).
+/// @param missing_count receives the number of nodes that have no normal and get zeros: missing
+///     ones, and those whose cells have no area or cancel out; may be NULL.
+/// @errors BUFFER_TOO_SMALL, OVERLAP, CANCELLED (the buffers are filled in part)
 /// @complexity O(nodes); a bit a node, and memory for the glued nodes.
 /// @threads From any thread; the same bits for any number of threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_normals(

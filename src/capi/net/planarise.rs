@@ -1,4 +1,4 @@
-//! C interface: nets whose cells are made plane.
+//! Planar cells: Moves nodes as little as possible until cells are planar.
 
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
@@ -26,6 +26,7 @@ pub struct gusset_planarise_options {
     /// The largest number of steps; 0: 100.
     pub max_iterations: u32,
     /// 1: vertices on the boundary of the surface stay.
+    /// @flag
     pub keep_boundary: u32,
 }
 
@@ -66,18 +67,13 @@ versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 /// nodes do not count. The result is a local least: no plane net near it is nearer to the given
 /// one, but for the accuracy of the steps.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param options NULL for the defaults.
-/// @param[out] report receives what was done, its struct_size set; that the steps did not converge
-///     is no error.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     OUT_OF_RANGE (tolerance), UNKNOWN_VALUE (keep_boundary, a byte of fixed), SIZE_OVERFLOW
-///     (fixed_count is too small), OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
+/// @param report receives what was done, its struct_size set; that the steps did not converge is no
+///     error.
+/// @errors OUT_OF_RANGE (tolerance), UNKNOWN_VALUE (keep_boundary, a byte of fixed), SIZE_OVERFLOW
+///     (fixed_count is too small, the net is then unchanged)
 /// @complexity For each step O(n^1.5) operations and O(n log n) memory for n cells.
 /// @threads One thread; the same bits always.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_planarise(

@@ -1,8 +1,9 @@
-//! C interface: nets of standard shapes.
+//! Shapes: Spheres, cylinders, boxes, tori, one-sided surfaces and others.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice};
+use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::gusset_net;
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::closure::{BoxKind, Cuboid};
@@ -47,14 +48,14 @@ pub const GUSSET_NET_PROJECTIVE_PLANE: gusset_net_shape = 13;
 pub const GUSSET_NET_PILLOW: gusset_net_shape = 14;
 
 /// How the two caps of a box are covered.
-pub type gusset_net_box = u32;
+pub type gusset_box_kind = u32;
 /// Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and
 /// no seams are needed.
-pub const GUSSET_NET_BOX_SLIT: gusset_net_box = 0;
+pub const GUSSET_NET_BOX_SLIT: gusset_box_kind = 0;
 /// The paper's crosswise unwrapping. All faces are unit quads; two seams.
-pub const GUSSET_NET_BOX_CROSS: gusset_net_box = 1;
+pub const GUSSET_NET_BOX_CROSS: gusset_box_kind = 1;
 /// Concentric rings: fewest nodes, and triangles along the diagonals of the caps.
-pub const GUSSET_NET_BOX_CONCENTRIC: gusset_net_box = 2;
+pub const GUSSET_NET_BOX_CONCENTRIC: gusset_box_kind = 2;
 
 /// A net that is wanted. Measures that the shape does not name are not read.
 #[repr(C)]
@@ -64,8 +65,8 @@ pub struct gusset_net_primitive {
     pub struct_size: usize,
     /// One of GUSSET_NET_PLANE to GUSSET_NET_PILLOW.
     pub shape: gusset_net_shape,
-    /// GUSSET_F32 or GUSSET_F64.
-    pub scalar: u32,
+    /// The type of coordinates.
+    pub scalar: gusset_scalar,
     /// Rows of nodes; 0 for 33. Not read for boxes and lathes.
     pub rows: usize,
     /// Columns of nodes; 0 for 65. Not read for boxes.
@@ -85,8 +86,8 @@ pub struct gusset_net_primitive {
     pub profile_count: usize,
     /// Lateral faces of a prism or pyramid, at least 3.
     pub sides: u32,
-    /// GUSSET_NET_BOX_...
-    pub box_kind: gusset_net_box,
+    /// How the two caps of a box are covered.
+    pub box_kind: gusset_box_kind,
     /// Cells of a box along x, y and z, at least 1 each.
     pub cells: [u32; 3],
     /// 0.
@@ -130,15 +131,11 @@ impl gusset_net_primitive {
 /// Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise
 /// seen from outside.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param primitive what is wanted.
-/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too
-///     few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows,
+///     columns, sides or cells), TOO_LARGE
 /// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 for boxes.
 /// @source Deryagin, "Closures of nets".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_primitive_create(

@@ -1,4 +1,4 @@
-//! C interface: resampling, levels of detail and changes of size.
+//! Resolutions: Resampled and decimated nets, and levels of detail.
 
 use crate::capi::context::{create, create_and_tell, guard_change, gusset_context};
 use crate::capi::glue::c_enum;
@@ -29,18 +29,13 @@ c_enum! {
 /// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of
 /// another; first and last ones stay, and new nodes that fall on old ones have their bits.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net glued along whole sides only, without bridges; the new one is glued in the same way,
 ///     glued nodes have equal bits.
 /// @param rows of the result, at least 2.
 /// @param columns of the result, at least 2.
-/// @param interpolation one of GUSSET_INTERPOLATION_...
-/// @param[out] resampled receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE,
-///     GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+/// @errors NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes of both).
 /// @threads From any thread; the same bits for any number of threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_resample_create(
@@ -60,19 +55,15 @@ pub unsafe extern "C" fn gusset_net_resample_create(
 /// Makes a net of the rows and columns of another that matter most: rows, and then columns, are
 /// left out, always the one whose loss costs least, as long as the tolerance allows.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net glued along whole sides only, without bridges.
 /// @param tolerance at least 0, may be infinite; nodes are at most half of it away from the
 ///     segments that replace their columns, and as much from those that replace their rows.
-/// @param[out] rows receive the indices of what was kept, as many as the new net has; each has room
-///     for as many as the old net has; NULL if not wanted.
-/// @param[out] columns see rows.
-/// @param[out] deviation receives what was reached; may be NULL.
-/// @param[out] decimated receives the net; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @param rows receive the indices of what was kept, as many as the new net has; each has room for
+///     as many as the old net has; NULL if not wanted.
+/// @param columns see rows.
+/// @param deviation receives what was reached; may be NULL.
+/// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decimate_create(
@@ -107,18 +98,15 @@ fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), 
 /// Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the
 /// others every second row and column of the one before, bit for bit.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the
 ///     first level is a copy, else it is resampled to the next sizes.
 /// @param interpolation as for gusset_net_resample_create.
-/// @param[out] levels receives the nets, each for gusset_net_destroy; all NULL on failure.
+/// @param levels receives the nets, each for gusset_net_destroy; all NULL on failure.
 /// @param capacity how many it has room for; GUSSET_PYRAMID_LEVELS is always enough.
-/// @param[out] count receives how many there are, also with BUFFER_TOO_SMALL, which capacity 0
-///     gives too.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+/// @param count receives how many there are, also with BUFFER_TOO_SMALL, which capacity 0 gives
+///     too.
+/// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes), memory for 4/3 of the first.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_pyramid_create(

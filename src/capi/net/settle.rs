@@ -1,4 +1,4 @@
-//! C interface: bridges at rest under their forces.
+//! Bridges at rest: Settles bridges under tension, elasticity and stiffness.
 
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
@@ -83,21 +83,16 @@ versioned! { gusset_settle_options: 56 reserved, gusset_settle_report: 80 }
 /// bridges join none is held, the first is. What is found is a local minimum, and the energy never
 /// grows on the way.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
-/// @param options NULL for the defaults.
-/// @param[out] report receives what was done, its struct_size set; that the steps did not converge
-///     is no error.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER (the
-///     reference has another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is
-///     negative, NaN or infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another),
-///     OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
+/// @param report receives what was done, its struct_size set; that the steps did not converge is no
+///     error.
+/// @errors UNKNOWN_VALUE (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER
+///     (the reference has another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is
+///     negative, NaN or infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another,
+///     the net is then unchanged)
 /// @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and
 ///     O(nodes).
 /// @threads One thread; the same bits always.
 /// @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_settle(

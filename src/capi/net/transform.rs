@@ -1,4 +1,4 @@
-//! C interface: affine maps and deformations of nets.
+//! Affine maps: Moves, rotates and scales nets.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, fixed};
@@ -40,7 +40,7 @@ pub const GUSSET_OPERATION_MATRIX: gusset_operation_kind = 7;
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_operation {
-    /// One of GUSSET_OPERATION_...
+    /// What an operation does.
     pub kind: gusset_operation_kind,
     /// For GUSSET_OPERATION_COMPRESS; else 0.
     pub axis: gusset_axis,
@@ -99,18 +99,14 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
 /// the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is heard
 /// before the first node is moved; whatever the error, none is moved.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] net the net.
 /// @param operations `count` of them, at any alignment; 0 for none.
 /// @param count see operations.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a
-///     number that is not finite, an axis of length 0, a product that overflows), FIELD_UNDEFINED
-///     with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its
-///     memory), CANCELLED.
+/// @errors UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length
+///     0, a product that overflows), FIELD_UNDEFINED (with the first node that would overflow),
+///     OUT_OF_MEMORY (a net that shares its memory)
 /// @complexity O(nodes), no memory.
 /// @threads The same bits for any number of threads.
 /// @source Deryagin, T, R, S, C.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_transform(

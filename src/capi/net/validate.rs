@@ -1,4 +1,4 @@
-//! C interface: whether the coordinates of a net agree with its gluing.
+//! Validation: Whether coordinates agree with the gluing.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
@@ -28,7 +28,7 @@ pub const GUSSET_NET_FINDING_FEW_NODES: gusset_net_finding_kind = 4;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_finding {
-    /// One of GUSSET_NET_FINDING_...
+    /// What is found.
     pub kind: gusset_net_finding_kind,
     /// The link, or the number of the seam.
     pub element: u32,
@@ -76,16 +76,11 @@ c_enum! {
 ///
 /// Two missing nodes are no violation.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param tolerance how far two nodes may be apart, at least 0; for 0 their coordinates must be
 ///     equal (0 and -0 are).
-/// @param[out] validation receives the result, for gusset_net_validation_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes), and a sort of the findings.
 /// @source Deryagin, "Non-spatial operations".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_validation_create(
@@ -109,11 +104,7 @@ pub unsafe extern "C" fn gusset_net_validation_create(
 
 /// Lends the findings.
 ///
-/// @param validation the validation.
-/// @param[out] view receives the findings; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(log findings).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_validation_get_view(
@@ -129,9 +120,6 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
 }
 
 /// Destroys a validation; NULL is allowed.
-///
-/// @param[in,out] validation the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
     handle::destroy(validation);

@@ -1,4 +1,4 @@
-//! C interface: cells of a surface near a point, and pairs of cells of two surfaces near each other.
+//! Cells: Pairs of near cells, and cells of a region.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
@@ -66,17 +66,13 @@ fixed! { gusset_surface_cell: 12 }
 /// Finds the cells that have a point within a radius of a query: the paper's region, with its
 /// logical scale.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param query x, y, z, up to 1e150, at any alignment.
 /// @param radius at least 0; INFINITY: all cells.
-/// @param[out] cells receives all cells that have such a point, and no others but such as come
-///     within the tolerance of the radius or could not be decided in bounded work; for
+/// @param cells receives all cells that have such a point, and no others but such as come within
+///     the tolerance of the radius or could not be decided in bounded work; for
 ///     gusset_surface_cells_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
-///     (radius; a coordinate beyond 1e150), OUT_OF_MEMORY, CANCELLED.
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
 /// @complexity O(cells found, and one bit a cell).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_region_create(
@@ -103,15 +99,9 @@ pub unsafe extern "C" fn gusset_surface_region_create(
 /// Finds the pairs of cells of two surfaces that may be as near to each other as `within`: all that
 /// are, and few others.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
-/// @param other the other surface.
 /// @param within a length, finite; 0: cells that may meet.
-/// @param[out] cells receives the pairs, for gusset_surface_cells_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
-///     TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
 /// @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
@@ -136,11 +126,8 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
 
 /// Lends the cells until they are destroyed.
 ///
-/// @param cells the cells.
-/// @param[out] view struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cells_get_view(
@@ -161,9 +148,6 @@ pub unsafe extern "C" fn gusset_surface_cells_get_view(
 }
 
 /// Frees cells; NULL is allowed.
-///
-/// @param[in,out] cells the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_cells_destroy(cells: *mut gusset_surface_cells) {
     handle::destroy(cells);

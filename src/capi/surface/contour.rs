@@ -1,4 +1,4 @@
-//! C interface: contours of a surface: sections, contours of values, isophotes.
+//! Sections: Sections by planes, contours, isophotes and silhouettes.
 
 use crate::capi::context::{answer_struct, create, gusset_context};
 use crate::capi::glue::versioned;
@@ -9,19 +9,19 @@ use crate::surface::contour::{Planes, PointSpacing};
 use glam::DVec3;
 
 /// The points of a curve between those where it crosses the lines of the surface.
-pub type gusset_point_spacing = u32;
+pub type gusset_spacing_rule = u32;
 /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
 /// box.
-pub const GUSSET_POINT_SPACING_AUTO: gusset_point_spacing = 0;
+pub const GUSSET_POINT_SPACING_AUTO: gusset_spacing_rule = 0;
 /// As many points of the surface as keep the chords within `chord`, as the middle and the quarters of
 /// the curve beside each show; where nodes are far apart for that length, it may be more elsewhere.
-pub const GUSSET_POINT_SPACING_CHORD: gusset_point_spacing = 1;
+pub const GUSSET_POINT_SPACING_CHORD: gusset_spacing_rule = 1;
 /// Nothing.
-pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_point_spacing = 2;
+pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_spacing_rule = 2;
 /// `points` points of the paper's approximation: on the cubic through four crossings. They are near
 /// the surface, not on it, and have the place of the crossing before them. Order four where
 /// crossings are evenly spaced.
-pub const GUSSET_POINT_SPACING_LEUS: gusset_point_spacing = 3;
+pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 
 /// How curves of a surface are given.
 #[repr(C)]
@@ -32,8 +32,8 @@ pub struct gusset_contour_options {
     /// With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the
     /// tolerance of the surface. Otherwise not read.
     pub chord: f64,
-    /// GUSSET_POINT_SPACING_...
-    pub spacing: gusset_point_spacing,
+    /// The points of a curve between those where it crosses the lines of the surface.
+    pub spacing: gusset_spacing_rule,
     /// With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
     pub points: u32,
 }
@@ -55,7 +55,7 @@ pub const GUSSET_CONTOUR_ANGLE: gusset_contour_kind = 2;
 pub struct gusset_contour_function {
     /// sizeof(gusset_contour_function), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_CONTOUR_...
+    /// The function on a surface whose contours are drawn.
     pub kind: gusset_contour_kind,
     /// For GUSSET_CONTOUR_ANGLE. 1: a normal and its opposite are the same.
     pub unsigned_normals: u32,
@@ -96,7 +96,7 @@ pub struct gusset_nearest_angle_report {
 versioned! { gusset_contour_options: 24, gusset_contour_function: 80, gusset_nearest_angle_report: 112 }
 
 /// The points between crossings that the caller's options ask for.
-pub(crate) fn spacing(spacing: gusset_point_spacing, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
+pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
     Ok(match spacing {
         GUSSET_POINT_SPACING_AUTO => PointSpacing::Auto,
         GUSSET_POINT_SPACING_CHORD => PointSpacing::Chord(chord),
@@ -126,23 +126,16 @@ pub(crate) fn spacing(spacing: gusset_point_spacing, chord: f64, points: u32) ->
 /// between them. Poles that may have the angle are listed as unresolved. Angles are of order three,
 /// as normals are; contours of the cosines at the nodes are of order four.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param function the function; struct_size set by the caller.
 /// @param levels count of them, rising, at any alignment: the values of the function on the curves.
 ///     Angles are from 0 to pi, or to pi / 2 if normals are unsigned.
 /// @param count see levels.
-/// @param options NULL for the defaults.
-/// @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (numbers that are not finite, a direction of 0, levels that do
-///     not rise, angles, chord, points), SIZE_OVERFLOW, also if there are too few values, TOO_LARGE,
-///     also if there are too many, NOT_FINITE with the number of the value, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors OUT_OF_RANGE (numbers that are not finite, a direction of 0, levels that do not rise,
+///     angles, chord, points, if there are too few values), TOO_LARGE (if there are too many),
+///     NOT_FINITE (with the number of the value)
 /// @complexity About O(count + cells that are crossed); O(values) for values, and O(cells) once for
 ///     angles, for the cones of normals; threads.
 /// @source Leus, "Carcasses on smooth surfaces", tasks b and d.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_contours_create(
@@ -178,18 +171,14 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
 /// Finds the place whose normal makes the angle with a direction that is nearest to a given one,
 /// proved to 1e-9.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param direction x, y, z, not 0, at any alignment.
 /// @param angle in radians, 0 to pi, or to pi / 2 if normals are unsigned.
 /// @param unsigned_normals 1: a normal and its opposite are the same; else 0.
-/// @param[out] report struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED.
+/// @param report struct_size set by the caller; all else is overwritten.
+/// @errors OUT_OF_RANGE
 /// @complexity About O(cells that come near to the angle), and O(cells) once, for the cones of
 ///     normals; threads.
 /// @source Leus, task b.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest_angle(

@@ -1,4 +1,4 @@
-//! C interface: curves beside surfaces: through points, along a surface, and where they meet a line.
+//! Curves and surfaces: Curves through points, along surfaces, and near each other.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
@@ -20,20 +20,15 @@ pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 /// Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the
 /// next, of fourth order.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param nodes x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of
 ///     which the last is the first one again: closed paths of a surface do not repeat it, and need
 ///     it added.
 /// @param count see nodes.
 /// @param closed 0 or 1.
-/// @param scheme GUSSET_SCHEME_...
-/// @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve), NET_TOO_SMALL with
-///     too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
-///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @errors MISALIGNED_ARGUMENT (curve), NET_TOO_SMALL (with too few points), NOT_FINITE (with the
+///     node), CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
 /// @source Leus, "Carcasses on smooth surfaces": points are the surface of a curve.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through_create(
@@ -52,15 +47,10 @@ pub unsafe extern "C" fn gusset_curve_through_create(
 
 /// A coordinate curve of a sheet, exactly: a segment for each cell.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param along GUSSET_ALONG_...; along rows u is the parameter, along columns v is.
+/// @param along along rows u is the parameter, along columns v is.
 /// @param parameter 0 to the number of cells that way; whole numbers are lines of nodes.
-/// @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
-///     (parameter), OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (parameter)
 /// @complexity O(cells along the curve).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_curve_create(
@@ -86,16 +76,12 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
 /// The places are those where the distance is least, each once. The others among the places have segment
 /// 0, and the line's own parameter as t. gusset_curve_intersect_plane_create cuts a plane curve by a line.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param line one, at any alignment.
 /// @param within a length, 0 or more and finite; at least 1e-12 of the curve's size is taken.
-/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts
-///     that stay as near, and parts where no place can be told from the next.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
-///     (within; a line that is not finite or has no direction), OUT_OF_MEMORY, CANCELLED.
+/// @param places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are
+///     parts that stay as near, and parts where no place can be told from the next.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
 /// @complexity Bounded work for each segment whose box meets the line.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_line_create(

@@ -1,4 +1,4 @@
-//! C interface: nearest points of a surface and a line, a plane, a curve or another surface.
+//! Distances: Nearest points of a surface and a line, a plane, a curve or another surface.
 
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
@@ -28,7 +28,7 @@ pub const GUSSET_TARGET_SURFACE: gusset_target_kind = 3;
 pub struct gusset_target {
     /// sizeof(gusset_target), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_TARGET_...
+    /// The object from which a distance is measured.
     pub kind: gusset_target_kind,
     /// 0.
     pub reserved: u32,
@@ -45,6 +45,7 @@ pub struct gusset_target {
 }
 
 /// Bits of gusset_distance_report.
+/// @bits
 pub type gusset_distance_flags = u32;
 /// The distance is proved: bound is within the tolerance of it, or within 2^-45 of the greatest
 /// coordinate. Not set: the proof would take too long, as where much of the surface is equally near.
@@ -78,7 +79,7 @@ pub struct gusset_distance_report {
     /// For a line: its parameter at the nearest point. For a plane: the distance, negative if the
     /// surface's point is not on the side that the normal points to. Else 0.
     pub parameter: f64,
-    /// GUSSET_DISTANCE_...
+    /// Bits of gusset_distance_report.
     pub flags: gusset_distance_flags,
     /// 0.
     pub reserved: u32,
@@ -113,19 +114,16 @@ impl gusset_distance_report {
 /// the surface is equally near, as a tube is to its axis, the search ends without a proof and says
 /// so. Where a plane meets the surface, the result is a point of the section.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param target the object; struct_size set by the caller.
 /// @param tolerance a length, to which the distance is proved, finite; 0: the tolerance of the
 ///     surface, or the greater one of two surfaces.
-/// @param[out] report struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (kind, reserved), OUT_OF_RANGE for a line that is not finite, has no direction
-///     or ends before it begins, for a plane that is not finite, too large or without a direction,
-///     for a curve that is too large, and for the tolerance; EMPTY_CURVE, OUT_OF_MEMORY, CANCELLED.
+/// @param report struct_size set by the caller; all else is overwritten.
+/// @errors UNKNOWN_VALUE (kind, reserved), OUT_OF_RANGE (for a line that is not finite, has no
+///     direction or ends before it begins, for a plane that is not finite, too large or without a
+///     direction, for a curve that is too large, for the tolerance), EMPTY_CURVE
 /// @complexity About O(log cells), and at most 50,000 pairs of pieces.
-/// @source Ours; Leus, "Carcasses on smooth surfaces", tasks c to e, where there is no intersection.
-/// @since 0.1
+/// @source Ours; Leus, "Carcasses on smooth surfaces", tasks c to e, where there is no
+///     intersection.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_distance(

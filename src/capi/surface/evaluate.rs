@@ -1,4 +1,4 @@
-//! C interface: points, normals and curvatures at places of a surface.
+//! Points: Points, normals and curvatures at places of a surface.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::curve::times;
@@ -50,7 +50,7 @@ pub struct gusset_surface_point {
     pub mean: f64,
     /// The Gaussian curvature.
     pub gaussian: f64,
-    /// GUSSET_NORMAL_...
+    /// The kind of a normal.
     pub normal_kind: gusset_normal_kind,
     /// 1: there are curvatures; 0: they are 0, as the surface is not regular there.
     pub is_curved: u32,
@@ -99,16 +99,12 @@ pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) ->
 
 /// Points, derivatives, normals and curvatures at places.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param places count of them, at any alignment.
 /// @param count see places.
-/// @param[out] results room for count; all 0 on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
-///     (reserved), NO_SUCH_ELEMENT with the first place that the surface does not have: no such
-///     sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+/// @param results room for count; all 0 on failure.
+/// @errors UNKNOWN_VALUE (reserved), NO_SUCH_ELEMENT (with the first place that the surface does
+///     not have: no such sheet or cell, parameters that are not 0 to 1)
 /// @complexity O(1) a place, at a pole O(cells round it); threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_evaluate(
@@ -133,17 +129,12 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
 /// Closed directions are counted round; what is beyond an open side is on it. The other way the
 /// parameters of a place are row + u and column + v.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param sheet its number, counted from 0.
 /// @param parameters u, v of each, packed, at any alignment.
 /// @param count see places.
-/// @param[out] places room for count; all 0 on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW,
-///     NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet;
-///     OUT_OF_MEMORY, CANCELLED.
+/// @param places room for count; all 0 on failure.
+/// @errors NO_SUCH_ELEMENT (with the first pair that is not finite, if there is no such sheet)
 /// @complexity O(1) each.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_locate(

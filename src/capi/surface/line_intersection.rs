@@ -1,4 +1,4 @@
-//! C interface: intersections of lines and curves with a surface.
+//! Lines: Intersections of lines, rays, segments and curves with a surface.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
@@ -62,7 +62,7 @@ pub struct gusset_surface_hit {
     pub point: [f64; 3],
     /// x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
     pub normal: [f64; 3],
-    /// GUSSET_HIT_...
+    /// The kind of a hit.
     pub kind: gusset_hit_kind,
     /// 0.
     pub reserved: u32,
@@ -138,22 +138,16 @@ c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST =>
 /// at a pole is found once, and none is missed: where a line or the curve touches the surface or runs
 /// in it, a hit says from where to where.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param lines count of them, at any alignment; NULL for none.
 /// @param count see lines.
 /// @param curve of degree 7 at most; NULL for none. Its hits come after those of the lines, in the
 ///     order of the curve.
-/// @param selection GUSSET_HITS_...
-/// @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
-///     with the line that is not finite, has no direction, or ends before it begins, or for a degree;
-///     EMPTY_CURVE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (with the line that is not finite, has no direction, ends before it begins,
+///     for a degree), EMPTY_CURVE
 /// @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in.
 ///     About O(log cells) for each cell that the curve comes near to; bounded for each segment and
 ///     cell that run in each other. Threads.
 /// @source Leus, "Carcasses on smooth surfaces", task c.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_hits_create(
@@ -189,15 +183,12 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
 /// Finds the first hit of each of many lines, rays or segments: the hit of least t, which
 /// gusset_surface_hits_create gives first.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param lines count of them, at any alignment.
 /// @param count see lines.
-/// @param[out] hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
-///     where there is none, and everywhere on failure.
-/// @return GUSSET_OK, or an error: those of gusset_surface_hits_create, MISALIGNED_ARGUMENT (hits).
+/// @param hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where
+///     there is none, and everywhere on failure.
+/// @errors as gusset_surface_hits_create, MISALIGNED_ARGUMENT (hits)
 /// @complexity About O(log cells) a line; threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_first_hits(
@@ -221,11 +212,8 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
 
 /// The hits, lent until they are destroyed.
 ///
-/// @param hits the hits.
-/// @param[out] view struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_hits_get_view(
@@ -244,9 +232,6 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
 }
 
 /// Frees hits; NULL is allowed.
-///
-/// @param[in,out] hits the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_hits_destroy(hits: *mut gusset_surface_hits) {
     handle::destroy(hits);

@@ -1,5 +1,6 @@
-//! C interface: the handle of a surface, which is sheets with an index; places on surfaces, and
-//! paths of them.
+//! Surfaces: Sheets with an index: smooth surfaces that answer queries.
+//!
+//! @source Leus, "Carcasses on smooth surfaces"; the index and the proofs are our own.
 
 pub mod cells;
 pub mod contour;
@@ -7,9 +8,7 @@ pub mod curve;
 pub mod distance;
 pub mod evaluate;
 pub mod line_intersection;
-pub mod mask;
 pub mod nearest;
-pub mod reference;
 pub mod report;
 pub mod sheet;
 pub mod sheet_construct;
@@ -96,7 +95,7 @@ pub struct gusset_surface_contact {
     /// A length: near the contact, points of the one surface that are within the tolerance of the
     /// other one are within this distance of it, but for those on branches that cross there.
     pub radius: f64,
-    /// GUSSET_CONTACT_...
+    /// How two surfaces touch.
     pub kind: gusset_contact_kind,
     /// 0.
     pub reserved: u32,
@@ -113,6 +112,7 @@ pub struct gusset_surface_options {
     /// 1: with the cones of normals that isophotes (GUSSET_CONTOUR_ANGLE) and
     /// gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first such question
     /// builds them.
+    /// @flag
     pub cones: u32,
     /// 0.
     pub reserved: u32,
@@ -240,18 +240,13 @@ fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet
 /// The greatest absolute coordinate of each is from 1e-30 to 1e37, or 0, control points included:
 /// boxes are in single precision.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheets count handles, none NULL, the array at any alignment; they may be destroyed
 ///     afterwards.
 /// @param count see sheets.
-/// @param options NULL for the defaults.
-/// @param[out] surface receives the result, for gusset_surface_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT (of a handle with its number, as
-///     GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH
-///     without sheets, OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are
-///     too large or too small, or for the tolerance; SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @errors NULL_ARGUMENT (of a handle with its number, as GUSSET_ELEMENT_ITEM), EMPTY_MESH (without
+///     sheets), OUT_OF_RANGE (with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too
+///     large or too small, for the tolerance)
 /// @complexity O(nodes), about 7 bytes a node, and 0.7 with cones; threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_create(
@@ -279,9 +274,6 @@ pub unsafe extern "C" fn gusset_surface_create(
 /// Frees a surface; NULL is allowed.
 ///
 /// Results that were found with it stay.
-///
-/// @param[in,out] surface the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
     handle::destroy(surface);
@@ -289,11 +281,8 @@ pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
 
 /// The curves, lent until they are destroyed.
 ///
-/// @param paths the paths.
-/// @param[out] view struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_paths_get_view(
@@ -319,9 +308,6 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
 }
 
 /// Frees curves; NULL is allowed.
-///
-/// @param[in,out] paths the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_paths_destroy(paths: *mut gusset_surface_paths) {
     handle::destroy(paths);

@@ -1,4 +1,4 @@
-//! C interface: nearest points of surfaces, and places where the distance is locally least.
+//! Nearest points: Nearest points, local minima of the distance, regions of cells.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
@@ -12,6 +12,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 
 /// Bits of gusset_surface_nearest_point.
+/// @bits
 pub type gusset_nearest_flags = u32;
 /// There is a point; else nothing is within the limit, all numbers are 0 and the distance is
 /// infinite.
@@ -40,7 +41,7 @@ pub struct gusset_surface_nearest_point {
     /// No point of the surface is nearer than this; of minima: none of the piece of surface round
     /// the point.
     pub bound: f64,
-    /// GUSSET_NEAREST_...
+    /// Bits of gusset_surface_nearest_point.
     pub flags: gusset_nearest_flags,
     /// 0.
     pub reserved: u32,
@@ -124,20 +125,16 @@ impl gusset_nearest_options {
 /// column. Proofs are relative to the surface as declared: no point of it is nearer than
 /// bound.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param queries x, y, z of each, packed, at any alignment.
 /// @param count see queries.
 /// @param options NULL for the defaults: no limit.
-/// @param[out] points room for count answers, in the order of the queries; none is found on
-///     failure: no flags, and infinite distances.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit; a query with a
-///     coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
+/// @param points room for count answers, in the order of the queries; none is found on failure: no
+///     flags, and infinite distances.
+/// @errors TOO_LARGE, NOT_FINITE (with the query), OUT_OF_RANGE (limit; a query with a coordinate
+///     beyond 1e150)
 /// @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
 ///     work; threads.
 /// @source Leus, "Carcasses on smooth surfaces", task a, by branch and bound.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest(
@@ -169,16 +166,12 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 /// GUSSET_NEAREST_PROVEN and with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places
 /// count from which no way on the surface leads nearer.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param query x, y, z, up to 1e150, at any alignment.
 /// @param options NULL for the defaults: all.
-/// @param[out] points receives the result, the nearest first, for gusset_surface_points_destroy;
-///     NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE,
-///     OUT_OF_RANGE (limit; a coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
+/// @param points receives the result, the nearest first, for gusset_surface_points_destroy; NULL on
+///     failure.
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
 /// @complexity O(cells within the limit); with max_count, those no farther than the last.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_minima_create(
@@ -200,11 +193,8 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
 
 /// The points, lent until they are destroyed.
 ///
-/// @param points the points.
-/// @param[out] view struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_points_get_view(
@@ -219,9 +209,6 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
 }
 
 /// Frees points; NULL is allowed.
-///
-/// @param[in,out] points the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surface_points) {
     handle::destroy(points);

@@ -1,4 +1,4 @@
-//! C interface: reports on surfaces and their sheets.
+//! Reports on surfaces: Facts about a surface and its sheets.
 
 use crate::capi::context::lend;
 use crate::capi::glue::versioned;
@@ -37,11 +37,8 @@ versioned! { gusset_surface_report: 96 }
 
 /// Reports on a surface and its sheets.
 ///
-/// @param surface the surface.
-/// @param[out] report struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param report struct_size set by the caller; all else is overwritten.
 /// @complexity O(sheets).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_get_report(

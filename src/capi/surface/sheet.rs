@@ -1,10 +1,13 @@
-//! C interface: sheets of smooth patches, through nodes.
+//! Sheets: Smooth patches through a grid of nodes.
+//!
+//! @source Leus; the scheme of six taps is our own.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::points;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag};
+use crate::capi::mesh::gusset_scalar;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
@@ -62,9 +65,9 @@ pub struct gusset_nodes {
     pub row_stride: usize,
     /// Bytes from node to node in a row; 0 for nodes without gaps.
     pub column_stride: usize,
-    /// GUSSET_F32 or GUSSET_F64.
-    pub scalar: u32,
-    /// GUSSET_SCHEME_...
+    /// The type of coordinates.
+    pub scalar: gusset_scalar,
+    /// How the surface is drawn through nodes.
     pub scheme: gusset_scheme,
     /// 1: closed in u, along columns: the last row is the first one again.
     pub closed_u: u32,
@@ -85,7 +88,7 @@ pub struct gusset_tangents {
     pub v: *const f64,
     /// For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
     pub twists: *const f64,
-    /// GUSSET_TWISTS_...
+    /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
     pub twist: gusset_twists,
     /// 0.
     pub reserved: u32,
@@ -187,26 +190,22 @@ fn with_tangents(
 /// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are
 /// destroyed. They are f64, aligned to 8 bytes, and their strides are multiples of 8.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param nodes at any alignment, unless borrowed; finite. Repeated nodes and rows that are one point
-///     (poles) are allowed. For a surface the greatest coordinate in absolute terms is from
+/// @param nodes at any alignment, unless borrowed; finite. Repeated nodes and rows that are one
+///     point (poles) are allowed. For a surface the greatest coordinate in absolute terms is from
 ///     1e-30 to 1e37, or 0; so it is for every kind of sheet.
-/// @param tangents NULL: the scheme of the nodes draws the surface. Else rows x columns vectors each,
-///     at any alignment, and the scheme is not read. The vectors of the repeated line of a closed
-///     direction are not read as tangents, but must be there.
+/// @param tangents NULL: the scheme of the nodes draws the surface. Else rows x columns vectors
+///     each, at any alignment, and the scheme is not read. The vectors of the repeated line of a
+///     closed direction are not read as tangents, but must be there.
 /// @param borrow 1: the sheet reads the caller's memory; 0: it copies the nodes. With tangents the
 ///     sheet keeps patches in place of nodes, either way.
-/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the structs, sheet, borrowed
-///     nodes), BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, also for borrowed nodes that
-///     are f32 or have strides that are not multiples of 8, SIZE_OVERFLOW, UNKNOWN_VALUE (also twist,
-///     reserved, borrow), NOT_FINITE with the node, of a node, a tangent or a twist, SIDES_DIFFER if a
-///     closed direction does not end where it begins, with the place of the largest gap,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors MISALIGNED_ARGUMENT (the structs, sheet, borrowed nodes), NET_TOO_SMALL, TOO_LARGE,
+///     BAD_STRIDE (for borrowed nodes that are f32 or have strides that are not multiples of 8),
+///     UNKNOWN_VALUE (also twist, reserved, borrow), NOT_FINITE (with the node, of a node, a
+///     tangent or a twist), SIDES_DIFFER (if a closed direction does not end where it begins, with
+///     the place of the largest gap)
 /// @complexity O(nodes); 24 bytes a node, none if they are borrowed, and with tangents 384 bytes a
 ///     cell.
 /// @source Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(
@@ -236,9 +235,6 @@ pub unsafe extern "C" fn gusset_sheet_create(
 /// Frees a sheet; NULL is allowed.
 ///
 /// Results that were made of it keep what they need.
-///
-/// @param[in,out] sheet the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
     handle::destroy(sheet);

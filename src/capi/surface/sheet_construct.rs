@@ -1,4 +1,5 @@
-//! C interface: sheets from patches, splines, curves, frames and other sheets.
+//! Other sheets: Sheets from tangents, nets of curves, frames, patches and B-splines, including
+//! rational ones (NURBS).
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
@@ -117,7 +118,6 @@ fn curves<'a>(
 ///
 /// Repeated points and sides that are one point are allowed.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points x, y, z of the control points, packed, at any alignment: patch after patch, row
 ///     after row of patches; in each patch degree_v + 1 points follow each other in v, degree_u + 1
 ///     times.
@@ -125,12 +125,9 @@ fn curves<'a>(
 /// @param degree_v 1 to 7.
 /// @param rows of patches, at least 1.
 /// @param columns of patches, at least 1.
-/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE
-///     (degree), EMPTY_MESH without patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control
-///     point (as a node), OUT_OF_MEMORY, CANCELLED.
+/// @errors MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH (without patches),
+///     TOO_LARGE, NOT_FINITE (with the control point (as a node))
 /// @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_patches_create(
@@ -170,18 +167,13 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
 /// evenly. Tangents go on over sides where those of the rational surface do. Sides that are one
 /// point, as the poles of spheres, stay so to the bit.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param spline its arrays are at any alignment.
-/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (degree; tolerance; a weight, with its control point as a node),
-///     NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out
-///     of order or repeated too often, or that begins a span too short to be cut where that is
-///     needed, TOO_LARGE (control points, cells), SIZE_OVERFLOW, NOT_FINITE with the control point
-///     (as a node), OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (degree; tolerance; a weight, with its control point as a node),
+///     NET_TOO_SMALL (too few control points), BAD_KNOTS (with the first knot that is not finite,
+///     out of order or repeated too often, that begins a span too short to be cut where that is
+///     needed), TOO_LARGE (control points, cells), NOT_FINITE (with the control point (as a node))
 /// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Of rational splines
 ///     O(cells x degree^2), threads; 1536 bytes a cell, three times that while it is made.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_spline_create(
@@ -222,18 +214,13 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 /// (gusset_sheet_measure tells). Polylines, segments of degree 1, are kept with their creases; for a
 /// smooth surface draw curves through their points first, with gusset_outline_create.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the curves may be destroyed afterwards; the arrays of handles are at any alignment.
-/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT,
-///     BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree,
-///     tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and the distance (the message has
-///     the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors NULL_ARGUMENT (with the item), NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree,
+///     tolerance), CURVE_NOT_CLOSED, CURVES_APART (with the row and the distance (the message has
+///     the column too), if they meet out of order), TOO_LARGE
 /// @complexity O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up
 ///     to degree 3, else 1536.
 /// @source Gordon (1969).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_curves_create(
@@ -261,20 +248,16 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 /// Places without a normal stay. The result is a grid, smooth between its nodes where a sheet of
 /// patches had creases.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param sheet may be destroyed afterwards.
 /// @param distances in the unit of the nodes, finite, of either sign.
 /// @param distance_count 1: all corners move by the same; the number of lines of corners along v,
 ///     rows + 1 for rows of cells: each line by its own; (rows + 1) x (columns + 1): each corner by
 ///     its own, row by row. A line that closes the sheet counts, and moves with the first one.
-/// @param[out] deviation receives how far the result is, at most in the middles of the cells, from
-///     the place of this sheet there, moved along its normal by the mean distance of the corners;
-///     NULL if it is not wanted.
-/// @param[out] offset receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, COUNT_DIFFERS (distances),
-///     NOT_FINITE (the index is the distance's or the corner's), OUT_OF_MEMORY, CANCELLED.
+/// @param deviation receives how far the result is, at most in the middles of the cells, from the
+///     place of this sheet there, moved along its normal by the mean distance of the corners; NULL
+///     if it is not wanted.
+/// @errors COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's or the corner's)
 /// @complexity O(cells).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_offset_create(
@@ -301,15 +284,10 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
 
 /// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param frame may be destroyed afterwards.
-/// @param kind GUSSET_FRAME_...
-/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or
-///     are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED.
+/// @errors NET_TOO_SMALL (of curves OUT_OF_RANGE (a degree above 7)), CURVES_APART (if nodes repeat
+///     or are out of order along a curve), NOT_FINITE
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_frame_create(

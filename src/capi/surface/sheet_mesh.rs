@@ -1,4 +1,4 @@
-//! C interface: meshes of sheets.
+//! Meshes of sheets: Meshes of points of a sheet.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
@@ -24,6 +24,7 @@ pub struct gusset_sheet_mesh_options {
     /// The fewest parts of each cell in v; 0 stands for 1.
     pub min_v: u32,
     /// 1: triangles only; 0: quads, and triangles at poles.
+    /// @flag
     pub triangles: u32,
     /// 0.
     pub reserved: u32,
@@ -64,15 +65,8 @@ impl gusset_sheet_mesh_options {
 /// seams of closed directions and poles are closed. Faces are counter-clockwise seen from where S_u
 /// x S_v points to. A mesh without faces is no failure.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param options NULL for the defaults.
-/// @param[out] result receives the result, for gusset_result_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more),
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more)
 /// @complexity O(cells + vertices).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_to_mesh(
@@ -91,12 +85,8 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
 
 /// Lends places and normals of the vertices, for results of gusset_sheet_to_mesh.
 ///
-/// @param result the result.
-/// @param[out] report receives the report; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: those of gusset_result_get_mesh, WRONG_HANDLE (the result was made by another
-///     operation).
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_sheet_mesh(

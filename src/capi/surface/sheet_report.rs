@@ -1,5 +1,4 @@
-//! C interface to reports on sheets: size, degree, closure and poles; diameters, curvature, creases,
-//! and estimates and bounds of their error for each cell.
+//! Reports on sheets: Sizes, estimates and bounds.
 
 use crate::capi::context::{guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -51,11 +50,8 @@ versioned! { gusset_sheet_report: 56 }
 
 /// Reports what a sheet is.
 ///
-/// @param sheet the sheet.
-/// @param[out] report struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @param report struct_size set by the caller; all else is overwritten.
 /// @complexity O(cells at the sides).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_get_report(
@@ -91,6 +87,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
 }
 
 /// The numbers of a whole sheet that are wanted.
+/// @bits
 pub type gusset_sheet_measure_flags = u32;
 /// `diameter` and `intrinsic_diameter`.
 pub const GUSSET_SHEET_MEASURE_DIAMETERS: gusset_sheet_measure_flags = 1;
@@ -163,20 +160,15 @@ fn buffer<'a>(
 /// Measures a sheet and its cells: diameters, estimates and bounds of their error, curvature, creases.
 /// Computes only what is asked for.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param parts GUSSET_SHEET_MEASURE_..., added: what measures receives; 0: everything.
-/// @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is written
-///     to them on failure.
-/// @param[out] measures struct_size set by the caller; all else is overwritten; NULL if only cells
-///     are wanted.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (parts), BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY,
-///     CANCELLED.
+/// @param parts added: what measures receives; 0: everything.
+/// @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is
+///     written to them on failure.
+/// @param measures struct_size set by the caller; all else is overwritten; NULL if only cells are
+///     wanted.
+/// @errors UNKNOWN_VALUE (parts), BUFFER_TOO_SMALL (the value is the number of cells)
 /// @complexity O(cells), 16 bytes a cell for each of diameters, errors and distances; threads; the
 ///     same bits for any number of them.
 /// @source Leus, eqs. (1) and (7); the bounds are ours.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_measure(

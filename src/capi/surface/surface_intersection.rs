@@ -1,11 +1,11 @@
-//! C interface: intersection curves of two surfaces, and of one with itself.
+//! Intersections of surfaces: Curves in which two surfaces meet, or one meets itself.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::contour::{gusset_point_spacing, spacing};
+use crate::capi::surface::contour::{gusset_spacing_rule, spacing};
 use crate::capi::surface::{gusset_surface, gusset_surface_paths, read};
 use crate::error::Error;
 use crate::surface::contour::PointSpacing;
@@ -27,9 +27,9 @@ pub struct gusset_intersection_options {
     /// apart by that one, or by `tolerance` if it is smaller: shorter ones may be lost. A surface's
     /// intersections with itself take a greater one for the surface's own.
     pub tolerance: f64,
-    /// GUSSET_POINT_SPACING_...: all but GUSSET_POINT_SPACING_LEUS; for
-    /// GUSSET_POINT_SPACING_AUTO the smaller surface's box counts.
-    pub spacing: gusset_point_spacing,
+    /// All but GUSSET_POINT_SPACING_LEUS; for GUSSET_POINT_SPACING_AUTO the smaller
+    /// surface's box counts.
+    pub spacing: gusset_spacing_rule,
     /// 0.
     pub reserved: u32,
 }
@@ -96,15 +96,11 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 /// parts. No contacts are looked for. A common part of borders of different sheets is an
 /// intersection.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param surface the surface.
 /// @param other the other surface; NULL: the surface with itself. For the handle of the surface
 ///     everything is reported as coincident.
 /// @param options NULL for the defaults. For one surface they are those of two with it twice.
-/// @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (spacing, reserved), OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26
-///     pairs of cells, OUT_OF_MEMORY, CANCELLED.
+/// @errors UNKNOWN_VALUE (spacing, reserved), OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above
+///     2^26 pairs of cells)
 /// @complexity In proportion to the pairs of cells that may be within the tolerance of each other,
 ///     with a limit for each, and to the points, as 1 / sqrt(chord); more where cells are within
 ///     the tolerance of hundreds of others. For one surface also in proportion to its cells; of n
@@ -112,7 +108,6 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 ///     to be regular there. Threads; the same bits for any number of them. With the surfaces
 ///     exchanged bits may differ, and which contacts are proved.
 /// @source Leus, "Carcasses on smooth surfaces", task e; the proofs are ours.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_intersection_create(

@@ -95,7 +95,8 @@ impl Comment {
         for (name, content) in tags {
             match name.as_str() {
                 "param" | "param[out]" | "param[in,out]" => {
-                    let (param, text) = content.split_once(' ').ok_or_else(|| format!("@param {content} has no text"))?;
+                    let (param, text) =
+                        content.split_once(' ').ok_or_else(|| format!("@param {content} has no text"))?;
                     comment.params.push((param.to_owned(), text.trim().to_owned()));
                 }
                 "errors" => comment.errors = causes(&content)?,
@@ -126,7 +127,8 @@ fn first_sentence(paragraph: &str) -> usize {
         end == "." && rest.starts_with(' ') && rest[1..].starts_with(|c: char| !c.is_lowercase())
     });
     // A dot after a single letter is an initial's.
-    let initial = |at: usize| at < 2 || paragraph[..at].ends_with(char::is_uppercase) && paragraph[..at - 1].ends_with(' ');
+    let initial =
+        |at: usize| at < 2 || paragraph[..at].ends_with(char::is_uppercase) && paragraph[..at - 1].ends_with(' ');
     ends.map(|(at, _)| at).find(|&at| !initial(at)).map_or(paragraph.len(), |at| at + 1)
 }
 
@@ -137,7 +139,9 @@ fn causes(content: &str) -> Result<Vec<Cause>, String> {
     for letter in content.trim_end_matches('.').chars() {
         match letter {
             '(' => depth += 1,
-            ')' => depth = depth.checked_sub(1).ok_or_else(|| format!("@errors {content}: a bracket closes nothing"))?,
+            ')' => {
+                depth = depth.checked_sub(1).ok_or_else(|| format!("@errors {content}: a bracket closes nothing"))?
+            }
             ',' if depth == 0 => {
                 entries.push(String::new());
                 continue;
@@ -151,7 +155,9 @@ fn causes(content: &str) -> Result<Vec<Cause>, String> {
 
 fn cause(entry: &str) -> Result<Cause, String> {
     let (status, when) = match entry.split_once(" (") {
-        Some((status, when)) => (status, when.strip_suffix(')').ok_or_else(|| format!("@errors: {entry}: text after the bracket"))?),
+        Some((status, when)) => {
+            (status, when.strip_suffix(')').ok_or_else(|| format!("@errors: {entry}: text after the bracket"))?)
+        }
         None => (entry, ""),
     };
     let name = status.strip_prefix("as ").unwrap_or(status);

@@ -23,7 +23,8 @@ fn sections(sources: &[Source]) -> Map<String, Value> {
         });
         constants.collect::<Vec<_>>()
     };
-    let choices: Vec<&str> = all().filter(|(_, item)| matches!(item.kind, Kind::Choice(_))).map(|(_, item)| item.name.as_str()).collect();
+    let choices: Vec<&str> =
+        all().filter(|(_, item)| matches!(item.kind, Kind::Choice(_))).map(|(_, item)| item.name.as_str()).collect();
     let kinds: [(&str, fn(&Kind) -> bool); 7] = [
         ("constants", |kind| matches!(kind, Kind::Constant(..))),
         ("choices", |kind| matches!(kind, Kind::Choice(_))),
@@ -34,7 +35,10 @@ fn sections(sources: &[Source]) -> Map<String, Value> {
         ("functions", |kind| matches!(kind, Kind::Function(..))),
     ];
     let section = |wanted: fn(&Kind) -> bool| -> Value {
-        all().filter(|(_, item)| wanted(&item.kind)).map(|(source, item)| described(source, item, &choices, &values)).collect()
+        all()
+            .filter(|(_, item)| wanted(&item.kind))
+            .map(|(source, item)| described(source, item, &choices, &values))
+            .collect()
     };
     kinds.into_iter().map(|(name, wanted)| (name.to_owned(), section(wanted))).collect()
 }
@@ -77,7 +81,10 @@ fn field(field: &Field, choices: &[&str]) -> Value {
     made.insert("name".into(), field.name.clone().into());
     made.insert("type".into(), field.kind.name.clone().into());
     if !field.kind.pointers.is_empty() {
-        made.insert("pointers".into(), field.kind.pointers.iter().map(|constant| if *constant { "const" } else { "mut" }).collect());
+        made.insert(
+            "pointers".into(),
+            field.kind.pointers.iter().map(|constant| if *constant { "const" } else { "mut" }).collect(),
+        );
     }
     if !field.kind.sizes.is_empty() {
         made.insert("sizes".into(), field.kind.sizes.iter().map(|size| number(size)).collect());
@@ -129,9 +136,16 @@ pub fn lines(description: &Value) -> String {
 
 fn block(value: &Value) -> String {
     let entries: Vec<String> = match value {
-        Value::Object(map) if map.values().any(Value::is_array) => {
-            map.iter().map(|(name, inner)| format!("{}: {}", Value::from(name.as_str()), if inner.is_string() { inner.to_string() } else { section(inner) })).collect()
-        }
+        Value::Object(map) if map.values().any(Value::is_array) => map
+            .iter()
+            .map(|(name, inner)| {
+                format!(
+                    "{}: {}",
+                    Value::from(name.as_str()),
+                    if inner.is_string() { inner.to_string() } else { section(inner) }
+                )
+            })
+            .collect(),
         other => return other.to_string(),
     };
     format!("{{\n{}\n}}", entries.join(",\n"))
@@ -139,7 +153,9 @@ fn block(value: &Value) -> String {
 
 fn section(value: &Value) -> String {
     match value {
-        Value::Array(items) => format!("[\n{}\n]", items.iter().map(ToString::to_string).collect::<Vec<_>>().join(",\n")),
+        Value::Array(items) => {
+            format!("[\n{}\n]", items.iter().map(ToString::to_string).collect::<Vec<_>>().join(",\n"))
+        }
         other => block(other),
     }
 }

@@ -17,7 +17,8 @@ pub type Examples = BTreeMap<String, (String, String)>;
 /// A folder that cannot be read.
 pub fn examples(folder: &Path) -> Result<Examples, String> {
     let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
-    let mut paths: Vec<_> = fs::read_dir(folder).map_err(failed)?.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
+    let mut paths: Vec<_> =
+        fs::read_dir(folder).map_err(failed)?.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
     paths.retain(|path| path.extension().is_some_and(|ending| ending == "c"));
     paths.sort();
     let mut found = Examples::new();
@@ -60,14 +61,21 @@ fn group(source: &Source) -> String {
 }
 
 impl Reference<'_> {
+    fn items(&self) -> impl Iterator<Item = &Item> {
+        self.sources.iter().flat_map(|source| &source.items)
+    }
+
     fn is_handle(&self, name: &str) -> bool {
-        self.sources.iter().flat_map(|source| &source.items).any(|item| item.name == name && matches!(item.kind, Kind::Handle))
+        self.items().any(|item| item.name == name && matches!(item.kind, Kind::Handle))
     }
 
     /// What holds for a parameter of this name or type in every function, so that no comment need say it.
-    pub fn usual(&self, param: &Field) -> Option<&'static str> {
+    pub fn usual(&self, param: &Field) -> Option<String> {
         let kind = &param.kind;
-        match (param.name.as_str(), kind.pointers.as_slice()) {
+        if self.items().any(|item| item.name == kind.name && matches!(item.kind, Kind::Choice(_))) {
+            return Some(format!("see {}.", kind.name));
+        }
+        let text = match (param.name.as_str(), kind.pointers.as_slice()) {
             ("context", [_]) => Some("threads, progress, cancellation and error report; NULL for the defaults."),
             ("options", [true]) => Some("NULL for the defaults."),
             (_, [false, false]) if self.is_handle(&kind.name) => Some("receives the handle; NULL after an error."),
@@ -75,7 +83,8 @@ impl Reference<'_> {
             (_, [true]) if kind.name == "gusset_mesh_view" => Some("a mesh."),
             ("view" | "report" | "quality", [false]) => Some("receives the struct; set its struct_size."),
             _ => None,
-        }
+        };
+        text.map(str::to_owned)
     }
 }
 
@@ -92,8 +101,12 @@ impl Style for Reference<'_> {
         }
         if let Kind::Function(params, result) = &item.kind {
             let given = std::mem::take(&mut comment.params);
-            let text = |param: &Field| given.iter().find(|(name, _)| *name == param.name).map(|(_, text)| escaped(text));
-            comment.params = params.iter().map(|param| (param.name.clone(), text(param).or_else(|| self.usual(param).map(str::to_owned)).unwrap_or_default())).collect();
+            let text =
+                |param: &Field| given.iter().find(|(name, _)| *name == param.name).map(|(_, text)| escaped(text));
+            comment.params = params
+                .iter()
+                .map(|param| (param.name.clone(), text(param).or_else(|| self.usual(param)).unwrap_or_default()))
+                .collect();
             if result.as_ref().is_some_and(|kind| kind.name == "gusset_status") {
                 let causes = comment.errors.iter().map(|cause| match cause.status.strip_prefix("as ") {
                     Some(other) => format!("those of {other}"),
@@ -103,7 +116,8 @@ impl Style for Reference<'_> {
                 comment.tags.insert(0, ("return".into(), format!("::GUSSET_OK, or an error: {}.", causes.join(", "))));
             }
             if let Some((file, block)) = self.examples.get(&item.name) {
-                let from = format!("Example\nFrom examples/reference/{file}. MUST: the call succeeds; HOLDS: so it is.");
+                let from =
+                    format!("Example\nFrom examples/reference/{file}. MUST: the call succeeds; HOLDS: so it is.");
                 comment.tags.push(("par".into(), from));
                 comment.tags.push(("snippet".into(), format!("{file} {block}")));
             }
@@ -114,7 +128,8 @@ impl Style for Reference<'_> {
     }
 
     fn heading(&self, source: &Source) -> String {
-        let (title, brief) = source.comment.brief.split_once(": ").unwrap_or((source.path.as_str(), source.comment.brief.as_str()));
+        let (title, brief) =
+            source.comment.brief.split_once(": ").unwrap_or((source.path.as_str(), source.comment.brief.as_str()));
         let mut lines = vec![format!("@defgroup {} {title}", group(source)), format!("@brief {brief}")];
         if let Some((folder, _)) = source.path.split_once('/') {
             lines.push(format!("@ingroup {folder}"));
@@ -126,6 +141,9 @@ impl Style for Reference<'_> {
         if let Some(origin) = source.comment.tag("source") {
             lines.push(format!("@source {origin}"));
         }
-        format!("/**\n{}\n */", lines.iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect::<Vec<_>>().join("\n"))
+        format!(
+            "/**\n{}\n */",
+            lines.iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect::<Vec<_>>().join("\n")
+        )
     }
 }

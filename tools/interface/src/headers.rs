@@ -1,7 +1,7 @@
 //! The headers: declarations as cbindgen writes them, in the order of the sources, each with its comment.
 
 use crate::comment::{Cause, Comment};
-use crate::source::{BASE, Item, Kind, Source, Type};
+use crate::source::{BASE, Field, Item, Kind, Source, Type};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
@@ -19,7 +19,10 @@ pub fn declarations(root: &Path, folder: &str, config: &str) -> Result<BTreeMap<
     let mut written = Vec::new();
     builder.generate().map_err(|error| error.to_string())?.write(&mut written);
     let text = String::from_utf8(written).map_err(|error| error.to_string())?;
-    Ok(text.split("\n\n").filter_map(|block| declared(block).map(|name| (name, block.trim_matches('\n').to_owned()))).collect())
+    Ok(text
+        .split("\n\n")
+        .filter_map(|block| declared(block).map(|name| (name, block.trim_matches('\n').to_owned())))
+        .collect())
 }
 
 /// What the first header has above its declarations: how functions are exported, and the version.
@@ -93,7 +96,12 @@ impl Style for Plain {
 /// # Errors
 ///
 /// A sentence about what is missing, or what a header needs of a later one.
-pub fn texts(sources: &[Source], declarations: &BTreeMap<String, String>, prelude: &str, style: &dyn Style) -> Result<Vec<(String, String)>, String> {
+pub fn texts(
+    sources: &[Source],
+    declarations: &BTreeMap<String, String>,
+    prelude: &str,
+    style: &dyn Style,
+) -> Result<Vec<(String, String)>, String> {
     let sources = in_order(sources)?;
     let mut order: Vec<&str> = Vec::new();
     for source in &sources {
@@ -106,6 +114,8 @@ pub fn texts(sources: &[Source], declarations: &BTreeMap<String, String>, prelud
         .flat_map(|source| source.items.iter().map(|item| (item.name.as_str(), source.header.as_str())))
         .filter_map(|(name, header)| Some((name, order.iter().position(|other| *other == header)?)))
         .collect();
+    let choices = sources.iter().flat_map(|source| &source.items).filter(|item| matches!(item.kind, Kind::Choice(_)));
+    let briefs: BTreeMap<&str, &str> = choices.map(|item| (item.name.as_str(), item.comment.brief.as_str())).collect();
     let mut known = BTreeSet::new();
     let mut made = Vec::new();
     for (number, header) in order.iter().enumerate() {
@@ -118,7 +128,8 @@ pub fn texts(sources: &[Source], declarations: &BTreeMap<String, String>, prelud
             }
             let mut last = "";
             for item in &source.items {
-                let declaration = declarations.get(&item.name).ok_or_else(|| format!("cbindgen does not declare {}", item.name))?;
+                let declaration =
+                    declarations.get(&item.name).ok_or_else(|| format!("cbindgen does not declare {}", item.name))?;
                 let mut ahead = BTreeSet::new();
                 for (word, tag) in needs(item) {
                     if home.contains_key(word) && word != item.name && !known.contains(word) {
@@ -139,14 +150,15 @@ pub fn texts(sources: &[Source], declarations: &BTreeMap<String, String>, prelud
                     body.push('\n');
                 }
                 last = if let Kind::Choice(_) = item.kind { item.name.as_str() } else { family };
-                body += &documented(item, &style.comment(source, item), declaration);
+                body += &documented(item, &style.comment(source, item), declaration, &briefs);
                 known.insert(item.name.as_str());
             }
         }
-        let includes: String = order.iter().filter(|name| includes.contains(**name)).fold(String::new(), |mut text, name| {
-            let _ = writeln!(text, "#include \"{name}.h\"");
-            text
-        });
+        let includes: String =
+            order.iter().filter(|name| includes.contains(**name)).fold(String::new(), |mut text, name| {
+                let _ = writeln!(text, "#include \"{name}.h\"");
+                text
+            });
         made.push(((*header).to_owned(), framed(header, &includes, &body, prelude)));
     }
     Ok(made)
@@ -171,7 +183,8 @@ fn need(kind: &Type) -> (&str, bool) {
 /// The files as they are listed, except that headers and files stand after those that they need.
 fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
     let items = || sources.iter().flat_map(|source| &source.items);
-    let by_tag = |name: &str| items().any(|item| item.name == name && matches!(item.kind, Kind::Struct(_) | Kind::Handle));
+    let by_tag =
+        |name: &str| items().any(|item| item.name == name && matches!(item.kind, Kind::Struct(_) | Kind::Handle));
     let home = |name: &str| sources.iter().position(|source| source.items.iter().any(|item| item.name == name));
     // For each file the files that declare what it needs complete.
     let needed = |source: &Source| -> Vec<usize> {
@@ -185,7 +198,10 @@ fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
     let between: Vec<Vec<usize>> = (0..headers.len())
         .map(|header| {
             let own = (0..sources.len()).filter(|&file| number(file) == Some(header));
-            own.flat_map(|file| &needed[file]).filter_map(|&file| number(file)).filter(|&other| other != header).collect()
+            own.flat_map(|file| &needed[file])
+                .filter_map(|&file| number(file))
+                .filter(|&other| other != header)
+                .collect()
         })
         .collect();
     let mut order = Vec::new();
@@ -193,9 +209,16 @@ fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
         let own: Vec<usize> = (0..sources.len()).filter(|&file| number(file) == Some(header)).collect();
         let within: Vec<Vec<usize>> = own
             .iter()
-            .map(|&file| needed[file].iter().filter(|&&other| other != file).filter_map(|other| own.iter().position(|file| file == other)).collect())
+            .map(|&file| {
+                needed[file]
+                    .iter()
+                    .filter(|&&other| other != file)
+                    .filter_map(|other| own.iter().position(|file| file == other))
+                    .collect()
+            })
             .collect();
-        let files = sorted(&within).map_err(|at| format!("src/capi/{} needs a file that needs it", sources[own[at]].path))?;
+        let files =
+            sorted(&within).map_err(|at| format!("src/capi/{} needs a file that needs it", sources[own[at]].path))?;
         order.extend(files.into_iter().map(|file| &sources[own[file]]));
     }
     Ok(order)
@@ -236,10 +259,14 @@ fn framed(header: &str, includes: &str, body: &str, prelude: &str) -> String {
 }
 
 /// A declaration with its comment before it, and those of its fields or values within.
-fn documented(item: &Item, comment: &Comment, declaration: &str) -> String {
+fn documented(item: &Item, comment: &Comment, declaration: &str, briefs: &BTreeMap<&str, &str>) -> String {
     let mut text = comment_lines(comment, "");
     let inner: Vec<(&str, &Comment)> = match &item.kind {
-        Kind::Struct(fields) => fields.iter().map(|field| (field.name.as_str(), &field.comment)).collect(),
+        // A field that says what its type says is plain.
+        Kind::Struct(fields) => {
+            let said = |field: &Field| briefs.get(field.kind.name.as_str()) == Some(&field.comment.brief.as_str());
+            fields.iter().filter(|field| !said(field)).map(|field| (field.name.as_str(), &field.comment)).collect()
+        }
         Kind::Enum(values) => values.iter().map(|(name, _, comment)| (name.as_str(), comment)).collect(),
         _ => Vec::new(),
     };
@@ -256,7 +283,9 @@ fn documented(item: &Item, comment: &Comment, declaration: &str) -> String {
     let mut inner = inner.into_iter().peekable();
     for line in declaration.lines() {
         let indent = &line[..line.len() - line.trim_start().len()];
-        if let Some((_, comment)) = inner.next_if(|(name, _)| !indent.is_empty() && words(line).any(|word| word == *name)) {
+        if let Some((_, comment)) =
+            inner.next_if(|(name, _)| !indent.is_empty() && words(line).any(|word| word == *name))
+        {
             // The first page of gusset.h says it once for all structs.
             if !line.ends_with(" struct_size;") && !line.ends_with(" reserved;") {
                 text += &comment_lines(comment, indent);

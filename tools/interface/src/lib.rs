@@ -56,7 +56,12 @@ pub fn sources(root: &Path) -> Result<Vec<source::Source>, String> {
     source::read(&root.join(FOLDER), &["plugin"])
 }
 
-fn written(root: &Path, version: &str, sources: &[source::Source], style: &dyn headers::Style) -> Result<Vec<Generated>, String> {
+fn written(
+    root: &Path,
+    version: &str,
+    sources: &[source::Source],
+    style: &dyn headers::Style,
+) -> Result<Vec<Generated>, String> {
     let declarations = headers::declarations(root, FOLDER, "cbindgen.toml")?;
     let texts = headers::texts(sources, &declarations, &headers::prelude(version), style)?;
     Ok(texts.into_iter().map(|(name, text)| (format!("include/gusset/{name}.h"), text)).collect())

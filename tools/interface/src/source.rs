@@ -24,7 +24,13 @@ impl fmt::Display for Type {
         if self.pointers.first() == Some(&true) {
             out.write_str("const ")?;
         }
-        write!(out, "{}{}{}", self.name, if self.pointers.is_empty() { "" } else { " " }, "*".repeat(self.pointers.len()))
+        write!(
+            out,
+            "{}{}{}",
+            self.name,
+            if self.pointers.is_empty() { "" } else { " " },
+            "*".repeat(self.pointers.len())
+        )
     }
 }
 
@@ -154,7 +160,11 @@ fn item(syntax: &Syntax) -> Result<Option<Item>, Failed> {
         Syntax::Struct(one) if public(&one.vis) && one.ident.to_string().starts_with("gusset_") => {
             let name = one.ident.to_string();
             let seen = one.attrs.iter().any(|attribute| attribute.path().is_ident("repr"));
-            let kind = if seen { Kind::Struct(fields(&one.fields).map_err(|what| (name.clone(), what))?) } else { Kind::Handle };
+            let kind = if seen {
+                Kind::Struct(fields(&one.fields).map_err(|what| (name.clone(), what))?)
+            } else {
+                Kind::Handle
+            };
             (name, &one.attrs, kind)
         }
         Syntax::Enum(one) if public(&one.vis) && one.ident.to_string().starts_with("gusset_") => {
@@ -179,7 +189,9 @@ fn item(syntax: &Syntax) -> Result<Option<Item>, Failed> {
                 Ok(Field { name, kind: kind(&given.ty)?, comment })
             });
             let params = params.collect::<Result<Vec<_>, _>>().map_err(|what| (name.clone(), what))?;
-            if let Some((unknown, _)) = comment.params.iter().find(|(named, _)| params.iter().all(|param| param.name != *named)) {
+            if let Some((unknown, _)) =
+                comment.params.iter().find(|(named, _)| params.iter().all(|param| param.name != *named))
+            {
                 return Err((name, format!("@param {unknown} is not a parameter")));
             }
             let result = result(&one.sig.output).map_err(|what| (name.clone(), what))?;
@@ -197,7 +209,9 @@ fn public(visibility: &Visibility) -> bool {
 
 fn lines(attributes: &[Attribute]) -> Vec<String> {
     let texts = attributes.iter().filter(|attribute| attribute.path().is_ident("doc")).filter_map(|attribute| {
-        let Ok(Expr::Lit(literal)) = attribute.meta.require_name_value().map(|pair| pair.value.clone()) else { return None };
+        let Ok(Expr::Lit(literal)) = attribute.meta.require_name_value().map(|pair| pair.value.clone()) else {
+            return None;
+        };
         let syn::Lit::Str(text) = literal.lit else { return None };
         Some(text.value())
     });
@@ -247,11 +261,12 @@ fn value(expression: &Expr) -> Result<String, String> {
             syn::Lit::Int(number) => Ok(number.base10_digits().to_owned()),
             _ => Err("a constant that is no whole number".to_owned()),
         },
-        Expr::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "MAX") => Ok("UINT32_MAX".to_owned()),
+        Expr::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "MAX") => {
+            Ok("UINT32_MAX".to_owned())
+        }
         Expr::Binary(binary) if matches!(binary.op, syn::BinOp::Shl(_)) => {
-            let [left, right] = [&binary.left, &binary.right].map(|side| value(side).and_then(|text| {
-                text.parse::<u64>().map_err(|error| error.to_string())
-            }));
+            let [left, right] = [&binary.left, &binary.right]
+                .map(|side| value(side).and_then(|text| text.parse::<u64>().map_err(|error| error.to_string())));
             Ok((left? << right?).to_string())
         }
         _ => Err("a constant whose value is not written out".to_owned()),

@@ -1,4 +1,6 @@
-//! C interface: masks of cells, the paper's cell regions: chains, diameters, cells and nodes.
+//! Regions of cells: Masks of cells: chains, diameters, cells and nodes.
+//!
+//! @source Leus.
 
 use crate::attributes::Domain;
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
@@ -51,22 +53,18 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
 ///
 /// The sum of their diameters bounds the distance between points of from and of to.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
 /// @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
 ///     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
 /// @param count the words, at least as many as the cells need.
 /// @param from row and column of a cell of the region, two numbers, at any alignment.
 /// @param to the same of the other cell.
-/// @param[out] cells receives row and column of each cell of the chain, from and to included, two
+/// @param cells receives row and column of each cell of the chain, from and to included, two
 ///     numbers each; NULL with capacity 0 to ask for the size.
 /// @param capacity how many cells it has room for.
-/// @param[out] written receives the number of cells, the integer length; 0 if there is no chain.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
-///     words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+/// @param written receives the number of cells, the integer length; 0 if there is no chain.
+/// @errors SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT (with the cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask_chain(
@@ -92,16 +90,11 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
 /// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
 /// Euler characteristic.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
 /// @param words the region, as for gusset_sheet_mask_chain.
 /// @param count the region, as for gusset_sheet_mask_chain.
-/// @param[out] report struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @param report struct_size set by the caller; all else is overwritten.
 /// @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
 /// @source Leus, eqs. (4) to (6).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask_measure(
@@ -130,19 +123,15 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
 /// Lists the cells or the nodes of a mask, row after row. Its nodes are the corners of its cells, each
 /// once; lines that close the sheet count as the first ones.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
 /// @param words the mask, as for gusset_sheet_mask_chain.
 /// @param count the mask, as for gusset_sheet_mask_chain.
-/// @param domain GUSSET_DOMAIN_...: faces are the cells, vertices and corners the nodes.
-/// @param[out] elements receives row and column of each, two numbers each; NULL with capacity 0 to
-///     ask for the size.
+/// @param domain faces are the cells, vertices and corners the nodes.
+/// @param elements receives row and column of each, two numbers each; NULL with capacity 0 to ask
+///     for the size.
 /// @param capacity how many elements it has room for.
-/// @param[out] written receives the number of elements.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
-///     words), UNKNOWN_VALUE, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+/// @param written receives the number of elements.
+/// @errors SIZE_OVERFLOW (too few words), BUFFER_TOO_SMALL
 /// @complexity O(cells / 64), and the cells of the mask; O(nodes) for nodes.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask_elements(

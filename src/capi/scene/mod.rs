@@ -1,4 +1,8 @@
-//! C interface: scenes.
+//! Scenes: Nets in nested groups.
+//!
+//! @source Deryagin; groups are our own.
+
+pub mod instances;
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -6,20 +10,20 @@ use crate::capi::handle::{self, handle};
 use crate::capi::input;
 use crate::capi::net::gusset_net;
 use crate::capi::status::{Failure, gusset_status};
+use crate::capi::transform::gusset_transform;
 use crate::job::Job;
 use crate::net::Net;
 use crate::net::scene::{Content, EntryChanges, Scene};
-use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
 /// What an entry of a scene is.
-pub type gusset_scene_kind = u32;
+pub type gusset_scene_entry_kind = u32;
 
 /// A net.
-pub const GUSSET_SCENE_NET: gusset_scene_kind = 0;
+pub const GUSSET_SCENE_NET: gusset_scene_entry_kind = 0;
 
 /// A group of entries.
-pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
+pub const GUSSET_SCENE_GROUP: gusset_scene_entry_kind = 1;
 
 /// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
 /// indices, which are never given twice. Functions that take it as const may run at the same time
@@ -27,14 +31,6 @@ pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
 pub struct gusset_scene(pub(crate) Scene);
 
 handle! { gusset_scene }
-
-/// An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub struct gusset_transform {
-    /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
-    pub rows: [f64; 12],
-}
 
 /// An entry of a scene.
 #[repr(C)]
@@ -47,7 +43,7 @@ pub struct gusset_scene_entry_report {
     /// The number of entries in a group; 0 for a net.
     pub child_count: usize,
     /// GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
-    pub kind: gusset_scene_kind,
+    pub kind: gusset_scene_entry_kind,
     /// 1 if it is shown; a group that it is in may hide it all the same.
     pub visible: u32,
 }
@@ -74,22 +70,6 @@ pub struct gusset_scene_report {
 
 versioned! { gusset_scene_entry_report: 120, gusset_scene_report: 40 }
 
-impl From<DAffine3> for gusset_transform {
-    fn from(map: DAffine3) -> Self {
-        let [x, y, z] = [map.matrix3.row(0), map.matrix3.row(1), map.matrix3.row(2)];
-        let t = map.translation;
-        gusset_transform { rows: [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z] }
-    }
-}
-
-impl From<gusset_transform> for DAffine3 {
-    fn from(given: gusset_transform) -> Self {
-        let r = given.rows;
-        let column = |k: usize| DVec3::new(r[k], r[4 + k], r[8 + k]);
-        DAffine3::from_cols(column(0), column(1), column(2), column(3))
-    }
-}
-
 pub(crate) fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
     Ok(&handle::get(scene, "scene")?.0)
 }
@@ -106,11 +86,7 @@ fn shared(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> 
 
 /// Makes an empty scene.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[out] scene receives it, for gusset_scene_destroy.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_create(
@@ -121,9 +97,6 @@ pub unsafe extern "C" fn gusset_scene_create(
 }
 
 /// Destroys a scene; NULL is allowed.
-///
-/// @param[in,out] scene the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
     handle::destroy(scene);
@@ -133,13 +106,10 @@ pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
 ///
 /// What is done to the handle of the net later does not change the scene.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
 /// @param net the net; NULL for a group.
-/// @param[out] entry receives its index.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY.
+/// @param entry receives its index.
+/// @errors TOO_LARGE
 /// @complexity O(1), and O(nodes) for a net in the caller's memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add(
@@ -162,15 +132,11 @@ pub unsafe extern "C" fn gusset_scene_add(
 
 /// Puts an entry into a group, behind what is in it; again, if it is in it already.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
 /// @param group the index of the group.
 /// @param child the index of the entry.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
-///     entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY.
+/// @errors NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE
 /// @complexity O(1) for an entry without children or a group in no group; at most O(entries below
 ///     the one or above the other, whichever are fewer).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_child(
@@ -184,14 +150,10 @@ pub unsafe extern "C" fn gusset_scene_add_child(
 
 /// Takes an entry out of a group: the first one, if it is in it several times.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
 /// @param group the index of the group.
 /// @param child the index of the entry.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it
-///     is not in the group.
+/// @errors NO_SUCH_ELEMENT (if it is not in the group)
 /// @complexity O(children of the group + groups of the child).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_remove_child(
@@ -205,12 +167,9 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
 
 /// Removes an entry from the scene and from all groups; what was in a group stays.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
 /// @param entry its index.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(children of its groups + groups of its children).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_remove(
@@ -242,7 +201,7 @@ pub struct gusset_scene_changes {
     /// The place of the entry in the space of the groups that it is in, twelve finite numbers; NULL:
     /// it stays.
     pub transform: *const gusset_transform,
-    /// GUSSET_VISIBILITY_...
+    /// What is done to the visibility of an entry.
     pub visibility: gusset_visibility,
     /// 0.
     pub reserved: u32,
@@ -254,15 +213,11 @@ versioned! { gusset_scene_changes: 32 reserved }
 ///
 /// On failure the entry is as it was.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] scene the scene.
 /// @param entry its index.
 /// @param changes what changes.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (visibility), NO_SUCH_ELEMENT with the entry (also for a net in place of a
-///     group), OUT_OF_RANGE (the transform), OUT_OF_MEMORY.
+/// @errors UNKNOWN_VALUE (visibility), NO_SUCH_ELEMENT (with the entry (also for a net in place of
+///     a group)), OUT_OF_RANGE (the transform)
 /// @complexity O(1), and O(nodes) for a net in the caller's memory.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_entry(
@@ -290,13 +245,10 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
 
 /// What an entry is.
 ///
-/// @param scene the scene.
 /// @param entry its index.
-/// @param[out] report its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     NO_SUCH_ELEMENT.
+/// @param report its struct_size set.
+/// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_entry(
@@ -322,14 +274,9 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
 
 /// The net of an entry, as a handle that shares its memory until it is changed.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param scene the scene.
 /// @param entry its index.
-/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
-///     group, OUT_OF_MEMORY.
+/// @errors NO_SUCH_ELEMENT (for a group)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_net_create(
@@ -343,16 +290,12 @@ pub unsafe extern "C" fn gusset_scene_net_create(
 
 /// The entries in a group, in order.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param scene the scene.
 /// @param group its index.
-/// @param[out] children room for capacity indices, or NULL with capacity 0 to ask for their number.
+/// @param children room for capacity indices, or NULL with capacity 0 to ask for their number.
 /// @param capacity see children.
-/// @param[out] written receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
-///     net, BUFFER_TOO_SMALL.
+/// @param written receives it.
+/// @errors NO_SUCH_ELEMENT (for a net), BUFFER_TOO_SMALL
 /// @complexity O(children).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_children(
@@ -372,12 +315,8 @@ pub unsafe extern "C" fn gusset_scene_get_children(
 
 /// How much is in a scene.
 ///
-/// @param scene the scene.
-/// @param[out] report its struct_size set.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     OUT_OF_MEMORY.
+/// @param report its struct_size set.
 /// @complexity O(entries + children), however many instances there are.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_report(

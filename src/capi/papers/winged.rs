@@ -1,4 +1,6 @@
-//! C interface: winged-edge tables.
+//! Winged-edge tables: The tables of the paper, and the loops found in them.
+//!
+//! @source Nesterenko, equations 1 to 3, after Baumgart.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, laid_out_like, versioned};
@@ -10,18 +12,23 @@ use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
 use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, WingedFaces, faces, free_loops};
 
+/// The direction in which faces are read.
+pub type gusset_winding = u32;
 /// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables
 /// take them backwards.
-pub const GUSSET_FACES_COUNTER_CLOCKWISE: u32 = 0;
+pub const GUSSET_FACES_COUNTER_CLOCKWISE: gusset_winding = 0;
 /// Faces are stored clockwise seen from outside, as Baumgart has it.
-pub const GUSSET_FACES_CLOCKWISE: u32 = 1;
+pub const GUSSET_FACES_CLOCKWISE: gusset_winding = 1;
 
+/// Bits that describe an edge of a table.
+/// @bits
+pub type gusset_winged_flags = u32;
 /// One of several records of an edge with three or more faces; each has one face.
-pub const GUSSET_WINGED_NON_MANIFOLD: u32 = 1;
+pub const GUSSET_WINGED_NON_MANIFOLD: gusset_winged_flags = 1;
 /// One of two records of an edge whose faces run it in the same direction; each has one face.
-pub const GUSSET_WINGED_NOT_ORIENTED: u32 = 2;
+pub const GUSSET_WINGED_NOT_ORIENTED: gusset_winged_flags = 2;
 /// M = N, or the edge belongs to a face of fewer than three proper edges.
-pub const GUSSET_WINGED_DEGENERATE: u32 = 4;
+pub const GUSSET_WINGED_DEGENERATE: gusset_winged_flags = 4;
 
 const _: () = assert!(
     GUSSET_WINGED_NON_MANIFOLD == EdgeMarks::NON_MANIFOLD
@@ -48,8 +55,8 @@ handle! { gusset_winged_faces }
 pub struct gusset_winged_options {
     /// sizeof(gusset_winged_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_FACES_...
-    pub winding: u32,
+    /// The direction in which faces are read.
+    pub winding: gusset_winding,
     /// 0.
     pub reserved: u32,
 }
@@ -75,8 +82,8 @@ pub struct gusset_winged_edge {
     pub left: u32,
     /// The face R: it runs M to N.
     pub right: u32,
-    /// GUSSET_WINGED_... bits; 0 for an ordinary edge.
-    pub marks: u32,
+    /// Bits; 0 for an ordinary edge.
+    pub marks: gusset_winged_flags,
 }
 
 /// The tables. Pointers are valid until the handle is destroyed.
@@ -129,17 +136,11 @@ c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise,
 /// marked records of one face each. The mesh of a stitch keeps the edge numbers of its first mesh:
 /// only NULL sides along the rim are filled.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh the mesh.
-/// @param options NULL for the defaults.
-/// @param[out] winged receives the result, for gusset_winged_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors as gusset_mesh_view
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
 /// @source Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R
 ///     is NULL", as the text has it; the loops are those of gusset_boundary_create, except that an
 ///     edge whose faces disagree has a border on both sides.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_create(
@@ -159,9 +160,6 @@ pub unsafe extern "C" fn gusset_winged_create(
 }
 
 /// Destroys tables; NULL is allowed.
-///
-/// @param[in,out] winged the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
     handle::destroy(winged);
@@ -169,11 +167,7 @@ pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
 
 /// Lends the tables.
 ///
-/// @param winged the tables.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_get_view(
@@ -201,21 +195,16 @@ pub unsafe extern "C" fn gusset_winged_get_view(
 /// wings. The marks are not read. From the edges and edge_of_face of gusset_winged_create come the
 /// faces that it was given, corner for corner.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param edges the records, edge_count of them, packed.
 /// @param edge_count see edges; 0 is a table without faces.
 /// @param vertex_count how many vertices there are; those of edges are below it.
-/// @param first_edges per face the edge at which it begins, of two such places the one where it runs
-///     M to N; NULL: the one of the smallest number.
+/// @param first_edges per face the edge at which it begins, of two such places the one where it
+///     runs M to N; NULL: the one of the smallest number.
 /// @param options the winding of the faces to be made; NULL for the defaults.
-/// @param[out] faces receives the result, for gusset_winged_faces_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, BAD_WINGS with the edge, FACE_TOO_SMALL (a number below the largest that no
-///     side has, too), OUT_OF_RANGE (not one first edge for each face), TOO_LARGE, SIZE_OVERFLOW,
-///     OUT_OF_MEMORY, CANCELLED.
+/// @errors BAD_WINGS (with the edge), FACE_TOO_SMALL (a number below the largest that no side has,
+///     too), OUT_OF_RANGE (not one first edge for each face), TOO_LARGE
 /// @complexity Linear time and memory.
 /// @source Nesterenko, equation 2, read backwards.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_faces_create(
@@ -237,9 +226,6 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
 }
 
 /// Destroys faces; NULL is allowed.
-///
-/// @param[in,out] faces the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_faces_destroy(faces: *mut gusset_winged_faces) {
     handle::destroy(faces);
@@ -247,11 +233,7 @@ pub unsafe extern "C" fn gusset_winged_faces_destroy(faces: *mut gusset_winged_f
 
 /// Lends the faces.
 ///
-/// @param faces the faces.
-/// @param[out] view receives the view; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_faces_get_view(

@@ -1,9 +1,10 @@
-//! C interface: compact streams of nets.
+//! Streams: Nets as bytes.
 
 use crate::capi::context::{answer_struct, create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice, flag, lent};
+use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::MAX_NODES;
@@ -60,8 +61,8 @@ pub struct gusset_stream_report {
     /// QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it
     /// is rounded to its type, half a unit in its last place. Else 0.
     pub step: [f64; 3],
-    /// GUSSET_F32 or GUSSET_F64.
-    pub scalar: u32,
+    /// The type of coordinates.
+    pub scalar: gusset_scalar,
     /// How coordinates are stored.
     pub mode: gusset_stream_mode,
     /// QUANTISED: the bits of a coordinate. Else 0.
@@ -119,16 +120,10 @@ impl gusset_stream_options {
 /// NaN or infinite three NaN. Method: linear prediction with weights fitted to each block, and a
 /// range coder with adaptive models.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
 /// @param options NULL for 14 bits a coordinate.
-/// @param[out] stream receives the bytes, for gusset_stream_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
-///     (bits; QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY,
-///     CANCELLED.
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
 /// @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
 ///     of them.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_encode_create(
@@ -145,11 +140,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
 
 /// Lends the bytes of a stream.
 ///
-/// @param stream the stream.
-/// @param[out] view receives the bytes; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_get_view(
@@ -164,9 +155,6 @@ pub unsafe extern "C" fn gusset_stream_get_view(
 }
 
 /// Destroys a stream; NULL is allowed.
-///
-/// @param[in,out] stream the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
     handle::destroy(stream);
@@ -174,14 +162,11 @@ pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
 
 /// Reads the header of a stream.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param data its first 128 bytes, or more.
 /// @param size how many there are.
-/// @param[out] report its struct_size set.
-/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-///     BAD_STRUCT_SIZE.
+/// @param report its struct_size set.
+/// @errors BAD_STREAM (with the byte)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_inspect(
@@ -219,16 +204,12 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 /// of its size can need it: 4096 nodes a byte at most. That is little of a file of one's own, and may
 /// be much of a stranger's: 96 KiB a byte.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param data all its bytes, at any alignment.
 /// @param size how many.
-/// @param node_limit a net of more nodes is refused before memory is asked for; 0 for no other limit
-///     than that by the size.
-/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
-///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @param node_limit a net of more nodes is refused before memory is asked for; 0 for no other
+///     limit than that by the size.
+/// @errors BAD_STREAM (with the byte), TOO_LARGE
 /// @complexity O(nodes), with blocks decoded by the context's threads.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decode_create(
@@ -247,13 +228,9 @@ pub unsafe extern "C" fn gusset_net_decode_create(
 
 /// Begins to decode a stream that arrives in pieces.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param node_limit a net of more nodes is refused, as its memory is taken before all of the
 ///     stream is there; 0 for no limit but the library's, 2^31 - 1.
-/// @param[out] decoder receives the decoder, for gusset_stream_decoder_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_create(
@@ -271,16 +248,12 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
 ///
 /// After a failure every call fails alike, but OUT_OF_MEMORY leaves the decoder as it was.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] decoder the decoder.
 /// @param data the bytes, at any alignment.
 /// @param size how many.
-/// @param[out] rows_done receives how many rows are complete, those of all blocks so far; NULL if
-///     it is not wanted.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
-///     TOO_LARGE, OUT_OF_MEMORY.
+/// @param rows_done receives how many rows are complete, those of all blocks so far; NULL if it is
+///     not wanted.
+/// @errors BAD_STREAM (with the byte), TOO_LARGE
 /// @complexity O(bytes + nodes of the blocks that they complete).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_push(
@@ -302,13 +275,8 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
 /// Makes the net of the rows that a decoder has so far, at least two: open on all sides, without
 /// gluing and bridges, for a preview.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param decoder the decoder.
-/// @param[out] net receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL if there are
-///     fewer rows, OUT_OF_MEMORY, CANCELLED.
+/// @errors NET_TOO_SMALL (if there are fewer rows)
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
@@ -322,13 +290,8 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
 /// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing
 /// had been pushed.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[in,out] decoder the decoder.
-/// @param[out] net receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM if the stream is
-///     not complete, or what pushing failed with.
+/// @errors BAD_STREAM (if the stream is not complete, what pushing failed with)
 /// @complexity O(1).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
@@ -346,9 +309,6 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
 }
 
 /// Destroys a decoder; NULL is allowed.
-///
-/// @param[in,out] decoder the handle; NULL is allowed.
-/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_decoder_destroy(decoder: *mut gusset_stream_decoder) {
     handle::destroy(decoder);

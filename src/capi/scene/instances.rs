@@ -1,13 +1,14 @@
-//! The visible nets of a scene: where each is in the world, and all of them as one net.
+//! Visible nets of a scene: Where each net of a scene is in the world, and all of them as one net.
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::fixed;
 use crate::capi::input::{self, choice, fill};
 use crate::capi::net::arrange::gusset_direction;
 use crate::capi::net::join::gusset_concatenate_options;
-use crate::capi::net::scene::{gusset_scene, gusset_transform, scene};
 use crate::capi::net::{gusset_net, read};
+use crate::capi::scene::{gusset_scene, scene};
 use crate::capi::status::gusset_status;
+use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 
@@ -32,17 +33,12 @@ fixed! { gusset_scene_instance: 112 }
 
 /// All instances and where they are: each behind the group that it is in, children in order.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param scene the scene.
-/// @param[out] instances room for capacity of them, or NULL with capacity 0 to ask for their
-///     number.
+/// @param instances room for capacity of them, or NULL with capacity 0 to ask for their number.
 /// @param capacity see instances.
-/// @param[out] written receives it.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE
-///     (more than 2^24, as sharing can make of few entries: refused before any is looked at),
-///     OUT_OF_MEMORY, CANCELLED.
+/// @param written receives it.
+/// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
+///     before any is looked at)
 /// @complexity O(entries + instances).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_world_transforms(
@@ -70,15 +66,11 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
 /// Nets under transforms that mirror are flipped where the others would be opposed to them, as if
 /// options said turn. gusset_scene_unflatten_create is the inverse.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param scene the scene.
 /// @param options NULL for each net below the one before, with hidden bridges.
-/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24
-///     instances, or nodes), and those of gusset_net_concatenate_create.
+/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), as
+///     gusset_net_concatenate_create
 /// @complexity O(entries + instances + nodes).
 /// @source Deryagin, scenes as "a single whole".
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_flatten_create(
@@ -103,14 +95,9 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
 /// Nets come back as they are in the space of the flat one, bit for bit; copies that were made to
 /// equalise sizes are removed.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param net the net.
-/// @param direction GUSSET_DIRECTION_..., that of the bridges.
-/// @param[out] scene receives it, for gusset_scene_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-///     CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+/// @param direction that of the bridges.
+/// @errors CROSSING_CELL
 /// @complexity O(nodes).
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_unflatten_create(

@@ -1,5 +1,7 @@
-//! C interface: the paper's search: the logical scale, the normal by two
-//! sections. It is the documented reference; to ask questions, use the index of a surface.
+//! The search of the paper: The search by the logical scale as printed, corrected: a documented
+//! reference.
+//!
+//! @source Leus.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::curve::{gusset_curve, view};
@@ -47,7 +49,7 @@ pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 pub struct gusset_reference_task {
     /// sizeof(gusset_reference_task), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_REFERENCE_...
+    /// The object from which distances or angles are measured.
     pub object: gusset_reference_object,
     /// 0: cells that may have something within `within`. 1: cells that may have the nearest.
     pub find_nearest: u32,
@@ -174,21 +176,17 @@ impl gusset_reference_task {
 /// None that has is missing. It is the documented reference and looks at many nodes; a surface
 /// (gusset_surface_create) answers the same and more from its index, much faster.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
 /// @param task what is looked for.
-/// @param[out] words receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL
-///     with capacity 0 for the size and the report alone; all words are 0 on failure.
+/// @param words receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with
+///     capacity 0 for the size and the report alone; all words are 0 on failure.
 /// @param capacity how many words it has room for.
-/// @param[out] written receives the number of words.
-/// @param[out] report what was done; its struct_size set by the caller; may be NULL.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative
-///     distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+/// @param written receives the number of words.
+/// @param report what was done; its struct_size set by the caller; may be NULL.
+/// @errors UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not finite, no direction, a
+///     negative distance, an angle outside 0 to pi), BUFFER_TOO_SMALL
 /// @complexity O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
 ///     at for the search.
 /// @source Leus; docs/errata.md lists its errata.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_reference_mask(
@@ -244,23 +242,19 @@ fn mask(
 /// are the arcs in the order of the curve, its nodes their ends. No arc that has what is looked for
 /// is missing.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param curve the curve.
 /// @param parts arcs of each segment, at least 1; 2^30 of all at most.
 /// @param task what is looked for; angles are those of tangents, for which curvature and lines are
 ///     not read, and unsigned_normals counts tangents of either direction.
-/// @param[out] words receives a bit for each arc: that of arc k is bit k % 64 of word k / 64; NULL
-///     with capacity 0 for the size and the report alone; all words are 0 on failure.
+/// @param words receives a bit for each arc: that of arc k is bit k % 64 of word k / 64; NULL with
+///     capacity 0 for the size and the report alone; all words are 0 on failure.
 /// @param capacity how many words it has room for.
-/// @param[out] written receives the number of words.
-/// @param[out] report what was done: columns are points of the curve, rows 0; its struct_size set by
-///     the caller; may be NULL.
-/// @return GUSSET_OK, or an error: those of gusset_sheet_reference_mask; EMPTY_CURVE, OUT_OF_RANGE
-///     (parts), TOO_LARGE.
+/// @param written receives the number of words.
+/// @param report what was done: columns are points of the curve, rows 0; its struct_size set by the
+///     caller; may be NULL.
+/// @errors as gusset_sheet_reference_mask, EMPTY_CURVE, OUT_OF_RANGE (parts), TOO_LARGE
 /// @complexity O(arcs degree^2) for the lengths; O(arcs / 64) and the nodes looked at for the
 ///     search.
 /// @source Leus, the last paragraph.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_reference_mask(
@@ -284,18 +278,14 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
 ///
 /// They are of third order in the size of cells; the exact normals of the surface are had from a surface.
 ///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
 /// @param places count places of the sheet, whose own number is not read, at any alignment; u and v
 ///     0 to 1.
 /// @param count see places.
-/// @param[out] normals receives x, y, z of each; 0 where there is none, and everywhere on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
-///     (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell,
-///     parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+/// @param normals receives x, y, z of each; 0 where there is none, and everywhere on failure.
+/// @errors UNKNOWN_VALUE (reserved), NO_SUCH_ELEMENT (with the first place that the sheet does not
+///     have: no such cell, parameters that are not 0 to 1)
 /// @complexity Bounded work for each.
 /// @source Leus, fig. 1.
-/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_normals_by_sections(

@@ -1,0 +1,667 @@
+// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.
+#ifndef GUSSET_CHOICES_HPP
+#define GUSSET_CHOICES_HPP
+
+#include <gusset.h>
+
+namespace gusset {
+
+/// A format that curves are exported to. See ::gusset_curve_format.
+enum class CurveFormat : uint32_t {
+    svg = GUSSET_CURVE_FORMAT_SVG,
+    contour = GUSSET_CURVE_FORMAT_CONTOUR,
+    spline = GUSSET_CURVE_FORMAT_SPLINE
+};
+
+/// Which points of a section belong to which of the next. See ::gusset_correspondence_rule.
+enum class CorrespondenceRule : uint32_t {
+    given = GUSSET_CORRESPONDENCE_GIVEN,
+    arc_length = GUSSET_CORRESPONDENCE_ARC_LENGTH,
+    angle = GUSSET_CORRESPONDENCE_ANGLE,
+    landmarks = GUSSET_CORRESPONDENCE_LANDMARKS
+};
+
+/// Where the nodes of a frame move. See ::gusset_offset_direction.
+enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
+
+/// The rule by which samples are spread along a curve. See ::gusset_sample_rule.
+enum class SampleRule : uint32_t {
+    count = GUSSET_SAMPLE_COUNT,
+    step = GUSSET_SAMPLE_STEP,
+    chord = GUSSET_SAMPLE_CHORD
+};
+
+/// The demand of a constraint. See ::gusset_constraint_kind.
+enum class ConstraintKind : uint32_t {
+    tangent = GUSSET_CONSTRAINT_TANGENT,
+    corner = GUSSET_CONSTRAINT_CORNER,
+    tangent_angle = GUSSET_CONSTRAINT_TANGENT_ANGLE
+};
+
+/// The kind of the curve of an outline. See ::gusset_curve_kind.
+enum class CurveKind : uint32_t {
+    composite = GUSSET_CURVE_KIND_COMPOSITE,
+    single = GUSSET_CURVE_KIND_SINGLE,
+    blend_c1 = GUSSET_CURVE_KIND_BLEND_C1,
+    blend_c2 = GUSSET_CURVE_KIND_BLEND_C2,
+    cubic_c2 = GUSSET_CURVE_KIND_CUBIC_C2,
+    chain = GUSSET_CURVE_KIND_CHAIN
+};
+
+/// The guide of the control point of a section. See ::gusset_section_method.
+enum class SectionMethod : uint32_t {
+    bisector = GUSSET_METHOD_BISECTOR,
+    median = GUSSET_METHOD_MEDIAN,
+    normal = GUSSET_METHOD_NORMAL,
+    symmedian = GUSSET_METHOD_SYMMEDIAN,
+    alpha = GUSSET_METHOD_ALPHA
+};
+
+/// The rule that fixes the parameters of points. See ::gusset_parameter_lock.
+enum class ParameterLock : uint32_t {
+    parameter = GUSSET_LOCK_PARAMETER,
+    self_consistent = GUSSET_LOCK_SELF_CONSISTENT,
+    data_guide = GUSSET_LOCK_DATA_GUIDE
+};
+
+/// The parameters of the joints of composite curves. See ::gusset_joint_parameter.
+enum class JointParameter : uint32_t {
+    half = GUSSET_JOINT_PARAMETER_HALF,
+    knot = GUSSET_JOINT_PARAMETER_KNOT,
+    g2 = GUSSET_JOINT_PARAMETER_G2
+};
+
+/// The method that solves for a curve. See ::gusset_outline_solver.
+enum class OutlineSolver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
+
+/// The ends of open outlines. See ::gusset_outline_ends.
+enum class OutlineEnds : uint32_t {
+    free = GUSSET_ENDS_FREE,
+    perpendicular = GUSSET_ENDS_PERPENDICULAR,
+    level = GUSSET_ENDS_LEVEL,
+    upright = GUSSET_ENDS_UPRIGHT,
+    level_or_upright = GUSSET_ENDS_LEVEL_OR_UPRIGHT
+};
+
+/// The outcome at a point of an outline. See ::gusset_point_status.
+enum class PointStatus : uint32_t {
+    ok = GUSSET_POINT_OK,
+    clamped_parameter = GUSSET_POINT_CLAMPED_PARAMETER,
+    merged = GUSSET_POINT_MERGED,
+    repeated = GUSSET_POINT_REPEATED,
+    collinear = GUSSET_POINT_COLLINEAR,
+    normal_outside = GUSSET_POINT_NORMAL_OUTSIDE,
+    right_angle = GUSSET_POINT_RIGHT_ANGLE,
+    no_crossing = GUSSET_POINT_NO_CROSSING,
+    tangent_separates = GUSSET_POINT_TANGENT_SEPARATES,
+    tangent_backward = GUSSET_POINT_TANGENT_BACKWARD,
+    tangent_beyond = GUSSET_POINT_TANGENT_BEYOND,
+    out_of_plane = GUSSET_POINT_OUT_OF_PLANE,
+    no_tangent = GUSSET_POINT_NO_TANGENT,
+    fell_back = GUSSET_POINT_FELL_BACK,
+    not_converged = GUSSET_POINT_NOT_CONVERGED,
+    missed = GUSSET_POINT_MISSED,
+    joint_fell_back = GUSSET_POINT_JOINT_FELL_BACK,
+    composite_instead = GUSSET_POINT_COMPOSITE_INSTEAD,
+    cusp = GUSSET_POINT_CUSP
+};
+
+/// The outcome of an outline. See ::gusset_fit_status.
+enum class FitStatus : uint32_t {
+    ok = GUSSET_FIT_OK,
+    partial = GUSSET_FIT_PARTIAL,
+    not_converged = GUSSET_FIT_NOT_CONVERGED,
+    diverged = GUSSET_FIT_DIVERGED,
+    ill_conditioned = GUSSET_FIT_ILL_CONDITIONED,
+    too_few_points = GUSSET_FIT_TOO_FEW_POINTS,
+    degree_too_high = GUSSET_FIT_DEGREE_TOO_HIGH
+};
+
+/// The type of coordinates. See ::gusset_scalar.
+enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
+
+/// The type of indices. See ::gusset_index.
+enum class Index : uint32_t { u32 = GUSSET_U32, u64 = GUSSET_U64 };
+
+/// The poses in which pieces begin. See ::gusset_alignment_start.
+enum class AlignmentStart : uint32_t {
+    as_given = GUSSET_ALIGN_AS_GIVEN,
+    principal_axes = GUSSET_ALIGN_PRINCIPAL_AXES,
+    rims = GUSSET_ALIGN_RIMS
+};
+
+/// Whether the pose of a piece can be trusted, and if not why. See ::gusset_aligned_reason.
+enum class AlignedReason : uint32_t {
+    trusted = GUSSET_ALIGNED_TRUSTED,
+    no_overlap = GUSSET_ALIGNED_NO_OVERLAP,
+    poor_fit = GUSSET_ALIGNED_POOR_FIT,
+    undetermined = GUSSET_ALIGNED_UNDETERMINED,
+    faces_other_way = GUSSET_ALIGNED_FACES_OTHER_WAY,
+    other_size = GUSSET_ALIGNED_OTHER_SIZE,
+    trusted_by_none = GUSSET_ALIGNED_TRUSTED_BY_NONE
+};
+
+/// The type of values. See ::gusset_value_type.
+enum class ValueType : uint32_t {
+    f32 = GUSSET_VALUE_F32,
+    f64 = GUSSET_VALUE_F64,
+    u8 = GUSSET_VALUE_U8,
+    u16 = GUSSET_VALUE_U16,
+    u32 = GUSSET_VALUE_U32
+};
+
+/// How the values of several sources become one. See ::gusset_rule.
+enum class Rule : uint32_t {
+    linear = GUSSET_RULE_LINEAR,
+    normal = GUSSET_RULE_NORMAL,
+    skin_weights = GUSSET_RULE_SKIN_WEIGHTS,
+    nearest = GUSSET_RULE_NEAREST,
+    texture = GUSSET_RULE_TEXTURE
+};
+
+/// The treatment of edges with three or more faces. See ::gusset_non_manifold.
+enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
+
+/// The part of the mesh that is checked. See ::gusset_survey.
+enum class Survey : uint32_t { whole_mesh = GUSSET_SURVEY_WHOLE_MESH, boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY };
+
+/// The kind of a defect. See ::gusset_defect_kind.
+enum class DefectKind : uint32_t {
+    degenerate_face = GUSSET_DEFECT_DEGENERATE_FACE,
+    orientation_conflict = GUSSET_DEFECT_ORIENTATION_CONFLICT,
+    non_manifold_edge = GUSSET_DEFECT_NON_MANIFOLD_EDGE,
+    bow_tie = GUSSET_DEFECT_BOW_TIE
+};
+
+/// The distortion that a development minimises. See ::gusset_distortion.
+enum class Distortion : uint32_t {
+    symmetric = GUSSET_DISTORTION_SYMMETRIC,
+    rigid = GUSSET_DISTORTION_RIGID,
+    conformal = GUSSET_DISTORTION_CONFORMAL
+};
+
+/// How a chart was laid out. See ::gusset_chart_finish.
+enum class ChartFinish : uint32_t {
+    exact = GUSSET_CHART_EXACT,
+    converged = GUSSET_CHART_CONVERGED,
+    iteration_limit = GUSSET_CHART_ITERATION_LIMIT,
+    conformal = GUSSET_CHART_CONFORMAL,
+    not_conformal = GUSSET_CHART_NOT_CONFORMAL,
+    folded = GUSSET_CHART_FOLDED,
+    stalled = GUSSET_CHART_STALLED
+};
+
+/// The reason for a cut. See ::gusset_cut_kind.
+enum class CutKind : uint32_t { given = GUSSET_CUT_GIVEN, opening = GUSSET_CUT_OPENING, dart = GUSSET_CUT_DART };
+
+/// The loops that are not holes. See ::gusset_fill_keep.
+enum class FillKeep : uint32_t {
+    none = GUSSET_KEEP_NONE,
+    longest = GUSSET_KEEP_LONGEST,
+    borders = GUSSET_KEEP_BORDERS
+};
+
+/// The loops that get one patch. See ::gusset_fill_together.
+enum class FillTogether : uint32_t {
+    apart = GUSSET_TOGETHER_APART,
+    one = GUSSET_TOGETHER_ONE,
+    cheapest = GUSSET_TOGETHER_CHEAPEST
+};
+
+/// The new vertices of patches. See ::gusset_fill_refinement.
+enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
+
+/// How smoothly faired patches continue the old surface. See ::gusset_fill_continuity.
+enum class FillContinuity : uint32_t { c1 = GUSSET_CONTINUITY_C1, c2 = GUSSET_CONTINUITY_C2 };
+
+/// The weight that the triangulation of a rim minimises. See ::gusset_fill_weight.
+enum class FillWeight : uint32_t {
+    continuation = GUSSET_WEIGHT_CONTINUATION,
+    area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
+    bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
+    area = GUSSET_WEIGHT_AREA
+};
+
+/// The vertices of a patch. See ::gusset_patch_finish.
+enum class PatchFinish : uint32_t {
+    plain = GUSSET_PATCH_PLAIN,
+    refined = GUSSET_PATCH_REFINED,
+    faired = GUSSET_PATCH_FAIRED
+};
+
+/// The outcome for one loop. See ::gusset_hole_status.
+enum class HoleStatus : uint32_t {
+    filled = GUSSET_HOLE_FILLED,
+    kept = GUSSET_HOLE_KEPT,
+    too_large = GUSSET_HOLE_TOO_LARGE,
+    open = GUSSET_HOLE_OPEN,
+    non_manifold = GUSSET_HOLE_NON_MANIFOLD,
+    not_oriented = GUSSET_HOLE_NOT_ORIENTED,
+    not_simple = GUSSET_HOLE_NOT_SIMPLE,
+    not_free = GUSSET_HOLE_NOT_FREE,
+    no_triangulation = GUSSET_HOLE_NO_TRIANGULATION
+};
+
+/// The treatment of coincident borders of pieces. See ::gusset_welding.
+enum class Welding : uint32_t {
+    sew = GUSSET_WELDING_SEW,
+    none = GUSSET_WELDING_NONE,
+    edge_to_edge = GUSSET_WELDING_EDGE_TO_EDGE
+};
+
+/// The widest gap that is closed. See ::gusset_gap.
+enum class Gap : uint32_t { automatic = GUSSET_GAP_AUTO, given = GUSSET_GAP_GIVEN };
+
+/// The treatment of pieces that overlap. See ::gusset_overlaps.
+enum class Overlaps : uint32_t { keep = GUSSET_OVERLAPS_KEEP, trim = GUSSET_OVERLAPS_TRIM };
+
+/// The outcome for two loops that face each other. See ::gusset_joint_outcome.
+enum class JointOutcome : uint32_t {
+    joined = GUSSET_JOINT_JOINED,
+    orientation_conflict = GUSSET_JOINT_ORIENTATION_CONFLICT,
+    share_vertex = GUSSET_JOINT_SHARE_VERTEX,
+    no_strip = GUSSET_JOINT_NO_STRIP,
+    would_cut = GUSSET_JOINT_WOULD_CUT
+};
+
+/// The reason why a loop has no strip. See ::gusset_left_reason.
+enum class LeftReason : uint32_t {
+    alone = GUSSET_LEFT_ALONE,
+    not_simple = GUSSET_LEFT_NOT_SIMPLE,
+    too_short = GUSSET_LEFT_TOO_SHORT,
+    not_joined = GUSSET_LEFT_NOT_JOINED,
+    too_far = GUSSET_LEFT_TOO_FAR,
+    same_component = GUSSET_LEFT_SAME_COMPONENT,
+    looks_away = GUSSET_LEFT_LOOKS_AWAY,
+    taken = GUSSET_LEFT_TAKEN,
+    excluded = GUSSET_LEFT_EXCLUDED
+};
+
+/// Elements of meshes, and of what meshes are made from. See ::gusset_domain.
+enum class Domain : uint32_t {
+    vertices = GUSSET_DOMAIN_VERTICES,
+    corners = GUSSET_DOMAIN_CORNERS,
+    faces = GUSSET_DOMAIN_FACES
+};
+
+/// The rule that chooses meridians. See ::gusset_meridians.
+enum class Meridians : uint32_t {
+    continuation = GUSSET_MERIDIANS_CONTINUATION,
+    index = GUSSET_MERIDIANS_INDEX,
+    arc_length = GUSSET_MERIDIANS_ARC_LENGTH,
+    greedy = GUSSET_MERIDIANS_GREEDY,
+    min_diagonal = GUSSET_MERIDIANS_MIN_DIAGONAL,
+    smooth = GUSSET_MERIDIANS_SMOOTH,
+    quad = GUSSET_MERIDIANS_QUAD,
+    min_area = GUSSET_MERIDIANS_MIN_AREA
+};
+
+/// The effort of the search for the best strip. See ::gusset_strip_search.
+enum class StripSearch : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
+
+/// The first meridian of a closed strip. See ::gusset_strip_start.
+enum class StripStart : uint32_t {
+    automatic = GUSSET_START_AUTO,
+    closest = GUSSET_START_CLOSEST,
+    given = GUSSET_START_GIVEN
+};
+
+/// The positions of new vertices. See ::gusset_fairing.
+enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
+
+/// The treatment of faces that intersect each other. See ::gusset_intersections.
+enum class Intersections : uint32_t {
+    automatic = GUSSET_INTERSECTIONS_AUTO,
+    ignore = GUSSET_INTERSECTIONS_IGNORE,
+    report = GUSSET_INTERSECTIONS_REPORT
+};
+
+/// The treatment of pieces that are oriented against each other. See ::gusset_orientation.
+enum class Orientation : uint32_t {
+    fix = GUSSET_ORIENTATION_FIX,
+    refuse = GUSSET_ORIENTATION_REFUSE,
+    keep = GUSSET_ORIENTATION_KEEP
+};
+
+/// The part of the loops that is joined. See ::gusset_stitch_extent.
+enum class StitchExtent : uint32_t {
+    whole_loops = GUSSET_EXTENT_WHOLE_LOOPS,
+    open_arcs = GUSSET_EXTENT_OPEN_ARCS,
+    automatic = GUSSET_EXTENT_AUTO,
+    arcs = GUSSET_EXTENT_ARCS
+};
+
+/// Which of several runs of facing vertices is joined. See ::gusset_facing_run.
+enum class FacingRun : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
+
+/// The definition of the centre of a loop. See ::gusset_centres.
+enum class Centres : uint32_t { vertices = GUSSET_CENTRES_VERTICES, length = GUSSET_CENTRES_LENGTH };
+
+/// The number of interior rows. See ::gusset_row_rule.
+enum class RowRule : uint32_t { none = GUSSET_ROWS_NONE, mean_edge = GUSSET_ROWS_MEAN_EDGE, count = GUSSET_ROWS_COUNT };
+
+/// The faces of strips. See ::gusset_strip_cells.
+enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
+
+/// The surface between the rims. See ::gusset_finish.
+enum class Finish : uint32_t { strip = GUSSET_FINISH_STRIP, blend = GUSSET_FINISH_BLEND };
+
+/// The source of a tolerance. See ::gusset_tolerance_mode.
+enum class ToleranceMode : uint32_t {
+    automatic = GUSSET_TOLERANCE_AUTO,
+    given = GUSSET_TOLERANCE_GIVEN,
+    exact = GUSSET_TOLERANCE_EXACT
+};
+
+/// The side that closed components of a result face. See ::gusset_outward.
+enum class Outward : uint32_t {
+    automatic = GUSSET_OUTWARD_AUTO,
+    keep = GUSSET_OUTWARD_KEEP,
+    closed = GUSSET_OUTWARD_CLOSED
+};
+
+/// The vertices that are welded. See ::gusset_weld_vertices.
+enum class WeldVertices : uint32_t { boundary = GUSSET_WELD_BOUNDARY, all = GUSSET_WELD_ALL };
+
+/// Whether corners of one face may become one. See ::gusset_collapse.
+enum class Collapse : uint32_t { never = GUSSET_COLLAPSE_NEVER, allow = GUSSET_COLLAPSE_ALLOW };
+
+/// The treatment of vertices that no face uses. See ::gusset_unused.
+enum class Unused : uint32_t { keep = GUSSET_UNUSED_KEEP, remove = GUSSET_UNUSED_REMOVE };
+
+/// Where the coordinates of a net are. See ::gusset_net_memory.
+enum class NetMemory : uint32_t { copy = GUSSET_NET_MEMORY_COPY, borrow = GUSSET_NET_MEMORY_BORROW };
+
+/// A direction within a net. See ::gusset_direction.
+enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
+
+/// Which rows, or columns, are replicated. See ::gusset_replication.
+enum class Replication : uint32_t {
+    uniform = GUSSET_REPLICATE_UNIFORM,
+    first = GUSSET_REPLICATE_FIRST,
+    last = GUSSET_REPLICATE_LAST,
+    at = GUSSET_REPLICATE_AT,
+    at_poles = GUSSET_REPLICATE_AT_POLES,
+    refuse = GUSSET_REPLICATE_REFUSE
+};
+
+/// A symmetry of the rectangle of nodes. See ::gusset_net_turn.
+enum class NetTurn : uint32_t {
+    none = GUSSET_NET_TURN_NONE,
+    quarter = GUSSET_NET_TURN_QUARTER,
+    half = GUSSET_NET_TURN_HALF,
+    three_quarters = GUSSET_NET_TURN_THREE_QUARTERS,
+    flip_columns = GUSSET_NET_TURN_FLIP_COLUMNS,
+    flip_rows = GUSSET_NET_TURN_FLIP_ROWS,
+    transpose = GUSSET_NET_TURN_TRANSPOSE,
+    antitranspose = GUSSET_NET_TURN_ANTITRANSPOSE
+};
+
+/// What a local gluing is of. See ::gusset_gluing_place.
+enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
+
+/// Which cells count. See ::gusset_net_cells.
+enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
+
+/// What a field does, and what its values are. See ::gusset_field_kind.
+enum class FieldKind : uint32_t {
+    affine = GUSSET_FIELD_AFFINE,
+    twist = GUSSET_FIELD_TWIST,
+    taper = GUSSET_FIELD_TAPER,
+    bend = GUSSET_FIELD_BEND,
+    shear = GUSSET_FIELD_SHEAR,
+    spherify = GUSSET_FIELD_SPHERIFY,
+    cylinder_wrap = GUSSET_FIELD_CYLINDER_WRAP,
+    torus_wrap = GUSSET_FIELD_TORUS_WRAP,
+    lattice = GUSSET_FIELD_LATTICE,
+    projection = GUSSET_FIELD_PROJECTION,
+    parallel = GUSSET_FIELD_PARALLEL,
+    perspective = GUSSET_FIELD_PERSPECTIVE,
+    cone_wrap = GUSSET_FIELD_CONE_WRAP,
+    sphere_wrap = GUSSET_FIELD_SPHERE_WRAP
+};
+
+/// How a strength goes from one key to the next. See ::gusset_easing.
+enum class Easing : uint32_t {
+    linear = GUSSET_EASING_LINEAR,
+    smooth = GUSSET_EASING_SMOOTH,
+    hold = GUSSET_EASING_HOLD
+};
+
+/// What a gusset_gluing glues. See ::gusset_gluing_kind.
+enum class GluingKind : uint32_t {
+    link = GUSSET_GLUING_LINK,
+    star = GUSSET_GLUING_STAR,
+    cell = GUSSET_GLUING_CELL,
+    diagonal = GUSSET_GLUING_DIAGONAL,
+    seam = GUSSET_GLUING_SEAM,
+    type = GUSSET_GLUING_TYPE
+};
+
+/// One of the 18 local gluings (the paper's Fig. See ::gusset_gluing_type.
+enum class GluingType : uint32_t {
+    none = GUSSET_TYPE_NONE,
+    horizontal = GUSSET_TYPE_HORIZONTAL,
+    vertical = GUSSET_TYPE_VERTICAL,
+    east_south = GUSSET_TYPE_EAST_SOUTH,
+    south_west = GUSSET_TYPE_SOUTH_WEST,
+    west_north = GUSSET_TYPE_WEST_NORTH,
+    north_east = GUSSET_TYPE_NORTH_EAST,
+    east_west = GUSSET_TYPE_EAST_WEST,
+    north_south = GUSSET_TYPE_NORTH_SOUTH,
+    but_north = GUSSET_TYPE_BUT_NORTH,
+    but_east = GUSSET_TYPE_BUT_EAST,
+    but_south = GUSSET_TYPE_BUT_SOUTH,
+    but_west = GUSSET_TYPE_BUT_WEST,
+    all = GUSSET_TYPE_ALL,
+    top_bottom = GUSSET_TYPE_TOP_BOTTOM,
+    right_left = GUSSET_TYPE_RIGHT_LEFT,
+    point = GUSSET_TYPE_POINT,
+    falling = GUSSET_TYPE_FALLING,
+    rising = GUSSET_TYPE_RISING
+};
+
+/// What is done with the cells between two nets that were joined. See ::gusset_bridge_mode.
+enum class BridgeMode : uint32_t { keep = GUSSET_BRIDGE_KEEP, hide = GUSSET_BRIDGE_HIDE, weld = GUSSET_BRIDGE_WELD };
+
+/// What a bridge looks like. See ::gusset_bridge_kind.
+enum class BridgeKind : uint32_t {
+    ribbon = GUSSET_BRIDGE_RIBBON,
+    tube = GUSSET_BRIDGE_TUBE,
+    thread = GUSSET_BRIDGE_THREAD
+};
+
+/// What the faces of the mesh of a net are. See ::gusset_net_faces.
+enum class NetFaces : uint32_t {
+    quads = GUSSET_NET_QUADS,
+    triangles_shorter = GUSSET_NET_TRIANGLES_SHORTER,
+    triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
+};
+
+/// The cells of a net that is sought in a mesh. See ::gusset_grid_cells.
+enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
+
+/// The way of nodes from one net to another. See ::gusset_morph_path.
+enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
+
+/// A shape. See ::gusset_net_shape.
+enum class NetShape : uint32_t {
+    plane = GUSSET_NET_PLANE,
+    sphere = GUSSET_NET_SPHERE,
+    one_pole_sphere = GUSSET_NET_ONE_POLE_SPHERE,
+    tube = GUSSET_NET_TUBE,
+    cylinder = GUSSET_NET_CYLINDER,
+    prism = GUSSET_NET_PRISM,
+    cone = GUSSET_NET_CONE,
+    pyramid = GUSSET_NET_PYRAMID,
+    lathe = GUSSET_NET_LATHE,
+    torus = GUSSET_NET_TORUS,
+    box = GUSSET_NET_BOX,
+    moebius = GUSSET_NET_MOEBIUS,
+    klein = GUSSET_NET_KLEIN,
+    projective_plane = GUSSET_NET_PROJECTIVE_PLANE,
+    pillow = GUSSET_NET_PILLOW
+};
+
+/// How the two caps of a box are covered. See ::gusset_box_kind.
+enum class BoxKind : uint32_t {
+    slit = GUSSET_NET_BOX_SLIT,
+    cross = GUSSET_NET_BOX_CROSS,
+    concentric = GUSSET_NET_BOX_CONCENTRIC
+};
+
+/// How positions between nodes are found. See ::gusset_interpolation.
+enum class Interpolation : uint32_t {
+    bicubic = GUSSET_INTERPOLATION_BICUBIC,
+    bilinear = GUSSET_INTERPOLATION_BILINEAR
+};
+
+/// An axis of coordinates: 0 is x, 1 is y, 2 is z. See ::gusset_axis.
+enum class Axis : uint32_t { x = GUSSET_AXIS_X, y = GUSSET_AXIS_Y, z = GUSSET_AXIS_Z };
+
+/// What an operation does. See ::gusset_operation_kind.
+enum class OperationKind : uint32_t {
+    translate = GUSSET_OPERATION_TRANSLATE,
+    rotate = GUSSET_OPERATION_ROTATE,
+    rotate_as_printed = GUSSET_OPERATION_ROTATE_AS_PRINTED,
+    scale = GUSSET_OPERATION_SCALE,
+    compress = GUSSET_OPERATION_COMPRESS,
+    stretch = GUSSET_OPERATION_STRETCH,
+    matrix = GUSSET_OPERATION_MATRIX
+};
+
+/// What is found. See ::gusset_net_finding_kind.
+enum class NetFindingKind : uint32_t {
+    link_apart = GUSSET_NET_FINDING_LINK_APART,
+    seam_apart = GUSSET_NET_FINDING_SEAM_APART,
+    loop = GUSSET_NET_FINDING_LOOP,
+    zero_length = GUSSET_NET_FINDING_ZERO_LENGTH,
+    few_nodes = GUSSET_NET_FINDING_FEW_NODES
+};
+
+/// The object from which distances or angles are measured. See ::gusset_reference_object.
+enum class ReferenceObject : uint32_t {
+    point = GUSSET_REFERENCE_POINT,
+    plane = GUSSET_REFERENCE_PLANE,
+    line = GUSSET_REFERENCE_LINE,
+    segment = GUSSET_REFERENCE_SEGMENT,
+    angle = GUSSET_REFERENCE_ANGLE,
+    curve = GUSSET_REFERENCE_CURVE,
+    surface = GUSSET_REFERENCE_SURFACE,
+    ray = GUSSET_REFERENCE_RAY
+};
+
+/// The direction in which faces are read. See ::gusset_winding.
+enum class Winding : uint32_t {
+    counter_clockwise = GUSSET_FACES_COUNTER_CLOCKWISE,
+    clockwise = GUSSET_FACES_CLOCKWISE
+};
+
+/// What an entry of a scene is. See ::gusset_scene_entry_kind.
+enum class SceneEntryKind : uint32_t { net = GUSSET_SCENE_NET, group = GUSSET_SCENE_GROUP };
+
+/// What is done to the visibility of an entry. See ::gusset_visibility.
+enum class Visibility : uint32_t {
+    keep = GUSSET_VISIBILITY_KEEP,
+    show = GUSSET_VISIBILITY_SHOW,
+    hide = GUSSET_VISIBILITY_HIDE
+};
+
+/// What the index in a report counts. See ::gusset_element.
+enum class Element : uint32_t {
+    none = GUSSET_ELEMENT_NONE,
+    vertex = GUSSET_ELEMENT_VERTEX,
+    face = GUSSET_ELEMENT_FACE,
+    half_edge = GUSSET_ELEMENT_HALF_EDGE,
+    offset = GUSSET_ELEMENT_OFFSET,
+    loop_place = GUSSET_ELEMENT_LOOP_PLACE,
+    count = GUSSET_ELEMENT_COUNT,
+    point = GUSSET_ELEMENT_POINT,
+    constraint = GUSSET_ELEMENT_CONSTRAINT,
+    place = GUSSET_ELEMENT_PLACE,
+    section = GUSSET_ELEMENT_SECTION,
+    node = GUSSET_ELEMENT_NODE,
+    link = GUSSET_ELEMENT_LINK,
+    cell = GUSSET_ELEMENT_CELL,
+    seam = GUSSET_ELEMENT_SEAM,
+    bridge = GUSSET_ELEMENT_BRIDGE,
+    entry = GUSSET_ELEMENT_ENTRY,
+    byte = GUSSET_ELEMENT_BYTE,
+    item = GUSSET_ELEMENT_ITEM,
+    side_place = GUSSET_ELEMENT_SIDE_PLACE,
+    knot = GUSSET_ELEMENT_KNOT,
+    row = GUSSET_ELEMENT_ROW,
+    edge = GUSSET_ELEMENT_EDGE
+};
+
+/// How a stream stores coordinates. See ::gusset_stream_mode.
+enum class StreamMode : uint32_t {
+    quantised = GUSSET_STREAM_QUANTISED,
+    lossless = GUSSET_STREAM_LOSSLESS,
+    raw = GUSSET_STREAM_RAW
+};
+
+/// How two surfaces touch. See ::gusset_contact_kind.
+enum class ContactKind : uint32_t { point = GUSSET_CONTACT_POINT, crossing = GUSSET_CONTACT_CROSSING };
+
+/// The points of a curve between those where it crosses the lines of the surface. See ::gusset_spacing_rule.
+enum class SpacingRule : uint32_t {
+    automatic = GUSSET_POINT_SPACING_AUTO,
+    chord = GUSSET_POINT_SPACING_CHORD,
+    cell_edges = GUSSET_POINT_SPACING_CELL_EDGES,
+    leus = GUSSET_POINT_SPACING_LEUS
+};
+
+/// The function on a surface whose contours are drawn. See ::gusset_contour_kind.
+enum class ContourKind : uint32_t {
+    height = GUSSET_CONTOUR_HEIGHT,
+    values = GUSSET_CONTOUR_VALUES,
+    angle = GUSSET_CONTOUR_ANGLE
+};
+
+/// The way in which a coordinate curve of a sheet runs. See ::gusset_sheet_direction.
+enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
+
+/// The object from which a distance is measured. See ::gusset_target_kind.
+enum class TargetKind : uint32_t {
+    line = GUSSET_TARGET_LINE,
+    plane = GUSSET_TARGET_PLANE,
+    curve = GUSSET_TARGET_CURVE,
+    surface = GUSSET_TARGET_SURFACE
+};
+
+/// The kind of a normal. See ::gusset_normal_kind.
+enum class NormalKind : uint32_t {
+    none = GUSSET_NORMAL_NONE,
+    regular = GUSSET_NORMAL_REGULAR,
+    limit = GUSSET_NORMAL_LIMIT
+};
+
+/// Which hits are wanted. See ::gusset_hit_selection.
+enum class HitSelection : uint32_t { all = GUSSET_HITS_ALL, first = GUSSET_HITS_FIRST, any = GUSSET_HITS_ANY };
+
+/// The kind of a hit. See ::gusset_hit_kind.
+enum class HitKind : uint32_t {
+    none = GUSSET_HIT_NONE,
+    crossing = GUSSET_HIT_CROSSING,
+    touch = GUSSET_HIT_TOUCH,
+    inside = GUSSET_HIT_INSIDE
+};
+
+/// How the surface is drawn through nodes. See ::gusset_scheme.
+enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
+
+/// How the mixed derivatives S_uv at nodes are found, which tangents leave open. See ::gusset_twists.
+enum class Twists : uint32_t {
+    differences = GUSSET_TWISTS_DIFFERENCES,
+    adini = GUSSET_TWISTS_ADINI,
+    zero = GUSSET_TWISTS_ZERO,
+    given = GUSSET_TWISTS_GIVEN
+};
+
+/// The surface that is made of a frame. See ::gusset_frame_surface.
+enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET_FRAME_CURVES };
+
+} // namespace gusset
+
+#endif
