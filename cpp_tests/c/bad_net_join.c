@@ -1,4 +1,4 @@
-/* Nets arranged anew, joined, taken apart, as meshes: what a host can get wrong, and what it gets if it does not. */
+/* Nets copied, resampled, joined, taken apart, as meshes: what a host can get wrong, and what it gets if it does not. */
 #include "check.h"
 #include <math.h>
 
@@ -117,6 +117,63 @@ static void arranged(void) {
     CHECK(isnan(at(back, 1, 0, 4)) && at(back, 1, 1, 3) == 1);
     gusset_net_destroy(back);
     gusset_net_destroy(out);
+    gusset_net_destroy(net);
+}
+
+static void sizes(void) {
+    gusset_net *net = grid(5, 9, 0, GUSSET_SIDES_SHEET), *made = (gusset_net *)misaligned(), *levels[GUSSET_PYRAMID_LEVELS];
+    const uint32_t link = 2 * (2 * 9 + 3);
+    const gusset_glue_options glue = {.struct_size = sizeof glue, .links = &link, .link_count = 1};
+    uint32_t rows[5], columns[9];
+    double deviation = -1;
+    size_t count = 0;
+
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_resample_create(context, net, 9, 9, 2, &made));
+    CHECK(made == NULL);
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_resample_create(context, net, 1, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_resample_create(context, net, SIZE_MAX, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_resample_create(context, NULL, 9, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_resample_create(context, net, 9, 9, 0, NULL));
+    EXPECT(GUSSET_OK, gusset_net_resample_create(context, net, 9, 5, GUSSET_INTERPOLATION_BILINEAR, &made));
+    CHECK(has_size(made, 9, 5) && at(made, 1, 1, 0) == 0.5 && at(made, 0, 0, 1) == 2);
+    gusset_net_destroy(made);
+    EXPECT(GUSSET_OK, gusset_net_resample_create(context, net, 9, 5, GUSSET_INTERPOLATION_BICUBIC, &made));
+    gusset_net_destroy(made);
+
+    EXPECT(GUSSET_OK, gusset_net_decimate_create(context, net, 1e-9, rows, columns, &deviation, &made));
+    CHECK(has_size(made, 2, 2) && rows[1] == 4 && columns[1] == 8 && deviation == 0);
+    gusset_net_destroy(made);
+    EXPECT(GUSSET_OK, gusset_net_decimate_create(context, net, 0, NULL, NULL, NULL, &made));
+    gusset_net_destroy(made);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_decimate_create(context, net, -1, rows, columns, &deviation, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decimate_create(context, NULL, 0, rows, columns, &deviation, &made));
+
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_pyramid_create(context, net, 0, NULL, 0, &count));
+    /* Handles are NULL whatever fails, so that they may be destroyed. */
+    for (int k = 0; k < 4; ++k) {
+        levels[k] = (gusset_net *)misaligned();
+    }
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_pyramid_create(context, net, 0, levels, 4, &count));
+    gusset_context_reset(context);
+    for (int k = 0; k < 4; ++k) {
+        CHECK(levels[k] == NULL);
+    }
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_pyramid_create(context, net, 0, levels, 3, &count));
+    CHECK(count == 4 && levels[0] == NULL && levels[2] == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_pyramid_create(context, net, 0, NULL, 3, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_pyramid_create(context, net, 0, levels, 3, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_pyramid_create(context, net, 7, levels, 3, &count));
+    EXPECT(GUSSET_OK, gusset_net_pyramid_create(context, net, 0, levels, GUSSET_PYRAMID_LEVELS, &count));
+    CHECK(count == 4 && levels[4] == NULL && has_size(levels[3], 2, 2));
+    for (size_t k = 0; k < count; k++) {
+        gusset_net_destroy(levels[k]);
+    }
+
+    EXPECT(GUSSET_OK, gusset_net_glue(context, net, &glue, NULL));
+    EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_resample_create(context, net, 9, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_decimate_create(context, net, 0, NULL, NULL, NULL, &made));
+    EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_pyramid_create(context, net, 0, levels, 32, &count));
     gusset_net_destroy(net);
 }
 
@@ -407,6 +464,7 @@ int main(void) {
         return 1;
     }
     arranged();
+    sizes();
     at_rest();
     joined();
     meshes();

@@ -83,6 +83,17 @@ TEST_CASE("gluing as the coordinates tell") {
     CHECK(NetComplex(bare).euler() == 2);
     bare.saturate();
     CHECK(bare.classes() == sphere.classes());
+    // Several steps at once: what lies together, and a link besides, whose ends get one position.
+    bare.set_gluing(Sides::sheet);
+    const uint32_t link = 2 * (4 * 17 + 3);
+    gusset::GlueOptions steps;
+    steps.detect = 1e-9;
+    steps.links = {&link, 1};
+    steps.snap = true;
+    CHECK(bare.glue(steps) == 1);
+    CHECK(bare.at(4, 3) == bare.at(4, 4));
+    CHECK(bare.classes()[4 * 17 + 4] == 4 * 17 + 3);
+    CHECK(bare.classify_node(4 * 17 + 3) == GluingType::horizontal);
 
     // A seam says the same as sides.
     Gluing rows_closed(std::vector<gusset::Seam>{{0, 0, 1, 0, 0, 6, 1, 0, 5, 0}});

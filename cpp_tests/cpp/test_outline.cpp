@@ -84,6 +84,26 @@ TEST_CASE("many outlines at once, with corners and tangents") {
     CHECK_THROWS_AS(outline.report(100), gusset::Error);
 }
 
+TEST_CASE("how the cycles of the paper's chain go") {
+    std::vector<Plane> ellipse;
+    for (int i = 0; i < 12; ++i) {
+        ellipse.push_back({3 * std::cos(turn * i / 12), std::sin(turn * i / 12)});
+    }
+    gusset::OutlineOptions options;
+    options.curve = gusset::CurveKind::chain;
+    options.solver = gusset::OutlineSolver::step;
+    const auto report_of = [&](uint32_t sweeps) {
+        options.max_sweeps = sweeps;
+        return gusset::Outline(gusset::Outlines(ellipse, true), options).report();
+    };
+    // Cycles need not get smaller one by one.
+    const gusset_outline_report first = report_of(1), later = report_of(20);
+    CHECK(first.iterations == 1);
+    CHECK(later.iterations > 3);
+    CHECK(later.last_move < 0.1 * first.last_move);
+    CHECK(later.steps > first.steps);
+}
+
 TEST_CASE("what is wrong is said") {
     std::vector<Plane> points = {{0, 0}, {1, 0}, {1, std::nan("")}};
     try {

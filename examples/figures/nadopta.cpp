@@ -131,7 +131,9 @@ std::string chords(const std::string &file) {
     for (uint32_t sweeps = 1; sweeps <= all_cycles.iterations; ++sweeps) {
         options.max_sweeps = sweeps;
         const gusset::Outline part(gusset::Outlines(points, false), options);
-        moves.push_back(part.report().last_move);
+        if (part.report().iterations > moves.size()) {
+            moves.push_back(part.report().last_move);
+        }
         cycles.emplace_back();
         for (const Point3 &p : part.curve().segment(0)) {
             cycles.back().push_back(right(p[0], p[1]));
@@ -161,7 +163,7 @@ std::string chords(const std::string &file) {
     for (std::size_t k = 0; k < std::min<std::size_t>(moves.size(), 5); ++k) {
         text += " " + places(moves[k], 6);
     }
-    return text + " of " + std::to_string(moves.size()) + " cycles, " + std::to_string(all_cycles.steps) + " steps";
+    return text + " of " + std::to_string(all_cycles.iterations) + " cycles, " + std::to_string(all_cycles.steps) + " steps";
 }
 
 /// Fig. 3: the weights of the three control points of a quadratic, as heights of curves: 1 there and 0 elsewhere.

@@ -60,7 +60,8 @@ static void whose_memory(void) {
                                       .column_stride = sizeof copy[0],
                                       .scalar = GUSSET_F64};
     gusset_net_view lent = {.struct_size = sizeof lent};
-    gusset_net *copied = NULL, *borrowed = NULL, *clone = NULL;
+    const gusset_net_copy_options to_doubles = {.struct_size = sizeof to_doubles, .scalar = GUSSET_F64};
+    gusset_net *copied = NULL, *borrowed = NULL, *clone = NULL, *doubles = NULL;
 
     MUST(gusset_net_create(NULL, &mine, NULL, GUSSET_NET_MEMORY_COPY, &copied));     /* a copy of the coordinates */
     MUST(gusset_net_create(NULL, &mine, NULL, GUSSET_NET_MEMORY_BORROW, &borrowed)); /* the host's own memory */
@@ -74,9 +75,11 @@ static void whose_memory(void) {
     MUST(gusset_net_get_view(copied, &lent));
     HOLDS(((const float *)lent.z)[1] == 1.0F);
 
-    /* Out to the host's points, as doubles. */
-    MUST(gusset_net_read(NULL, clone, &points));
+    /* To doubles, and out to the host's points. */
+    MUST(gusset_net_copy_create(NULL, clone, &to_doubles, &doubles));
+    MUST(gusset_net_read(NULL, doubles, &points));
     HOLDS(copy[1][0] == 1.0 && copy[1][2] == 3.0 && copy[5][1] == 1.0);
+    gusset_net_destroy(doubles);
     gusset_net_destroy(clone);
     gusset_net_destroy(borrowed);
     gusset_net_destroy(copied);

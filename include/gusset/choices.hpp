@@ -397,7 +397,7 @@ enum class NetTurn : uint32_t {
     antitranspose = GUSSET_NET_TURN_ANTITRANSPOSE
 };
 
-/// What a local gluing is of. See ::gusset_gluing_place.
+/// The element that has a local gluing. See ::gusset_gluing_place.
 enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
 
 /// Which cells count. See ::gusset_net_cells.
@@ -560,7 +560,7 @@ enum class Winding : uint32_t {
 /// What an entry of a scene is. See ::gusset_scene_entry_kind.
 enum class SceneEntryKind : uint32_t { net = GUSSET_SCENE_NET, group = GUSSET_SCENE_GROUP };
 
-/// What is done to the visibility of an entry. See ::gusset_visibility.
+/// A change of the visibility of an entry. See ::gusset_visibility.
 enum class Visibility : uint32_t {
     keep = GUSSET_VISIBILITY_KEEP,
     show = GUSSET_VISIBILITY_SHOW,

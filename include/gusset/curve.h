@@ -809,7 +809,7 @@ typedef struct gusset_outline_report {
     size_t struct_size;
     gusset_fit_status fit;
     /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most max_sweeps of the
-    /// options: runs with 1, 2, 3, ... of them show how an iteration goes.
+    /// options.
     uint32_t iterations;
     /// Steps of GUSSET_SOLVER_STEP.
     uint64_t steps;

@@ -132,7 +132,7 @@ typedef struct gusset_net_analysis_view {
 
 struct gusset_field;
 
-/// What a net is compared with. All zeros: with itself.
+/// The deformation that is analysed. All zeros: none.
 typedef struct gusset_net_analysis_options {
     size_t struct_size;
     /// The net after the deformation, of the same size; NULL: what the fields make of the net.
@@ -553,11 +553,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_groups_get_view(const struct
 /// Destroys groups; NULL is allowed.
 GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
 
-/// What a local gluing is of.
+/// The element that has a local gluing.
 typedef uint32_t gusset_gluing_place;
-/// Of a node: which of its links have become a point.
+/// A node; the gluing says which of its links are glued.
 #define GUSSET_GLUING_PLACE_NODE 0
-/// Of a cell: what it has become.
+/// A cell; the gluing says which of its corners are one point.
 #define GUSSET_GLUING_PLACE_CELL 1
 
 /// Finds the local gluing at a node or of a cell.
@@ -1014,7 +1014,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_set_bridge(const struct guss
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Measures of nets: Area, volume, moments, planarity. */
 
-/// What gusset_net_measure computes: a sum of these.
+/// The parts of gusset_net_measure_report that are computed: a sum of these.
 /// @bits
 typedef uint32_t gusset_net_measures;
 /// area, volume, area_vector, low and high.
@@ -1024,7 +1024,7 @@ typedef uint32_t gusset_net_measures;
 /// body_volume, centroid and inertia; about ten times the work.
 #define GUSSET_NET_MEASURES_BODY 4
 
-/// What gusset_net_measure finds; 0 for what is not asked for.
+/// The measures of a net; 0 for those that are not asked for.
 typedef struct gusset_net_measure_report {
     size_t struct_size;
     /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones; for others see

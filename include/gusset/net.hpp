@@ -12,7 +12,7 @@
 
 namespace gusset {
 
-/// What Net::measure computes; combine with |.
+/// The measures that Net::measure computes; combine with |.
 enum class NetMeasures : uint32_t {
     extent = GUSSET_NET_MEASURES_EXTENT,
     bilinear = GUSSET_NET_MEASURES_BILINEAR,
@@ -329,15 +329,15 @@ public:
         given.column_count = column_count;
         return copied(given, context);
     }
-    Net transposed(const Context &context = Context()) const { return turned(GUSSET_NET_TURN_TRANSPOSE, context); }
+    Net transposed(const Context &context = Context()) const { return turned_by(GUSSET_NET_TURN_TRANSPOSE, context); }
     /// The last column first, or the last row.
     Net flipped(Direction direction, const Context &context = Context()) const {
         const bool columns = direction == Direction::right;
-        return turned(columns ? GUSSET_NET_TURN_FLIP_COLUMNS : GUSSET_NET_TURN_FLIP_ROWS, context);
+        return turned_by(columns ? GUSSET_NET_TURN_FLIP_COLUMNS : GUSSET_NET_TURN_FLIP_ROWS, context);
     }
     /// The net after quarters of a turn: after one, the last column is the first row.
     Net turned(int32_t quarters, const Context &context = Context()) const {
-        return turned(static_cast<gusset_net_turn>((quarters % 4 + 4) % 4), context);
+        return turned_by(static_cast<gusset_net_turn>((quarters % 4 + 4) % 4), context);
     }
     /// A larger net of the same surface.
     Net reformatted(const ReformatOptions &options, const Context &context = Context()) const {
@@ -486,7 +486,7 @@ private:
     Net copied(const gusset_net_copy_options &options, const Context &context) const {
         return Net(context.result(gusset_net_copy_create, get(), &options));
     }
-    Net turned(gusset_net_turn turn, const Context &context) const {
+    Net turned_by(gusset_net_turn turn, const Context &context) const {
         auto given = detail::sized<gusset_net_copy_options>();
         given.turn = turn;
         return copied(given, context);

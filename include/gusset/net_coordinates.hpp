@@ -71,8 +71,7 @@ gusset_net_view net_view(std::size_t rows, std::size_t columns, const T *x, cons
     auto view = sized<gusset_net_view>();
     view.rows = rows;
     view.columns = columns;
-    // Only gusset_net_create with borrowed memory and gusset_net_read write there; they are given writable
-    // memory.
+    // Only a net in the caller's memory and gusset_net_read write there; both get writable memory.
     view.x = const_cast<T *>(x);
     view.y = const_cast<T *>(y);
     view.z = const_cast<T *>(z);

@@ -62,8 +62,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_create(const struct gusset
 /// Destroys a scene; NULL is allowed.
 GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 
-/// Adds a net as it is now, or an empty group, in no group yet. What is done to the handle of the net later does not
-/// change the scene.
+/// Adds a net as it is now, or an empty group, in no group yet. Later changes of the handle of the net do not change
+/// the scene.
 /// @param net the net; NULL for a group.
 /// @param entry receives its index.
 /// @errors TOO_LARGE
@@ -95,13 +95,13 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_remove_child(const struct 
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_remove(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t entry);
 
-/// What is done to the visibility of an entry.
+/// A change of the visibility of an entry.
 typedef uint32_t gusset_visibility;
-/// It stays as it is.
+/// None.
 #define GUSSET_VISIBILITY_KEEP 0
-/// The entry is shown.
+/// To visible.
 #define GUSSET_VISIBILITY_SHOW 1
-/// The entry is hidden, with all that is in it.
+/// To hidden, with all that is in the entry.
 #define GUSSET_VISIBILITY_HIDE 2
 
 /// The changes of an entry of a scene. All zeros: none.

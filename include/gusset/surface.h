@@ -447,11 +447,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_curve_create(const struct 
 
 struct gusset_line;
 
-/// Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as `within`. The places
-/// are those where the distance is least, each once. The others among the places have segment 0, and the line's own
-/// parameter as t. gusset_curve_intersect_plane_create cuts a plane curve by a line.
+/// Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as `within`. If within
+/// is 0 and both lie in the plane z = 0, the places are crossings and touches. Otherwise they are the places where the
+/// distance is least, each once. The others among the places have segment 0, and the line's own parameter as t.
 /// @param line one, at any alignment.
-/// @param within a length, 0 or more and finite; at least 1e-12 of the curve's size is taken.
+/// @param within a length, 0 or more and finite; in space at least 1e-12 of the curve's size is taken.
 /// @param places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are parts that stay as near,
 ///     and parts where no place can be told from the next.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)

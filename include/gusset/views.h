@@ -1,4 +1,4 @@
-/* Views of the caller's arrays in one line: inline functions, which copy nothing. See gusset.h. */
+/* Views of the caller's arrays in one line, and short forms of common calls: inline functions. See gusset.h. */
 
 #ifndef GUSSET_VIEWS_H
 #define GUSSET_VIEWS_H
@@ -145,6 +145,25 @@ static inline gusset_net_view gusset_net_points_f32(float *points, size_t rows, 
     view.scalar = GUSSET_F32;
     view.reserved = 0;
     return view;
+}
+
+/// Makes a surface of one sheet through nodes; see gusset_sheet_create and gusset_surface_create.
+/// @errors as gusset_sheet_create, as gusset_surface_create
+static inline GUSSET_MUST_USE gusset_status gusset_surface_from_nodes_create(const gusset_context *context,
+                                                                             const gusset_nodes *nodes,
+                                                                             gusset_surface **surface) {
+    gusset_sheet *sheet = NULL;
+    const gusset_sheet *sheets[1];
+    gusset_status status = gusset_sheet_create(context, nodes, NULL, 0, &sheet);
+    sheets[0] = sheet;
+    if (surface != NULL) {
+        *surface = NULL;
+    }
+    if (status == GUSSET_OK) {
+        status = gusset_surface_create(context, sheets, 1, NULL, surface);
+    }
+    gusset_sheet_destroy(sheet);
+    return status;
 }
 
 #endif /* GUSSET_VIEWS_H */

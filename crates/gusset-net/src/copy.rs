@@ -1,6 +1,7 @@
-//! Copies that are changed on the way: a part, without duplicate lines, enlarged, turned, in another type.
+//! Changed copies of nets: a part, a net without duplicate lines, an enlarged or turned net, another
+//! type.
 //!
-//! Each step is a method of [`Net`], and only steps that are asked for are taken. O(nodes).
+//! Each step is a method of [`Net`]. A copy takes only the steps that the options ask for. O(nodes).
 
 use super::{Net, Replication, Turn};
 use gusset_base::error::Result;
@@ -28,13 +29,16 @@ pub struct CopyOptions {
 }
 
 impl Net<'_> {
-    /// A copy that is changed as the options say; `None` if they ask for no change.
+    /// Makes a copy and changes it by the options; `None` if they ask for no change.
     ///
     /// # Errors
-    /// Those of [`Net::part`], [`Net::compacted`], [`Net::reformatted`], [`Net::turned_by`] and [`Net::converted`].
+    /// Errors of [`Net::part`], [`Net::compacted`], [`Net::reformatted`], [`Net::turned_by`] and
+    /// [`Net::converted`].
     pub fn changed_copy(&self, options: &CopyOptions, job: &Job<'_>) -> Result<Option<Net<'static>>> {
         let enlarges = options.rows.is_some() || options.columns.is_some();
-        let wanted = [options.part.is_some(), options.compact, enlarges, options.turn != Turn::None];
+        let scalar = options.scalar.filter(|&scalar| scalar != self.coordinates().scalar());
+        let turns = options.turn != Turn::None;
+        let wanted = [options.part.is_some(), options.compact, enlarges, turns, scalar.is_some()];
         let steps = wanted.into_iter().filter(|&wanted| wanted).count();
         let mut shares = (0..steps).map(|k| job.share(k, steps));
         let mut share = || shares.next().unwrap_or_else(|| job.part(1.0, 1.0));
@@ -51,12 +55,12 @@ impl Net<'_> {
             let (rows, columns) = (options.rows.unwrap_or(rows), options.columns.unwrap_or(columns));
             made = Some(net.reformatted(rows, columns, options.replication, &share())?);
         }
-        if options.turn != Turn::None {
+        if turns {
             made = Some(made.as_ref().unwrap_or(self).turned_by(options.turn, &share())?);
         }
-        let net = made.as_ref().unwrap_or(self);
-        if let Some(scalar) = options.scalar.filter(|&scalar| scalar != net.coordinates().scalar()) {
-            made = Some(net.converted(scalar)?);
+        if let Some(scalar) = scalar {
+            share().step(0.0, "converting a net")?;
+            made = Some(made.as_ref().unwrap_or(self).converted(scalar)?);
         }
         Ok(made)
     }

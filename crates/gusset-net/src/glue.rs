@@ -1,6 +1,7 @@
-//! Gluing in one step: what coordinates imply, pairs of nodes, links, the canonical form, and positions.
+//! Gluing in one step: by coordinates, by pairs of nodes, by links, in canonical form, with positions.
 //!
-//! The new gluing is found first, so that a net changes as a whole or not at all.
+//! [`reglued`] finds the new gluing before [`reglue`] sets it, so that a net changes as a whole or not
+//! at all.
 
 use super::Net;
 use super::analyse::absorb;
@@ -10,10 +11,11 @@ use super::topology::{Classes, Gluing, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// What is glued, in the order of the fields.
+/// The steps of a gluing, in the order of the fields.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct GlueOptions<'a> {
-    /// Replaces the gluing by the one that coordinates imply within this tolerance; see [`detect_gluing()`].
+    /// Replaces the gluing by the one that coordinates imply within this tolerance; see
+    /// [`detect_gluing()`].
     pub detect: Option<f64>,
     /// Glues these pairs of nodes; see [`Topology::glued`].
     pub gluings: &'a [Gluing],
@@ -23,10 +25,10 @@ pub struct GlueOptions<'a> {
     pub saturate: bool,
 }
 
-/// The gluing of a net after what the options ask for; `None` if they ask for nothing. O(nodes).
+/// Finds the gluing of a net after the steps of the options; `None` if they have none. O(nodes).
 ///
 /// # Errors
-/// Those of [`detect_gluing()`], [`Topology::glued`], [`absorb`] and [`Topology::saturated`].
+/// Errors of [`detect_gluing()`], [`Topology::glued`], [`absorb`] and [`Topology::saturated`].
 pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
     let mut made: Option<Topology> = None;
     if let Some(tolerance) = options.detect {
@@ -48,8 +50,8 @@ pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Resul
     Ok(made)
 }
 
-/// Gives a net a gluing, unless it is `None`, and, if `snap`, all nodes of a class the position of the
-/// first of them. Returns the number of nodes whose bits changed. On an error the net is unchanged.
+/// Sets the gluing of a net, unless it is `None`. If `snap`, all nodes of a class get the position of
+/// the first of them. Returns the number of nodes whose bits changed. On an error the net is unchanged.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).

@@ -10,7 +10,8 @@
 //! | size, numbering, coordinates, the net itself | [`Shape`], [`Planes`], [`Coordinates`], [`Net`] |
 //! | gluing, classes of glued nodes, the 18 local gluings | [`topology`] |
 //! | the surface that a gluing makes | [`complex`] |
-//! | whether glued nodes coincide; the gluing that coordinates imply; gluing in one step | [`Net::validate`]; [`detect_gluing()`]; [`glue`] |
+//! | whether glued nodes coincide; the gluing that coordinates imply | [`Net::validate`]; [`detect_gluing()`] |
+//! | gluing in one step; changed copies | [`glue`]; [`CopyOptions`] |
 //! | boxes, surfaces with a reversed side; standard shapes | [`closure`]; [`primitive`] |
 //! | parts, flips, quarter turns, other row lengths | methods of [`Net`] |
 //! | joining and splitting, with bridges between | [`concatenate`], [`Net::split`], [`Bridge`] |

@@ -125,7 +125,7 @@ pub struct gusset_outline_report {
     /// The outcome of an outline.
     pub fit: gusset_fit_status,
     /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
-    /// max_sweeps of the options: runs with 1, 2, 3, ... of them show how an iteration goes.
+    /// max_sweeps of the options.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,

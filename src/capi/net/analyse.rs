@@ -72,7 +72,7 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
-/// What a net is compared with. All zeros: with itself.
+/// The deformation that is analysed. All zeros: none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_analysis_options {

@@ -100,11 +100,11 @@ pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_group
     handle::destroy(groups);
 }
 
-/// What a local gluing is of.
+/// The element that has a local gluing.
 pub type gusset_gluing_place = u32;
-/// Of a node: which of its links have become a point.
+/// A node; the gluing says which of its links are glued.
 pub const GUSSET_GLUING_PLACE_NODE: gusset_gluing_place = 0;
-/// Of a cell: what it has become.
+/// A cell; the gluing says which of its corners are one point.
 pub const GUSSET_GLUING_PLACE_CELL: gusset_gluing_place = 1;
 
 /// Finds the local gluing at a node or of a cell.

@@ -191,6 +191,7 @@ pub unsafe extern "C" fn gusset_net_glue(
         let detect = flag(options.detect, "detect")?.then_some(options.tolerance);
         let (saturate, snap) = (flag(options.saturate, "saturate")?, flag(options.snap, "snap")?);
         let gluings = gluings(options.gluings, options.gluing_count)?;
+        Error::check_count("links", options.link_count as u64, 2 * MAX_NODES)?;
         let links = input::list(options.links, options.link_count, "links")?;
         let topology = reglued(read(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
         input::set(moved, glue::reglue(edit(net, job)?, topology, snap, job)?);

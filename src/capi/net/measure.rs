@@ -7,7 +7,7 @@ use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
-/// What gusset_net_measure computes: a sum of these.
+/// The parts of gusset_net_measure_report that are computed: a sum of these.
 /// @bits
 pub type gusset_net_measures = u32;
 /// area, volume, area_vector, low and high.
@@ -17,7 +17,7 @@ pub const GUSSET_NET_MEASURES_BILINEAR: gusset_net_measures = 2;
 /// body_volume, centroid and inertia; about ten times the work.
 pub const GUSSET_NET_MEASURES_BODY: gusset_net_measures = 4;
 
-/// What gusset_net_measure finds; 0 for what is not asked for.
+/// The measures of a net; 0 for those that are not asked for.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_net_measure_report {

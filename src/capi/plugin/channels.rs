@@ -1,4 +1,4 @@
-//! What the extension for attributes looks like to a host.
+//! Attributes: The extension that carries values of elements to outputs.
 
 use super::descriptor::{gusset_failure, gusset_host};
 use super::outcome::gusset_outputs;

@@ -1,4 +1,4 @@
-//! What the tables look like to a host: the structs and constants of gusset_plugin.h.
+//! Filters: Structs and constants of the tables.
 
 use super::outcome::gusset_outputs;
 use crate::capi::glue::versioned;

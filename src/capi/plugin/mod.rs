@@ -1,5 +1,5 @@
-//! The library as a plugin: one symbol, and behind it tables of filters that a host needs no header
-//! of ours to call but gusset_plugin.h, which is made from this folder alone.
+//! The entry: One symbol leads to the tables of filters. Hosts need gusset_plugin.h alone, which is
+//! made from this folder.
 //!
 //! | file | what it owns |
 //! |---|---|

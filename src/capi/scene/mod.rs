@@ -104,7 +104,7 @@ pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
 
 /// Adds a net as it is now, or an empty group, in no group yet.
 ///
-/// What is done to the handle of the net later does not change the scene.
+/// Later changes of the handle of the net do not change the scene.
 ///
 /// @param net the net; NULL for a group.
 /// @param entry receives its index.
@@ -180,13 +180,13 @@ pub unsafe extern "C" fn gusset_scene_remove(
     guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
 }
 
-/// What is done to the visibility of an entry.
+/// A change of the visibility of an entry.
 pub type gusset_visibility = u32;
-/// It stays as it is.
+/// None.
 pub const GUSSET_VISIBILITY_KEEP: gusset_visibility = 0;
-/// The entry is shown.
+/// To visible.
 pub const GUSSET_VISIBILITY_SHOW: gusset_visibility = 1;
-/// The entry is hidden, with all that is in it.
+/// To hidden, with all that is in the entry.
 pub const GUSSET_VISIBILITY_HIDE: gusset_visibility = 2;
 
 /// The changes of an entry of a scene. All zeros: none.
@@ -201,7 +201,7 @@ pub struct gusset_scene_changes {
     /// The place of the entry in the space of the groups that it is in, twelve finite numbers; NULL:
     /// it stays.
     pub transform: *const gusset_transform,
-    /// What is done to the visibility of an entry.
+    /// A change of the visibility of an entry.
     pub visibility: gusset_visibility,
     /// 0.
     pub reserved: u32,

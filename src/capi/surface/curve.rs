@@ -73,11 +73,12 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
 /// Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as
 /// `within`.
 ///
-/// The places are those where the distance is least, each once. The others among the places have segment
-/// 0, and the line's own parameter as t. gusset_curve_intersect_plane_create cuts a plane curve by a line.
+/// If within is 0 and both lie in the plane z = 0, the places are crossings and touches. Otherwise they are
+/// the places where the distance is least, each once. The others among the places have segment 0, and the
+/// line's own parameter as t.
 ///
 /// @param line one, at any alignment.
-/// @param within a length, 0 or more and finite; at least 1e-12 of the curve's size is taken.
+/// @param within a length, 0 or more and finite; in space at least 1e-12 of the curve's size is taken.
 /// @param places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are
 ///     parts that stay as near, and parts where no place can be told from the next.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
@@ -93,7 +94,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
-        let found = line.near_misses(&curve, within, &job.part(0.0, 0.9))?;
+        let found = line.meetings(&curve, within, &job.part(0.0, 0.9))?;
         gusset_places::of_meetings(&found, &curve, &job.part(0.9, 1.0))
     })
 }

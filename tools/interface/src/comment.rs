@@ -72,7 +72,9 @@ impl Comment {
         let mut paragraphs = vec![String::new()];
         let mut tags: Vec<(String, String)> = Vec::new();
         for line in lines.iter().map(|line| line.trim()) {
-            if let Some(tag) = line.strip_prefix('@') {
+            if line.starts_with('|') {
+                // A table is for readers of the sources.
+            } else if let Some(tag) = line.strip_prefix('@') {
                 let (name, content) = tag.split_once(' ').unwrap_or((tag, ""));
                 tags.push((name.to_owned(), content.trim().to_owned()));
             } else if let Some((_, content)) = tags.last_mut() {

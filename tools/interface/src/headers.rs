@@ -1,7 +1,7 @@
 //! The headers: declarations as cbindgen writes them, in the order of the sources, each with its comment.
 
 use crate::comment::{Cause, Comment};
-use crate::source::{BASE, Field, Item, Kind, Source, Type};
+use crate::source::{Field, Item, Kind, Source, Type};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
@@ -31,7 +31,7 @@ pub fn prelude(version: &str) -> String {
     let mut part = || numbers.next().unwrap_or("0");
     let (major, minor, patch) = (part(), part(), part());
     format!(
-        "\n#if defined(_WIN32) && defined(GUSSET_SHARED)\n#define GUSSET_API __declspec(dllimport)\n#elif defined(__GNUC__)\n\
+        "#include <stddef.h>\n#include <stdint.h>\n\n#if defined(_WIN32) && defined(GUSSET_SHARED)\n#define GUSSET_API __declspec(dllimport)\n#elif defined(__GNUC__)\n\
          #define GUSSET_API __attribute__((visibility(\"default\")))\n#else\n#define GUSSET_API\n#endif\n\n\
          #if defined(__GNUC__)\n#define GUSSET_MUST_USE __attribute__((warn_unused_result))\n#else\n#define GUSSET_MUST_USE\n#endif\n\n\
          /// Version of this header; compare with gusset_version() of the library loaded.\n\
@@ -72,6 +72,16 @@ pub trait Style {
     fn heading(&self, source: &Source) -> String;
 }
 
+/// The declarations of a header.
+pub struct Body {
+    /// Its name without the ending.
+    pub header: String,
+    /// Lines that include others.
+    pub includes: String,
+    /// The declarations with their comments.
+    pub text: String,
+}
+
 /// The headers that programs include.
 pub struct Plain;
 
@@ -91,17 +101,16 @@ impl Style for Plain {
     }
 }
 
-/// The text of each header, by its name without the ending, in the order in which they include each other.
+/// The declarations of each header, in the order in which they include each other.
 ///
 /// # Errors
 ///
 /// A sentence about what is missing, or what a header needs of a later one.
-pub fn texts(
+pub fn bodies(
     sources: &[Source],
     declarations: &BTreeMap<String, String>,
-    prelude: &str,
     style: &dyn Style,
-) -> Result<Vec<(String, String)>, String> {
+) -> Result<Vec<Body>, String> {
     let sources = in_order(sources)?;
     let mut order: Vec<&str> = Vec::new();
     for source in &sources {
@@ -159,7 +168,7 @@ pub fn texts(
                 let _ = writeln!(text, "#include \"{name}.h\"");
                 text
             });
-        made.push(((*header).to_owned(), framed(header, &includes, &body, prelude)));
+        made.push(Body { header: (*header).to_owned(), includes, text: body });
     }
     Ok(made)
 }
@@ -248,13 +257,22 @@ fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
     Ok(order)
 }
 
-fn framed(header: &str, includes: &str, body: &str, prelude: &str) -> String {
-    let guard = format!("GUSSET_{}_H", header.to_uppercase());
-    let above = if header == BASE { prelude } else { "" };
-    let includes = if header == BASE { "#include <stddef.h>\n#include <stdint.h>\n" } else { includes };
+/// What stands round the declarations of a header.
+pub struct Frame<'a> {
+    /// Its opening comment.
+    pub opening: &'a str,
+    /// The macro that keeps it from being read twice.
+    pub guard: &'a str,
+    /// Lines above the declarations: includes, macros.
+    pub above: &'a str,
+}
+
+/// A whole header.
+pub fn framed(frame: &Frame<'_>, body: &str) -> String {
+    let Frame { opening, guard, above } = frame;
     format!(
-        "/* Generated from src/capi; do not edit. See gusset.h. */\n\n#ifndef {guard}\n#define {guard}\n\n{includes}{above}\n\
-         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n"
+        "{opening}\n\n#ifndef {guard}\n#define {guard}\n\n{above}\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n\
+         #ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n"
     )
 }
 

@@ -24,7 +24,7 @@ pub const FOLDER: &str = "src/capi";
 /// A generated file: its path in the repository, and its text.
 pub type Generated = (String, String);
 
-/// The headers of the library that are generated: those of C, and the choices of C++.
+/// The headers of the library that are generated: those of C, the choices of C++, and the plugin's.
 ///
 /// # Errors
 ///
@@ -33,6 +33,7 @@ pub fn library_headers(root: &Path, version: &str) -> Result<Vec<Generated>, Str
     let sources = sources(root)?;
     let mut made = written(root, version, &sources, &headers::Plain)?;
     made.push(("include/gusset/choices.hpp".to_owned(), cpp::choices(&sources)));
+    made.push(plugin_header(root)?);
     Ok(made)
 }
 
@@ -56,15 +57,33 @@ pub fn sources(root: &Path) -> Result<Vec<source::Source>, String> {
     source::read(&root.join(FOLDER), &["plugin"])
 }
 
-fn written(
-    root: &Path,
-    version: &str,
-    sources: &[source::Source],
-    style: &dyn headers::Style,
-) -> Result<Vec<Generated>, String> {
+fn written(root: &Path, version: &str, sources: &[source::Source], style: &dyn headers::Style) -> Result<Vec<Generated>, String> {
     let declarations = headers::declarations(root, FOLDER, "cbindgen.toml")?;
-    let texts = headers::texts(sources, &declarations, &headers::prelude(version), style)?;
-    Ok(texts.into_iter().map(|(name, text)| (format!("include/gusset/{name}.h"), text)).collect())
+    let bodies = headers::bodies(sources, &declarations, style)?;
+    let header = |body: headers::Body| {
+        let guard = format!("GUSSET_{}_H", body.header.to_uppercase());
+        let above = if body.header == source::BASE { headers::prelude(version) } else { body.includes };
+        let opening = "/* Generated from src/capi; do not edit. See gusset.h. */";
+        let text = headers::framed(&headers::Frame { opening, guard: &guard, above: &above }, &body.text);
+        (format!("include/gusset/{}.h", body.header), text)
+    };
+    Ok(bodies.into_iter().map(header).collect())
+}
+
+/// The header of the plugin's table, for its hosts.
+///
+/// # Errors
+///
+/// As [`library_headers`].
+pub fn plugin_header(root: &Path) -> Result<Generated, String> {
+    let folder = format!("{FOLDER}/plugin");
+    let sources = source::read(&root.join(&folder), &["memory"])?;
+    let declarations = headers::declarations(root, &folder, "cbindgen_plugin.toml")?;
+    let bodies = headers::bodies(&sources, &declarations, &headers::Plain)?;
+    let body: String = bodies.iter().map(|body| body.text.as_str()).collect();
+    let (opening, above) = include_str!("plugin.h").split_once("\n\n").unwrap_or_default();
+    let frame = headers::Frame { opening, guard: "GUSSET_PLUGIN_H", above };
+    Ok(("include/gusset_plugin.h".to_owned(), headers::framed(&frame, &body)))
 }
 
 /// The texts of the statuses as Rust source: the first sentence of each comment.
@@ -97,6 +116,6 @@ pub fn status_texts(root: &Path) -> Result<Generated, String> {
 ///
 /// As [`library_headers`].
 pub fn library_description(root: &Path, version: &str) -> Result<String, String> {
-    let plugin = source::read(&root.join(FOLDER).join("plugin"), &[])?;
+    let plugin = source::read(&root.join(FOLDER).join("plugin"), &["memory"])?;
     Ok(description::lines(&description::describe(&sources(root)?, &plugin, version)))
 }

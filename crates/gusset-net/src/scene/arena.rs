@@ -158,10 +158,10 @@ impl Scene {
         Ok(())
     }
 
-    /// Changes an entry: all that `changes` has, or nothing.
+    /// Changes an entry. On an error it is unchanged.
     ///
     /// # Errors
-    /// Those of [`Scene::set_net`] and [`Scene::set_transform`].
+    /// Errors of [`Scene::set_net`] and [`Scene::set_transform`].
     pub fn set_entry(&mut self, index: u32, changes: EntryChanges) -> Result<()> {
         self.entry(index)?;
         if changes.net.is_some() {

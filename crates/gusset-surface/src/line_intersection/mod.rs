@@ -21,6 +21,7 @@ mod line_search;
 mod winding;
 
 pub use curve_hits::CurveHit;
+use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 pub(crate) use line::MAX_COORDINATE;
@@ -30,7 +31,7 @@ pub use line_batch::Lines;
 use super::{Sheet, Surface};
 use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
-use gusset_curve::ops::NearMisses;
+use gusset_curve::ops::{NearMiss, NearMisses};
 use gusset_curve::{CurveView, Place as CurvePlace};
 use line_search::{LineSearch, Workspace};
 
@@ -80,6 +81,41 @@ impl Surface<'_> {
 }
 
 impl Line {
+    /// Finds the places where a curve meets the line or comes as near to it as `within`, as
+    /// [`near_misses`](Self::near_misses) has them. If `within` is 0 and both lie in the plane z = 0, the
+    /// places are exact, unless a segment of the curve lies in the line.
+    ///
+    /// # Errors
+    /// Those of [`near_misses`](Self::near_misses).
+    pub fn meetings(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
+        self.check()?;
+        if within == 0.0 {
+            match curve.intersect_line(self.origin, self.direction, &job.part(0.0, 0.5)) {
+                Ok(found) if found.inside.is_empty() && !curve.is_empty() => {
+                    return self.exact_meetings(curve, &found.places);
+                }
+                Ok(_) | Err(Error::CurveNotPlane { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        self.near_misses(curve, within, &job.part(0.5, 1.0))
+    }
+
+    /// Keeps the places of the endless line that are on this one, to 1e-12 of the curve's size.
+    fn exact_meetings(&self, curve: &CurveView<'_>, places: &[CurvePlace]) -> Result<NearMisses> {
+        let (along, length) = self.along();
+        let slack = 1e-12 * Aabb::of(curve.points()).size().max_element() / length;
+        let mut found = NearMisses::default();
+        for &a in places {
+            let t = (curve.point(a)? - self.origin).dot(along) / length;
+            if (self.from - slack..=self.to + slack).contains(&t) {
+                let b = CurvePlace { segment: 0, t: t.clamp(self.from, self.to) };
+                alloc::push(&mut found.places, NearMiss { a, b, distance: 0.0 })?;
+            }
+        }
+        Ok(found)
+    }
+
     /// Where a curve in space comes as near to the line as `within`: as
     /// [`CurveView::near_misses`](gusset_curve::CurveView::near_misses) for the curve, with
     /// places on the line as the second ones: segment 0, and the line's parameter as t.
