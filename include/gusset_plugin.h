@@ -126,6 +126,12 @@ typedef struct gusset_plugin_origins {
     const uint32_t *starts;
 } gusset_plugin_origins;
 
+struct gusset_failure;
+
+struct gusset_host;
+
+struct gusset_outputs;
+
 /// What meshes carry beside positions, carried over to the outputs of a run whose host asked for origins:
 /// extension("attributes/1"). The struct is static; the functions may be called from many threads at once.
 typedef struct gusset_plugin_attributes {

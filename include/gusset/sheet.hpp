@@ -163,7 +163,7 @@ public:
                                const Context &context = Context()) {
         return hermite(nodes, u, v, GUSSET_TWISTS_GIVEN, twists, context);
     }
-    /// Of rows x columns Bézier patches, one after the other, each of (degree_u + 1) x (degree_v +
+    /// From rows x columns Bézier patches, one after the other, each of (degree_u + 1) x (degree_v +
     /// 1) control points.
     static Sheet from_patches(Points points, uint32_t degree_u, uint32_t degree_v, std::size_t rows,
                               std::size_t columns, const Context &context = Context()) {
@@ -182,12 +182,12 @@ public:
         return Sheet(context.result(gusset_sheet_from_patches_create, detail::numbers(points.data()), degree_u,
                                     degree_v, rows, columns));
     }
-    /// Of a B-spline: control points row after row, where rows follow each other in u.
+    /// From a B-spline: control points row after row, where rows follow each other in u.
     static Sheet from_spline(Points points, const SplineAxis &u, const SplineAxis &v,
                              const Context &context = Context()) {
         return spline(points, {}, u, v, {}, context);
     }
-    /// Of a rational B-spline (NURBS): control points of space, not multiplied by their weights, and
+    /// From a rational B-spline (NURBS): control points of space, not multiplied by their weights, and
     /// a weight for each of them.
     static Sheet from_spline(Points points, Span<const double> weights, const SplineAxis &u, const SplineAxis &v,
                              const SplineOptions &options = {}, const Context &context = Context()) {
@@ -216,7 +216,7 @@ public:
         given.closed_v = net.closed_v ? 1 : 0;
         return Sheet(context.result(gusset_sheet_from_curves_create, &given));
     }
-    /// Of the frame of an outline.
+    /// From the frame of an outline.
     static Sheet from_frame(const Frame &frame, FrameSurface kind = FrameSurface::nodes,
                             const Context &context = Context()) {
         return Sheet(context.result(gusset_sheet_from_frame_create, frame.get(), static_cast<uint32_t>(kind)));
@@ -234,8 +234,8 @@ public:
 
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
     gusset_sheet_report report() const { return detail::lent(gusset_sheet_get_report, get()); }
-    /// Of a sheet of a B-spline, the parameters of the borders of its rows, or of its columns, valid
-    /// as long as the sheet; of any other sheet none.
+    /// For a sheet of a B-spline: the parameters of the borders of its rows, or of its columns, valid
+    /// as long as the sheet. Any other sheet has none.
     Span<const double> knots(bool of_columns) const {
         const gusset_sheet_report all = report();
         const double *first = of_columns ? all.knots_v : all.knots_u;

@@ -488,7 +488,7 @@ typedef uint32_t gusset_hit_selection;
 typedef uint32_t gusset_hit_kind;
 /// None.
 #define GUSSET_HIT_NONE 0
-/// It passes through the surface: proved, but for poles, where the surface is not regular.
+/// It passes through the surface: proved, except at poles, where the surface is not regular.
 #define GUSSET_HIT_CROSSING 1
 /// It touches the surface within the tolerance: one point, two close to each other, or none.
 #define GUSSET_HIT_TOUCH 2
@@ -524,7 +524,7 @@ typedef struct gusset_surface_hits_view {
     /// 0, then the end of each query's hits among all: query k has the hits from ends[k] until ends[k + 1]. query_count
     /// + 1 numbers.
     const uint64_t *ends;
-    /// The hits, those of a query by rising t.
+    /// The hits, query after query, each by rising t.
     const struct gusset_surface_hit *hits;
     /// For each hit of the curve three places on the curve: the hit, and where its span begins and ends. NULL without a
     /// curve.
@@ -539,7 +539,7 @@ typedef struct gusset_surface_hits_view {
 /// where to where.
 /// @param lines count of them, at any alignment; NULL for none.
 /// @param count see lines.
-/// @param curve of degree 7 at most; NULL for none. Its hits come after those of the lines, in the order of the curve.
+/// @param curve of degree 7 at most; NULL for none. Its hits follow the hits of the lines, in the order of the curve.
 /// @errors OUT_OF_RANGE (with the line that is not finite, has no direction, ends before it begins, for a degree),
 ///     EMPTY_CURVE
 /// @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in. About O(log cells)
@@ -1109,7 +1109,7 @@ typedef struct gusset_sheet_measures {
     double crease;
 } gusset_sheet_measures;
 
-/// Arrays that receive a number for each cell, row after row: number i * columns + j is that of cell (i, j). NULL: the
+/// Arrays that receive a number for each cell, row after row: number i * columns + j belongs to cell (i, j). NULL: the
 /// number is not computed.
 typedef struct gusset_cell_arrays {
     size_t struct_size;
@@ -1130,7 +1130,7 @@ typedef struct gusset_cell_arrays {
 } gusset_cell_arrays;
 
 /// Measures a sheet and its cells: diameters, estimates and bounds of their error, curvature, creases. Computes only
-/// what is asked for.
+/// the numbers that are asked for.
 /// @param parts added: what measures receives; 0: everything.
 /// @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is written to them on
 ///     failure.

@@ -87,8 +87,8 @@ public:
     const gusset_surface *get() const noexcept { return surface_.get(); }
     /// Its numbers of sheets and cells, and its box.
     gusset_surface_report report() const { return detail::lent(gusset_surface_get_report, get()); }
-    /// The sheets: their cells, and the first of them among those of all sheets. Valid as long as the
-    /// surface.
+    /// The sheets: the cells of each, and the number of its first one among all cells. Valid as long as
+    /// the surface.
     Span<const gusset_surface_sheet> sheets() const & {
         const gusset_surface_report all = report();
         return {all.sheets, all.sheet_count};

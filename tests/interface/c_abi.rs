@@ -16,7 +16,10 @@ const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
 /// All headers, one after the other.
 fn headers() -> String {
     let library = gusset_interface::library_headers(Path::new(ROOT), env!("CARGO_PKG_VERSION")).unwrap();
-    let paths = library.iter().map(|(path, _)| Path::new(ROOT).join(path)).filter(|path| path.extension() == Some("h".as_ref()));
+    let paths = library
+        .iter()
+        .map(|(path, _)| Path::new(ROOT).join(path))
+        .filter(|path| path.extension() == Some("h".as_ref()));
     paths.map(|path| fs::read_to_string(path).unwrap()).collect()
 }
 

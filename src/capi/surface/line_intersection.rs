@@ -40,7 +40,7 @@ pub const GUSSET_HITS_ANY: gusset_hit_selection = 2;
 pub type gusset_hit_kind = u32;
 /// None.
 pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
-/// It passes through the surface: proved, but for poles, where the surface is not regular.
+/// It passes through the surface: proved, except at poles, where the surface is not regular.
 pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
 /// It touches the surface within the tolerance: one point, two close to each other, or none.
 pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
@@ -90,7 +90,7 @@ pub struct gusset_surface_hits_view {
     /// 0, then the end of each query's hits among all: query k has the hits from ends[k] until
     /// ends[k + 1]. query_count + 1 numbers.
     pub ends: *const u64,
-    /// The hits, those of a query by rising t.
+    /// The hits, query after query, each by rising t.
     pub hits: *const gusset_surface_hit,
     /// For each hit of the curve three places on the curve: the hit, and where its span begins and
     /// ends. NULL without a curve.
@@ -140,7 +140,7 @@ c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST =>
 ///
 /// @param lines count of them, at any alignment; NULL for none.
 /// @param count see lines.
-/// @param curve of degree 7 at most; NULL for none. Its hits come after those of the lines, in the
+/// @param curve of degree 7 at most; NULL for none. Its hits follow the hits of the lines, in the
 ///     order of the curve.
 /// @errors OUT_OF_RANGE (with the line that is not finite, has no direction, ends before it begins,
 ///     for a degree), EMPTY_CURVE

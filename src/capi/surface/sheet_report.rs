@@ -115,8 +115,8 @@ pub struct gusset_sheet_measures {
     pub crease: f64,
 }
 
-/// Arrays that receive a number for each cell, row after row: number i * columns + j is that of cell
-/// (i, j). NULL: the number is not computed.
+/// Arrays that receive a number for each cell, row after row: number i * columns + j belongs to
+/// cell (i, j). NULL: the number is not computed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_cell_arrays {
@@ -158,7 +158,7 @@ fn buffer<'a>(
 }
 
 /// Measures a sheet and its cells: diameters, estimates and bounds of their error, curvature, creases.
-/// Computes only what is asked for.
+/// Computes only the numbers that are asked for.
 ///
 /// @param parts added: what measures receives; 0: everything.
 /// @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is

@@ -176,7 +176,9 @@ pub fn bodies(
 /// The names that an item needs, each with whether a declaration of its tag suffices.
 fn needs(item: &Item) -> Vec<(&str, bool)> {
     match &item.kind {
-        Kind::Struct(fields) => fields.iter().map(|field| need(&field.kind)).collect(),
+        Kind::Struct(fields) => {
+            fields.iter().flat_map(|field| field.called_with.iter().chain([&field.kind])).map(need).collect()
+        }
         Kind::Callback(fields, result) | Kind::Function(fields, result) => {
             fields.iter().map(|field| need(&field.kind)).chain(result.as_ref().map(need)).collect()
         }

@@ -57,7 +57,12 @@ pub fn sources(root: &Path) -> Result<Vec<source::Source>, String> {
     source::read(&root.join(FOLDER), &["plugin"])
 }
 
-fn written(root: &Path, version: &str, sources: &[source::Source], style: &dyn headers::Style) -> Result<Vec<Generated>, String> {
+fn written(
+    root: &Path,
+    version: &str,
+    sources: &[source::Source],
+    style: &dyn headers::Style,
+) -> Result<Vec<Generated>, String> {
     let declarations = headers::declarations(root, FOLDER, "cbindgen.toml")?;
     let bodies = headers::bodies(sources, &declarations, style)?;
     let header = |body: headers::Body| {

@@ -43,6 +43,8 @@ pub struct Field {
     pub kind: Type,
     /// Its comment; of a parameter, the text of its tag.
     pub comment: Comment,
+    /// Types of the parameters and of the result, if it is a callback.
+    pub called_with: Vec<Type>,
 }
 
 /// What an item is.
@@ -148,7 +150,7 @@ fn item(syntax: &Syntax) -> Result<Option<Item>, Failed> {
                 Some(function) => {
                     let params = function.inputs.iter().map(|given| {
                         let name = given.name.as_ref().map(|(ident, _)| ident.to_string()).unwrap_or_default();
-                        Ok(Field { name, kind: kind(&given.ty)?, comment: Comment::default() })
+                        Ok(Field { name, kind: kind(&given.ty)?, comment: Comment::default(), called_with: Vec::new() })
                     });
                     let params = params.collect::<Result<_, _>>().map_err(|what| (name.clone(), what))?;
                     Kind::Callback(params, result(&function.output).map_err(|what| (name.clone(), what))?)
@@ -186,7 +188,7 @@ fn item(syntax: &Syntax) -> Result<Option<Item>, Failed> {
                 let name = ident.ident.to_string();
                 let text = comment.params.iter().find(|(param, _)| *param == name).map(|(_, text)| text.clone());
                 let comment = Comment { brief: text.unwrap_or_default(), ..Comment::default() };
-                Ok(Field { name, kind: kind(&given.ty)?, comment })
+                Ok(Field { name, kind: kind(&given.ty)?, comment, called_with: Vec::new() })
             });
             let params = params.collect::<Result<Vec<_>, _>>().map_err(|what| (name.clone(), what))?;
             if let Some((unknown, _)) =
@@ -222,12 +224,19 @@ fn fields(fields: &Fields) -> Result<Vec<Field>, String> {
     let one = |field: &syn::Field| {
         let name = field.ident.as_ref().map(ToString::to_string).unwrap_or_default();
         let comment = Comment::parse(&lines(&field.attrs)).map_err(|what| format!("{name}: {what}"))?;
-        let kind = match callback(&field.ty) {
-            // A callback of a field has no name of its own.
-            Some(_) => Type { name: "callback".to_owned(), pointers: Vec::new(), sizes: Vec::new() },
-            None => kind(&field.ty).map_err(|what| format!("{name}: {what}"))?,
+        let failed = |what: String| format!("{name}: {what}");
+        let Some(function) = callback(&field.ty) else {
+            let kind = kind(&field.ty).map_err(failed)?;
+            return Ok(Field { name, kind, comment, called_with: Vec::new() });
         };
-        Ok(Field { name, kind, comment })
+        // A callback of a field has no name of its own.
+        let mut called_with = Vec::new();
+        for given in &function.inputs {
+            called_with.push(kind(&given.ty).map_err(failed)?);
+        }
+        called_with.extend(result(&function.output).map_err(failed)?);
+        let kind = Type { name: "callback".to_owned(), pointers: Vec::new(), sizes: Vec::new() };
+        Ok(Field { name, kind, comment, called_with })
     };
     fields.iter().map(one).collect()
 }
