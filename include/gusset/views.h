@@ -166,4 +166,38 @@ static inline GUSSET_MUST_USE gusset_status gusset_surface_from_nodes_create(con
     return status;
 }
 
+/// Passes a curve through the points of one outline; see gusset_outline_create and gusset_outline_curve_create.
+/// @errors as gusset_outline_create, as gusset_outline_curve_create
+static inline GUSSET_MUST_USE gusset_status gusset_curve_from_points_create(const gusset_context *context,
+                                                                            const gusset_outlines *points,
+                                                                            const gusset_outline_options *options,
+                                                                            gusset_curve **curve) {
+    gusset_outline *outline = NULL;
+    gusset_status status = gusset_outline_create(context, points, options, &outline);
+    if (curve != NULL) {
+        *curve = NULL;
+    }
+    if (status == GUSSET_OK) {
+        status = gusset_outline_curve_create(context, outline, 0, curve);
+    }
+    gusset_outline_destroy(outline);
+    return status;
+}
+
+/// Lends the exported form of a curve, empty if the handle is NULL. Valid until the form is destroyed.
+static inline gusset_curve_form_view gusset_curve_form_lend(const gusset_curve_form *form) {
+    gusset_curve_form_view view;
+    view.struct_size = sizeof view;
+    view.text = "";
+    view.text_length = 0;
+    view.points = NULL;
+    view.point_count = 0;
+    view.on_curve = NULL;
+    view.knots = NULL;
+    view.knot_count = 0;
+    view.degree = 0;
+    (void)!gusset_curve_form_get_view(form, &view);
+    return view;
+}
+
 #endif /* GUSSET_VIEWS_H */
