@@ -65,6 +65,11 @@ impl Reference<'_> {
         self.sources.iter().flat_map(|source| &source.items)
     }
 
+    fn has_size(&self, name: &str) -> bool {
+        let sized = |fields: &[Field]| fields.first().is_some_and(|field| field.name == "struct_size");
+        self.items().any(|item| item.name == name && matches!(&item.kind, Kind::Struct(fields) if sized(fields)))
+    }
+
     fn is_handle(&self, name: &str) -> bool {
         self.items().any(|item| item.name == name && matches!(item.kind, Kind::Handle))
     }
@@ -81,7 +86,7 @@ impl Reference<'_> {
             (_, [false, false]) if self.is_handle(&kind.name) => Some("receives the handle; NULL after an error."),
             (_, [_]) if self.is_handle(&kind.name) => Some("the handle."),
             (_, [true]) if kind.name == "gusset_mesh_view" => Some("a mesh."),
-            ("view" | "report" | "quality", [false]) => Some("receives the struct; set its struct_size."),
+            (_, [false]) if self.has_size(&kind.name) => Some("receives the struct; set its struct_size."),
             _ => None,
         };
         text.map(str::to_owned)
