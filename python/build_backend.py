@@ -22,7 +22,7 @@ def declarations(header):
                 taken.pop()
             elif all(taken) and re.fullmatch(r"#define GUSSET_\w+ -?\d+", line):
                 kept.append(line)
-        elif all(taken):
+        elif all(taken) and not line.lstrip().startswith("///"):
             kept.append(re.sub(r"\bGUSSET_(PLUGIN_)?(API|MUST_USE)\b", "", line))
     return "\n".join(kept) + "\n"
 
@@ -30,6 +30,7 @@ def declarations(header):
 def all_declarations():
     include = ROOT / "include"
     parts = re.findall(r'#include "(gusset/\w+\.h)"', (include / "gusset.h").read_text("utf-8"))
+    parts.remove("gusset/views.h")  # functions with bodies
     return "".join(declarations((include / name).read_text("utf-8")) for name in [*parts, "gusset_plugin.h"])
 
 
