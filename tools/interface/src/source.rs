@@ -217,7 +217,8 @@ fn lines(attributes: &[Attribute]) -> Vec<String> {
         let syn::Lit::Str(text) = literal.lit else { return None };
         Some(text.value())
     });
-    texts.flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>()).collect()
+    // An empty line has no lines, and separates paragraphs.
+    texts.flat_map(|text| text.split('\n').map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
 fn fields(fields: &Fields) -> Result<Vec<Field>, String> {
