@@ -36,9 +36,8 @@
 extern "C" {
 #endif
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* The entry: One symbol leads to the tables of filters. Hosts need gusset_plugin.h alone, which is made from this */
-/* folder. */
+/* ---- The entry: One symbol leads to the tables of filters. Hosts need gusset_plugin.h alone, which is made from */
+/* this folder. */
 
 struct gusset_plugin;
 
@@ -47,8 +46,7 @@ struct gusset_plugin;
 /// library stays loaded after dlclose. May be called from any thread, as often as one likes.
 GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plugin_entry(uint32_t host_abi);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Attributes: The extension that carries values of elements to outputs. */
+/* ---- Attributes: The extension that carries values of elements to outputs. */
 
 /// Elements of a mesh: vertices.
 #define GUSSET_PLUGIN_VERTICES 0
@@ -162,8 +160,7 @@ typedef struct gusset_plugin_attributes {
                      struct gusset_failure *failure);
 } gusset_plugin_attributes;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Filters: Structs and constants of the tables. */
+/* ---- Filters: Structs and constants of the tables. */
 
 /// The version of this header's tables, for gusset_plugin_entry.
 #define GUSSET_PLUGIN_ABI 1
@@ -473,8 +470,7 @@ typedef struct gusset_plugin_values {
 /// The type of gusset_plugin_entry, for dlsym.
 typedef const struct gusset_plugin *(*gusset_plugin_entry_fn)(uint32_t host_abi);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* What becomes of a run: outputs, or why there are none. */
+/* ---- What becomes of a run: outputs, or why there are none. */
 
 /// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at once.
 typedef struct gusset_outputs gusset_outputs;

@@ -1,12 +1,18 @@
 #!/usr/bin/env bash
-# What an installation weighs, and the README's program with the static library.
+# What an installation weighs, the README's program with the static library, and one that stitches only.
 #   sizes.sh PREFIX STITCH_C
 set -euo pipefail
 prefix=$1 source=$2
-program=$(mktemp)
-trap 'rm -f "$program"' EXIT
-cc -O2 "-I$prefix/include" "$source" "$prefix/lib/libgusset.a" -Wl,--gc-sections -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o "$program"
-"$program"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+program() { # Compiles and runs a source.
+  cc -O2 "-I$prefix/include" "$1" "$prefix/lib/libgusset.a" -Wl,--gc-sections -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o "$2"
+  "$2"
+}
+sed 's/gusset_join(NULL, pieces, 2, NULL, &result)/gusset_stitch(NULL, pieces, NULL, pieces + 1, NULL, NULL, \&result)/' "$source" >"$folder/stitch.c"
+cmp -s "$source" "$folder/stitch.c" && { echo "FAILED: $source does not join" >&2; exit 1; }
+program "$source" "$folder/join"
+program "$folder/stitch.c" "$folder/stitch"
 at_most() { # bytes file
   local size
   size=$(stat -L -c %s "$2")
@@ -15,4 +21,6 @@ at_most() { # bytes file
 }
 at_most 11600000 "$prefix/lib/libgusset.so"
 at_most 40000000 "$prefix/lib/libgusset.a"
-at_most 2100000 "$program"
+# Joining includes filling and all that follows it.
+at_most 3400000 "$folder/join"
+at_most 2100000 "$folder/stitch"

@@ -6,14 +6,14 @@
 
 namespace gusset {
 
-/// A format that curves are exported to. See ::gusset_curve_format.
+/// Export format of a curve. See ::gusset_curve_format.
 enum class CurveFormat : uint32_t {
     svg = GUSSET_CURVE_FORMAT_SVG,
     contour = GUSSET_CURVE_FORMAT_CONTOUR,
     spline = GUSSET_CURVE_FORMAT_SPLINE
 };
 
-/// Which points of a section belong to which of the next. See ::gusset_correspondence_rule.
+/// Correspondence of points between sections. See ::gusset_correspondence_rule.
 enum class CorrespondenceRule : uint32_t {
     given = GUSSET_CORRESPONDENCE_GIVEN,
     arc_length = GUSSET_CORRESPONDENCE_ARC_LENGTH,
@@ -21,24 +21,24 @@ enum class CorrespondenceRule : uint32_t {
     landmarks = GUSSET_CORRESPONDENCE_LANDMARKS
 };
 
-/// Where the nodes of a frame move. See ::gusset_offset_direction.
+/// Direction in which nodes move. See ::gusset_offset_direction.
 enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
 
-/// The rule by which samples are spread along a curve. See ::gusset_sample_rule.
+/// Spacing of samples. See ::gusset_sample_rule.
 enum class SampleRule : uint32_t {
     count = GUSSET_SAMPLE_COUNT,
     step = GUSSET_SAMPLE_STEP,
     chord = GUSSET_SAMPLE_CHORD
 };
 
-/// The demand of a constraint. See ::gusset_constraint_kind.
+/// Demand on a curve at a point. See ::gusset_constraint_kind.
 enum class ConstraintKind : uint32_t {
     tangent = GUSSET_CONSTRAINT_TANGENT,
     corner = GUSSET_CONSTRAINT_CORNER,
     tangent_angle = GUSSET_CONSTRAINT_TANGENT_ANGLE
 };
 
-/// The kind of the curve of an outline. See ::gusset_curve_kind.
+/// Kind of an outline's curve. See ::gusset_curve_kind.
 enum class CurveKind : uint32_t {
     composite = GUSSET_CURVE_KIND_COMPOSITE,
     single = GUSSET_CURVE_KIND_SINGLE,
@@ -48,7 +48,7 @@ enum class CurveKind : uint32_t {
     chain = GUSSET_CURVE_KIND_CHAIN
 };
 
-/// The guide of the control point of a section. See ::gusset_section_method.
+/// Guide of a section's control point. See ::gusset_section_method.
 enum class SectionMethod : uint32_t {
     bisector = GUSSET_METHOD_BISECTOR,
     median = GUSSET_METHOD_MEDIAN,
@@ -57,24 +57,24 @@ enum class SectionMethod : uint32_t {
     alpha = GUSSET_METHOD_ALPHA
 };
 
-/// The rule that fixes the parameters of points. See ::gusset_parameter_lock.
+/// Rule for the parameters of points. See ::gusset_parameter_lock.
 enum class ParameterLock : uint32_t {
     parameter = GUSSET_LOCK_PARAMETER,
     self_consistent = GUSSET_LOCK_SELF_CONSISTENT,
     data_guide = GUSSET_LOCK_DATA_GUIDE
 };
 
-/// The parameters of the joints of composite curves. See ::gusset_joint_parameter.
+/// Positions of joints of composite curves. See ::gusset_joint_parameter.
 enum class JointParameter : uint32_t {
     half = GUSSET_JOINT_PARAMETER_HALF,
     knot = GUSSET_JOINT_PARAMETER_KNOT,
     g2 = GUSSET_JOINT_PARAMETER_G2
 };
 
-/// The method that solves for a curve. See ::gusset_outline_solver.
+/// Method of solution. See ::gusset_outline_solver.
 enum class OutlineSolver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
 
-/// The ends of open outlines. See ::gusset_outline_ends.
+/// End directions of open outlines. See ::gusset_outline_ends.
 enum class OutlineEnds : uint32_t {
     free = GUSSET_ENDS_FREE,
     perpendicular = GUSSET_ENDS_PERPENDICULAR,
@@ -83,7 +83,7 @@ enum class OutlineEnds : uint32_t {
     level_or_upright = GUSSET_ENDS_LEVEL_OR_UPRIGHT
 };
 
-/// The outcome at a point of an outline. See ::gusset_point_status.
+/// Outcome at a point of an outline. See ::gusset_point_status.
 enum class PointStatus : uint32_t {
     ok = GUSSET_POINT_OK,
     clamped_parameter = GUSSET_POINT_CLAMPED_PARAMETER,
@@ -106,7 +106,7 @@ enum class PointStatus : uint32_t {
     cusp = GUSSET_POINT_CUSP
 };
 
-/// The outcome of an outline. See ::gusset_fit_status.
+/// Outcome of an outline. See ::gusset_fit_status.
 enum class FitStatus : uint32_t {
     ok = GUSSET_FIT_OK,
     partial = GUSSET_FIT_PARTIAL,
@@ -141,7 +141,7 @@ enum class AlignedReason : uint32_t {
     trusted_by_none = GUSSET_ALIGNED_TRUSTED_BY_NONE
 };
 
-/// The type of values. See ::gusset_value_type.
+/// Type of values. See ::gusset_value_type.
 enum class ValueType : uint32_t {
     f32 = GUSSET_VALUE_F32,
     f64 = GUSSET_VALUE_F64,
@@ -150,7 +150,7 @@ enum class ValueType : uint32_t {
     u32 = GUSSET_VALUE_U32
 };
 
-/// How the values of several sources become one. See ::gusset_rule.
+/// Rule that combines the values of several sources. See ::gusset_rule.
 enum class Rule : uint32_t {
     linear = GUSSET_RULE_LINEAR,
     normal = GUSSET_RULE_NORMAL,
@@ -159,13 +159,13 @@ enum class Rule : uint32_t {
     texture = GUSSET_RULE_TEXTURE
 };
 
-/// The treatment of edges with three or more faces. See ::gusset_non_manifold.
+/// Treatment of edges with three or more faces. See ::gusset_non_manifold.
 enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
 
-/// The part of the mesh that is checked. See ::gusset_survey.
+/// Part of the mesh that is checked. See ::gusset_survey.
 enum class Survey : uint32_t { whole_mesh = GUSSET_SURVEY_WHOLE_MESH, boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY };
 
-/// The kind of a defect. See ::gusset_defect_kind.
+/// Kind of a defect. See ::gusset_defect_kind.
 enum class DefectKind : uint32_t {
     degenerate_face = GUSSET_DEFECT_DEGENERATE_FACE,
     orientation_conflict = GUSSET_DEFECT_ORIENTATION_CONFLICT,
@@ -173,14 +173,14 @@ enum class DefectKind : uint32_t {
     bow_tie = GUSSET_DEFECT_BOW_TIE
 };
 
-/// The distortion that a development minimises. See ::gusset_distortion.
+/// Distortion that a development minimises. See ::gusset_distortion.
 enum class Distortion : uint32_t {
     symmetric = GUSSET_DISTORTION_SYMMETRIC,
     rigid = GUSSET_DISTORTION_RIGID,
     conformal = GUSSET_DISTORTION_CONFORMAL
 };
 
-/// How a chart was laid out. See ::gusset_chart_finish.
+/// Outcome of the layout of a chart. See ::gusset_chart_finish.
 enum class ChartFinish : uint32_t {
     exact = GUSSET_CHART_EXACT,
     converged = GUSSET_CHART_CONVERGED,
@@ -191,30 +191,30 @@ enum class ChartFinish : uint32_t {
     stalled = GUSSET_CHART_STALLED
 };
 
-/// The reason for a cut. See ::gusset_cut_kind.
+/// Reason for a cut. See ::gusset_cut_kind.
 enum class CutKind : uint32_t { given = GUSSET_CUT_GIVEN, opening = GUSSET_CUT_OPENING, dart = GUSSET_CUT_DART };
 
-/// The loops that are not holes. See ::gusset_fill_keep.
+/// Loops that are not holes. See ::gusset_fill_keep.
 enum class FillKeep : uint32_t {
     none = GUSSET_KEEP_NONE,
     longest = GUSSET_KEEP_LONGEST,
     borders = GUSSET_KEEP_BORDERS
 };
 
-/// The loops that get one patch. See ::gusset_fill_together.
+/// Loops that share a patch. See ::gusset_fill_together.
 enum class FillTogether : uint32_t {
     apart = GUSSET_TOGETHER_APART,
     one = GUSSET_TOGETHER_ONE,
     cheapest = GUSSET_TOGETHER_CHEAPEST
 };
 
-/// The new vertices of patches. See ::gusset_fill_refinement.
+/// New vertices of patches. See ::gusset_fill_refinement.
 enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
 
-/// How smoothly faired patches continue the old surface. See ::gusset_fill_continuity.
+/// Smoothness between faired patches and the old surface. See ::gusset_fill_continuity.
 enum class FillContinuity : uint32_t { c1 = GUSSET_CONTINUITY_C1, c2 = GUSSET_CONTINUITY_C2 };
 
-/// The weight that the triangulation of a rim minimises. See ::gusset_fill_weight.
+/// Weight that the triangulation of a hole minimises. See ::gusset_fill_weight.
 enum class FillWeight : uint32_t {
     continuation = GUSSET_WEIGHT_CONTINUATION,
     area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
@@ -222,14 +222,14 @@ enum class FillWeight : uint32_t {
     area = GUSSET_WEIGHT_AREA
 };
 
-/// The vertices of a patch. See ::gusset_patch_finish.
+/// Vertices of a patch. See ::gusset_patch_finish.
 enum class PatchFinish : uint32_t {
     plain = GUSSET_PATCH_PLAIN,
     refined = GUSSET_PATCH_REFINED,
     faired = GUSSET_PATCH_FAIRED
 };
 
-/// The outcome for one loop. See ::gusset_hole_status.
+/// Outcome for one loop. See ::gusset_hole_status.
 enum class HoleStatus : uint32_t {
     filled = GUSSET_HOLE_FILLED,
     kept = GUSSET_HOLE_KEPT,
@@ -277,7 +277,7 @@ enum class LeftReason : uint32_t {
     excluded = GUSSET_LEFT_EXCLUDED
 };
 
-/// Elements of meshes, and of what meshes are made from. See ::gusset_domain.
+/// Kind of element. See ::gusset_domain.
 enum class Domain : uint32_t {
     vertices = GUSSET_DOMAIN_VERTICES,
     corners = GUSSET_DOMAIN_CORNERS,
@@ -360,22 +360,22 @@ enum class Outward : uint32_t {
     closed = GUSSET_OUTWARD_CLOSED
 };
 
-/// The vertices that are welded. See ::gusset_weld_vertices.
+/// Vertices that are welded. See ::gusset_weld_vertices.
 enum class WeldVertices : uint32_t { boundary = GUSSET_WELD_BOUNDARY, all = GUSSET_WELD_ALL };
 
-/// Whether corners of one face may become one. See ::gusset_collapse.
+/// Treatment of coincident corners of one face. See ::gusset_collapse.
 enum class Collapse : uint32_t { never = GUSSET_COLLAPSE_NEVER, allow = GUSSET_COLLAPSE_ALLOW };
 
-/// The treatment of vertices that no face uses. See ::gusset_unused.
+/// Treatment of vertices that no face uses. See ::gusset_unused.
 enum class Unused : uint32_t { keep = GUSSET_UNUSED_KEEP, remove = GUSSET_UNUSED_REMOVE };
 
-/// Where the coordinates of a net are. See ::gusset_net_memory.
+/// Memory of a net's coordinates. See ::gusset_net_memory.
 enum class NetMemory : uint32_t { copy = GUSSET_NET_MEMORY_COPY, borrow = GUSSET_NET_MEMORY_BORROW };
 
-/// A direction within a net. See ::gusset_direction.
+/// Direction within a net. See ::gusset_direction.
 enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
 
-/// Which rows, or columns, are replicated. See ::gusset_replication.
+/// Rows or columns replicated to enlarge a net. See ::gusset_replication.
 enum class Replication : uint32_t {
     uniform = GUSSET_REPLICATE_UNIFORM,
     first = GUSSET_REPLICATE_FIRST,
@@ -385,7 +385,7 @@ enum class Replication : uint32_t {
     refuse = GUSSET_REPLICATE_REFUSE
 };
 
-/// A symmetry of the rectangle of nodes. See ::gusset_net_turn.
+/// Symmetry of the rectangle of nodes. See ::gusset_net_turn.
 enum class NetTurn : uint32_t {
     none = GUSSET_NET_TURN_NONE,
     quarter = GUSSET_NET_TURN_QUARTER,
@@ -397,13 +397,13 @@ enum class NetTurn : uint32_t {
     antitranspose = GUSSET_NET_TURN_ANTITRANSPOSE
 };
 
-/// The element that has a local gluing. See ::gusset_gluing_place.
+/// Element that has a local gluing. See ::gusset_gluing_place.
 enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
 
-/// Which cells count. See ::gusset_net_cells.
+/// Cells that count. See ::gusset_net_cells.
 enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
 
-/// What a field does, and what its values are. See ::gusset_field_kind.
+/// Kind of a deformation field. See ::gusset_field_kind.
 enum class FieldKind : uint32_t {
     affine = GUSSET_FIELD_AFFINE,
     twist = GUSSET_FIELD_TWIST,
@@ -421,14 +421,14 @@ enum class FieldKind : uint32_t {
     sphere_wrap = GUSSET_FIELD_SPHERE_WRAP
 };
 
-/// How a strength goes from one key to the next. See ::gusset_easing.
+/// Interpolation of strengths between two keys. See ::gusset_easing.
 enum class Easing : uint32_t {
     linear = GUSSET_EASING_LINEAR,
     smooth = GUSSET_EASING_SMOOTH,
     hold = GUSSET_EASING_HOLD
 };
 
-/// What a gusset_gluing glues. See ::gusset_gluing_kind.
+/// Kind of a gluing. See ::gusset_gluing_kind.
 enum class GluingKind : uint32_t {
     link = GUSSET_GLUING_LINK,
     star = GUSSET_GLUING_STAR,
@@ -438,7 +438,7 @@ enum class GluingKind : uint32_t {
     type = GUSSET_GLUING_TYPE
 };
 
-/// One of the 18 local gluings (the paper's Fig. See ::gusset_gluing_type.
+/// Local gluing (Deryagin, Fig. See ::gusset_gluing_type.
 enum class GluingType : uint32_t {
     none = GUSSET_TYPE_NONE,
     horizontal = GUSSET_TYPE_HORIZONTAL,
@@ -461,30 +461,30 @@ enum class GluingType : uint32_t {
     rising = GUSSET_TYPE_RISING
 };
 
-/// What is done with the cells between two nets that were joined. See ::gusset_bridge_mode.
+/// Treatment of the cells of a bridge. See ::gusset_bridge_mode.
 enum class BridgeMode : uint32_t { keep = GUSSET_BRIDGE_KEEP, hide = GUSSET_BRIDGE_HIDE, weld = GUSSET_BRIDGE_WELD };
 
-/// What a bridge looks like. See ::gusset_bridge_kind.
+/// Form of a bridge. See ::gusset_bridge_kind.
 enum class BridgeKind : uint32_t {
     ribbon = GUSSET_BRIDGE_RIBBON,
     tube = GUSSET_BRIDGE_TUBE,
     thread = GUSSET_BRIDGE_THREAD
 };
 
-/// What the faces of the mesh of a net are. See ::gusset_net_faces.
+/// Faces of a net's mesh. See ::gusset_net_faces.
 enum class NetFaces : uint32_t {
     quads = GUSSET_NET_QUADS,
     triangles_shorter = GUSSET_NET_TRIANGLES_SHORTER,
     triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
 };
 
-/// The cells of a net that is sought in a mesh. See ::gusset_grid_cells.
+/// Cells of a grid in a mesh. See ::gusset_grid_cells.
 enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
 
-/// The way of nodes from one net to another. See ::gusset_morph_path.
+/// Path of nodes from one net to another. See ::gusset_morph_path.
 enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
 
-/// A shape. See ::gusset_net_shape.
+/// Standard shape, the measures that it reads, the least rows x columns. See ::gusset_net_shape.
 enum class NetShape : uint32_t {
     plane = GUSSET_NET_PLANE,
     sphere = GUSSET_NET_SPHERE,
@@ -503,23 +503,23 @@ enum class NetShape : uint32_t {
     pillow = GUSSET_NET_PILLOW
 };
 
-/// How the two caps of a box are covered. See ::gusset_box_kind.
+/// Layout of the caps of a box. See ::gusset_box_kind.
 enum class BoxKind : uint32_t {
     slit = GUSSET_NET_BOX_SLIT,
     cross = GUSSET_NET_BOX_CROSS,
     concentric = GUSSET_NET_BOX_CONCENTRIC
 };
 
-/// How positions between nodes are found. See ::gusset_interpolation.
+/// Interpolation of positions between nodes. See ::gusset_interpolation.
 enum class Interpolation : uint32_t {
     bicubic = GUSSET_INTERPOLATION_BICUBIC,
     bilinear = GUSSET_INTERPOLATION_BILINEAR
 };
 
-/// An axis of coordinates: 0 is x, 1 is y, 2 is z. See ::gusset_axis.
+/// Coordinate axis. See ::gusset_axis.
 enum class Axis : uint32_t { x = GUSSET_AXIS_X, y = GUSSET_AXIS_Y, z = GUSSET_AXIS_Z };
 
-/// What an operation does. See ::gusset_operation_kind.
+/// Kind of an affine map. See ::gusset_operation_kind.
 enum class OperationKind : uint32_t {
     translate = GUSSET_OPERATION_TRANSLATE,
     rotate = GUSSET_OPERATION_ROTATE,
@@ -530,7 +530,7 @@ enum class OperationKind : uint32_t {
     matrix = GUSSET_OPERATION_MATRIX
 };
 
-/// What is found. See ::gusset_net_finding_kind.
+/// Kind of a finding. See ::gusset_net_finding_kind.
 enum class NetFindingKind : uint32_t {
     link_apart = GUSSET_NET_FINDING_LINK_APART,
     seam_apart = GUSSET_NET_FINDING_SEAM_APART,
@@ -539,7 +539,7 @@ enum class NetFindingKind : uint32_t {
     few_nodes = GUSSET_NET_FINDING_FEW_NODES
 };
 
-/// The object from which distances or angles are measured. See ::gusset_reference_object.
+/// Object of a search. See ::gusset_reference_object.
 enum class ReferenceObject : uint32_t {
     point = GUSSET_REFERENCE_POINT,
     plane = GUSSET_REFERENCE_PLANE,
@@ -551,23 +551,23 @@ enum class ReferenceObject : uint32_t {
     ray = GUSSET_REFERENCE_RAY
 };
 
-/// The direction in which faces are read. See ::gusset_winding.
+/// Orientation of faces in a mesh. See ::gusset_winding.
 enum class Winding : uint32_t {
     counter_clockwise = GUSSET_FACES_COUNTER_CLOCKWISE,
     clockwise = GUSSET_FACES_CLOCKWISE
 };
 
-/// What an entry of a scene is. See ::gusset_scene_entry_kind.
+/// Kind of a scene entry. See ::gusset_scene_entry_kind.
 enum class SceneEntryKind : uint32_t { net = GUSSET_SCENE_NET, group = GUSSET_SCENE_GROUP };
 
-/// A change of the visibility of an entry. See ::gusset_visibility.
+/// Change of visibility. See ::gusset_visibility.
 enum class Visibility : uint32_t {
     keep = GUSSET_VISIBILITY_KEEP,
     show = GUSSET_VISIBILITY_SHOW,
     hide = GUSSET_VISIBILITY_HIDE
 };
 
-/// What the index in a report counts. See ::gusset_element.
+/// Kind of element that the index of a report counts. See ::gusset_element.
 enum class Element : uint32_t {
     none = GUSSET_ELEMENT_NONE,
     vertex = GUSSET_ELEMENT_VERTEX,
@@ -594,7 +594,7 @@ enum class Element : uint32_t {
     edge = GUSSET_ELEMENT_EDGE
 };
 
-/// How a stream stores coordinates. See ::gusset_stream_mode.
+/// Storage of coordinates in a stream. See ::gusset_stream_mode.
 enum class StreamMode : uint32_t {
     quantised = GUSSET_STREAM_QUANTISED,
     lossless = GUSSET_STREAM_LOSSLESS,
@@ -604,7 +604,7 @@ enum class StreamMode : uint32_t {
 /// How two surfaces touch. See ::gusset_contact_kind.
 enum class ContactKind : uint32_t { point = GUSSET_CONTACT_POINT, crossing = GUSSET_CONTACT_CROSSING };
 
-/// The points of a curve between those where it crosses the lines of the surface. See ::gusset_spacing_rule.
+/// Curve points between crossings with cell sides. See ::gusset_spacing_rule.
 enum class SpacingRule : uint32_t {
     automatic = GUSSET_POINT_SPACING_AUTO,
     chord = GUSSET_POINT_SPACING_CHORD,
@@ -612,17 +612,17 @@ enum class SpacingRule : uint32_t {
     leus = GUSSET_POINT_SPACING_LEUS
 };
 
-/// The function on a surface whose contours are drawn. See ::gusset_contour_kind.
+/// The function whose contours are drawn. See ::gusset_contour_kind.
 enum class ContourKind : uint32_t {
     height = GUSSET_CONTOUR_HEIGHT,
     values = GUSSET_CONTOUR_VALUES,
     angle = GUSSET_CONTOUR_ANGLE
 };
 
-/// The way in which a coordinate curve of a sheet runs. See ::gusset_sheet_direction.
+/// Direction of a coordinate curve of a sheet. See ::gusset_sheet_direction.
 enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
 
-/// The object from which a distance is measured. See ::gusset_target_kind.
+/// Kind of a target. See ::gusset_target_kind.
 enum class TargetKind : uint32_t {
     line = GUSSET_TARGET_LINE,
     plane = GUSSET_TARGET_PLANE,
@@ -630,17 +630,17 @@ enum class TargetKind : uint32_t {
     surface = GUSSET_TARGET_SURFACE
 };
 
-/// The kind of a normal. See ::gusset_normal_kind.
+/// Kind of a normal. See ::gusset_normal_kind.
 enum class NormalKind : uint32_t {
     none = GUSSET_NORMAL_NONE,
     regular = GUSSET_NORMAL_REGULAR,
     limit = GUSSET_NORMAL_LIMIT
 };
 
-/// Which hits are wanted. See ::gusset_hit_selection.
+/// The hits to return. See ::gusset_hit_selection.
 enum class HitSelection : uint32_t { all = GUSSET_HITS_ALL, first = GUSSET_HITS_FIRST, any = GUSSET_HITS_ANY };
 
-/// The kind of a hit. See ::gusset_hit_kind.
+/// Kind of a hit. See ::gusset_hit_kind.
 enum class HitKind : uint32_t {
     none = GUSSET_HIT_NONE,
     crossing = GUSSET_HIT_CROSSING,
@@ -648,10 +648,10 @@ enum class HitKind : uint32_t {
     inside = GUSSET_HIT_INSIDE
 };
 
-/// How the surface is drawn through nodes. See ::gusset_scheme.
+/// Interpolation through nodes. See ::gusset_scheme.
 enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
 
-/// How the mixed derivatives S_uv at nodes are found, which tangents leave open. See ::gusset_twists.
+/// Source of the twists S_uv at nodes. See ::gusset_twists.
 enum class Twists : uint32_t {
     differences = GUSSET_TWISTS_DIFFERENCES,
     adini = GUSSET_TWISTS_ADINI,
@@ -659,7 +659,7 @@ enum class Twists : uint32_t {
     given = GUSSET_TWISTS_GIVEN
 };
 
-/// The surface that is made of a frame. See ::gusset_frame_surface.
+/// How a surface is made from a frame. See ::gusset_frame_surface.
 enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET_FRAME_CURVES };
 
 } // namespace gusset

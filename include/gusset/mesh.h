@@ -9,8 +9,7 @@
 extern "C" {
 #endif
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Meshes: Views of polygon meshes in memory of the caller or of a result. */
+/* ---- Meshes: Views of polygon meshes in memory of the caller or of a result. */
 
 /// The type of coordinates.
 typedef uint32_t gusset_scalar;
@@ -35,13 +34,14 @@ typedef struct gusset_indices {
 } gusset_indices;
 
 /// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way
-/// in. As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners
-/// (TOO_LARGE); at least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite
-/// coordinates at all vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have
-/// any alignment. They must be as long as the counts say, which the library cannot see, and must not change during a
-/// call. Also NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT,
-/// BAD_OFFSETS BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read. As output:
-/// packed positions, face_offsets given, face_size 0.
+/// in.
+/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE);
+/// at least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates
+/// at all vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment.
+/// They must be as long as the counts say, which the library cannot see, and must not change during a call. Also
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
+/// BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read.
+/// As output: packed positions, face_offsets given, face_size 0.
 typedef struct gusset_mesh_view {
     size_t struct_size;
     /// x, y, z at the start of every stride, of the type that scalar names.
@@ -72,8 +72,7 @@ typedef struct gusset_mesh_view {
     const void *merge;
 } gusset_mesh_view;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Alignment: Finds the rigid poses at which overlapping pieces fit. */
+/* ---- Alignment: Finds the rigid poses at which overlapping pieces fit. */
 
 /// The poses in which pieces begin.
 typedef uint32_t gusset_alignment_start;
@@ -177,13 +176,14 @@ typedef struct gusset_alignment_view {
 typedef struct gusset_alignment gusset_alignment;
 
 /// Finds where pieces that overlap belong: rigid motions after which they fit, all at once, so that no error adds up
-/// round a ring of them. The first piece stays. Points of each piece look for the nearest ones on the others, those
-/// beyond a border of the other apart and those whose normals differ by more than 45 degrees; the motions that bring
-/// pairs onto the planes of their normals, with less weight for those far off, are found in one system of equations;
-/// and so on until nothing moves. Pieces have to begin within max_distance of where they belong, see start. A piece
-/// that lies on no other stays where it begins; where overlaps leave it free it may slide. What is not known is no
-/// failure, but said for each piece: a piece is trusted if it fits others, overlaps hold it in all six directions by
-/// more than the noise of normals, and pieces lead from it to the first one by pairs that fit.
+/// round a ring of them. The first piece stays.
+/// Points of each piece look for the nearest ones on the others, those beyond a border of the other apart and those
+/// whose normals differ by more than 45 degrees; the motions that bring pairs onto the planes of their normals, with
+/// less weight for those far off, are found in one system of equations; and so on until nothing moves. Pieces have to
+/// begin within max_distance of where they belong, see start. A piece that lies on no other stays where it begins;
+/// where overlaps leave it free it may slide.
+/// What is not known is no failure, but said for each piece: a piece is trusted if it fits others, overlaps hold it in
+/// all six directions by more than the noise of normals, and pieces lead from it to the first one by pairs that fit.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's struct_size says, at least
 ///     one.
 /// @param piece_count see pieces.
@@ -206,53 +206,51 @@ GUSSET_API void gusset_alignment_destroy(struct gusset_alignment *alignment);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_get_view(const struct gusset_alignment *alignment,
     struct gusset_alignment_view *view);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Origins: Names the elements of the inputs from which each vertex, corner and face of a result comes. */
+/* ---- Origins: Gives the source elements of each vertex, corner and face of a result. */
 
-/// Elements of meshes, and of what meshes are made from.
+/// Kind of element.
 typedef uint32_t gusset_domain;
-/// Vertices; the points of polylines, the nodes of a net or a sheet.
+/// Vertices, points of polylines, nodes of nets and sheets.
 #define GUSSET_DOMAIN_VERTICES 0
-/// Corners of faces, in the order of face_corners; the nodes of a net or a sheet.
+/// Corners of faces, in the order of face_corners; nodes of nets and sheets.
 #define GUSSET_DOMAIN_CORNERS 1
-/// Faces; the cells of a net or a sheet.
+/// Faces, cells of nets and sheets.
 #define GUSSET_DOMAIN_FACES 2
 
-/// For each vertex, corner and face of a result, the elements of the inputs that it has its values from. Opaque and
-/// immutable; it keeps nothing of the result. An element that was there before has itself, and a vertex that several
-/// became all of them in equal parts. A new vertex has the vertices of the rims round it, by where it would be on plain
-/// triangles between them without fairing, and one that was put on an edge the ends of the edge. A new face has the
-/// face across the nearest edge of the rims (the first one of those as near), and at its corners what old faces have
-/// there: those on its own side where it has an edge in common with them.
+/// Source elements of each vertex, corner and face of a result. It does not refer to the result.
+/// - An old element has itself, a merged vertex all its vertices in equal parts.
+/// - A new vertex has the rim vertices around it, by its place on plain triangles between them, without fairing. A
+///   vertex put on an edge has the ends of the edge.
+/// - A new face has the face across the nearest rim edge (the first of equals). Its corners have the old corners there,
+///   on its own side if it shares an edge with old faces.
 typedef struct gusset_origins gusset_origins;
 
-/// The origins of the elements of one kind. Pointers are valid until the origins are destroyed.
+/// Origins of the elements of one domain.
 typedef struct gusset_origins_view {
     size_t struct_size;
-    /// One more than there are elements: element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and
-    /// weights; none if it comes from nothing.
+    /// Element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and weights, or none. One entry more than
+    /// elements.
     struct gusset_indices offsets;
-    /// The sources, numbered through all inputs.
+    /// Sources, numbered through all inputs.
     struct gusset_indices sources;
-    /// How much each source counts: more than 0, with the sum 1 for each element; as many as sources; NULL without any.
+    /// Weight of each source, above 0, with sum 1 for each element.
     const double *weights;
-    /// One more than there are inputs: the elements of input i are the sources starts[i] to starts[i + 1] - 1. The
-    /// inputs are the meshes, pieces or polylines in their order, the one mesh, net or sheet.
+    /// Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs are the meshes,
+    /// pieces or polylines in order, or the single mesh, net or sheet.
     struct gusset_indices starts;
 } gusset_origins_view;
 
-/// Destroys origins; NULL is allowed.
+/// Destroys origins.
 GUSSET_API void gusset_origins_destroy(struct gusset_origins *origins);
 
-/// Lends the origins of the result's vertices, corners or faces, valid until they are destroyed.
+/// Lends the origins of the vertices, corners or faces of a result.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_origins_get_view(const struct gusset_origins *origins,
     gusset_domain domain, struct gusset_origins_view *view);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Attributes: Carries colours, normals, texture coordinates, skin weights, materials and numbers to results. */
+/* ---- Attributes: Transfers colours, normals, texture coordinates and other values to results. */
 
-/// The type of values.
+/// Type of values.
 typedef uint32_t gusset_value_type;
 /// 32-bit floats.
 #define GUSSET_VALUE_F32 1
@@ -265,119 +263,114 @@ typedef uint32_t gusset_value_type;
 /// 32-bit unsigned integers.
 #define GUSSET_VALUE_U32 5
 
-/// How the values of several sources become one. An element with one source has its value, bit for bit.
+/// Rule that combines the values of several sources. An element with one source keeps its value bit for bit.
 typedef uint32_t gusset_rule;
-/// The weighted mean, as of colours; of integers rounded.
+/// Weighted mean, as for colours; integers are rounded.
 #define GUSSET_RULE_LINEAR 0
-/// Directions of three components, floats: the weighted mean on the sphere, of length 1. Those of faces that the
-/// operation turned over are turned, too.
+/// Directions of three floats: weighted mean on the sphere, of length 1. Directions of faces that the operation turned
+/// over are negated.
 #define GUSSET_RULE_NORMAL 1
-/// Weights of bones, at least 0: the weighted mean, of which the max_influences largest are kept, the first of equal
-/// ones, and made to have the sum 1, or of integers the largest number of the type.
+/// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are kept and scaled to the
+/// sum 1, or to the largest value of an integer type.
 #define GUSSET_RULE_SKIN_WEIGHTS 2
-/// The value of the source that counts most, the first of equal ones, as of materials and numbers.
+/// Value of the source with the largest weight (the first of equals), as for materials.
 #define GUSSET_RULE_NEAREST 3
-/// Texture coordinates. At the corners of new faces they are the weighted mean where both sides are on one chart: on
-/// each rim as long as the old faces have the same values at its vertices, and across a gap where for most of the new
-/// faces the values beyond are nearer to where their own side's chart would go on than half of the way there and of
-/// their base. Elsewhere each new face goes on with the chart of the old face that it comes from, unfolded, and the
-/// charts meet in a seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the cut,
-/// or, where that is no repeat of the texture, as where the base's chart goes on: no face runs back over the chart. Of
-/// vertices and faces it is the weighted mean.
+/// Texture coordinates. For vertices and faces: the weighted mean. At corners of new faces:
+/// - The weighted mean where both sides are on one chart.
+/// - Elsewhere each new face continues the unfolded chart of its old face, up to a seam in the middle.
+/// - At the cut of a chart that closes on itself, values are shifted by the jump at the cut. If the jump is not a
+///   repeat of the texture, the face continues its own chart. No face runs back over the chart.
+/// - A rim is on one chart as long as old faces have equal values at common vertices. The sides of a gap are on one
+///   chart if most new faces agree: values from the far side deviate from the continued chart by less than half the
+///   distance to the old edge and its length combined.
 #define GUSSET_RULE_TEXTURE 4
 
-/// What the values of elements are, and how they are mixed.
+/// Type of the values of elements, and the rule that combines them.
 typedef struct gusset_channel {
     size_t struct_size;
-    /// The elements that have values.
+    /// Elements that have values.
     gusset_domain domain;
-    /// Zero is no valid value.
+    /// Type of the values; 0 is not valid.
     gusset_value_type value_type;
-    /// How many values an element has, 1 to 4096.
+    /// Number of values of an element, 1 to 4096.
     uint32_t components;
     gusset_rule rule;
-    /// With GUSSET_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
+    /// Number of weights that GUSSET_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0: all.
     uint32_t max_influences;
     uint32_t reserved;
 } gusset_channel;
 
-/// The values of one input's elements.
+/// Values of the elements of one input.
 typedef struct gusset_channel_values {
-    /// The components of each element at the start of every stride, at any alignment; NULL with count 0 if the input
-    /// has no such values: its elements have 0 then, and new ones the values of the other sources.
+    /// Components of each element at the start of every stride, at any alignment. NULL with count 0: the input lacks
+    /// them; its elements get 0, and new elements the values of other sources.
     const void *values;
-    /// The number of elements: of the input's vertices, corners or faces, all.
+    /// Number of vertices, corners or faces of the input.
     size_t count;
-    /// Bytes from one element to the next; 0 if they are packed.
+    /// Bytes from one element to the next; 0 if packed.
     size_t stride;
 } gusset_channel_values;
 
-/// Carries values of the inputs' elements over to the elements of a result. Elements of one source have its bits; the
-/// rule says what becomes of several. An element without sources, or whose sources all lack the channel, has 0.
-/// @param channel what the values are.
-/// @param inputs the values of each input of the origins, in their order; at any alignment.
-/// @param input_count their number.
-/// @param values receives the components of each element at the start of every stride, at any alignment; the bytes
-///     between are left alone. From its first byte to its last it must not overlap the inputs' values.
-/// @param count the number of elements that it has room for, at least those of the result.
-/// @param stride bytes from one element to the next; 0 for packed ones.
-/// @errors OUT_OF_RANGE (components, or value_type and components that the rule does not take; a negative skin weight,
-///     with the element and the input), NOT_FINITE (with the element and the input, but for GUSSET_RULE_NEAREST),
-///     COUNT_DIFFERS (another number of inputs than there are, or of values, with the input), BAD_STRIDE,
-///     BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE, linear in the corners of new faces; on
-///     the context's threads.
+/// Transfers values from the elements of inputs to the elements of a result.
+/// Elements without sources, or whose sources all lack the values, get 0.
+/// @param inputs values of each input of the origins, in order, at any alignment.
+/// @param values receives the components of each element at the start of every stride, at any alignment; bytes between
+///     do not change. Must not overlap the inputs' values.
+/// @param count room in elements, at least the elements of the result.
+/// @param stride bytes from one element to the next; 0 if packed.
+/// @errors OUT_OF_RANGE (components; value_type and components that the rule refuses; a negative skin weight, with
+///     element and input), NOT_FINITE (with element and input, except for GUSSET_RULE_NEAREST), COUNT_DIFFERS (of
+///     inputs, or of values, with the input), BAD_STRIDE, BUFFER_TOO_SMALL, OVERLAP
+/// @complexity O(sources and elements) on the context's threads; no memory, except for GUSSET_RULE_TEXTURE, linear in
+///     the corners of new faces.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_attributes_apply(const struct gusset_context *context,
     const struct gusset_origins *origins, const struct gusset_channel *channel,
     const struct gusset_channel_values *inputs, size_t input_count, void *values, size_t count, size_t stride);
 
-/// Finds which vertices of a mesh are one: those with equal keys, as of the vertices that were split at seams of
-/// texture coordinates or normals, or those at equal positions, where -0 equals 0. For each vertex it gives the
-/// smallest of those that it is one with, as the field merge of gusset_mesh_view takes it. Without keys, a vertex whose
-/// position is not finite is one with itself alone.
+/// Finds which vertices of a mesh are one, for the field merge of gusset_mesh_view.
+/// Vertices with equal keys are one, as after splits at seams of texture coordinates or normals. Without keys, vertices
+/// at equal finite positions are one; -0 equals 0.
 /// @param keys one for each vertex, at any alignment; NULL: positions.
-/// @param merge room for as many numbers as the mesh has vertices; at any alignment.
+/// @param merge receives for each vertex the smallest vertex that it is one with; at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_find_merge(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const uint32_t *keys, uint32_t *merge);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Boundary loops: Finds the free boundary loops of a mesh, in a stated direction, and reports everything unusual in */
-/* them. */
+/* ---- Boundary loops: Finds the boundary loops of a mesh, and reports defects. */
 
-/// The treatment of edges with three or more faces.
+/// Treatment of edges with three or more faces.
 typedef uint32_t gusset_non_manifold;
-/// At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
+/// Each face at the edge has its own border there; loops along it are always closed.
 #define GUSSET_NON_MANIFOLD_CUT 0
-/// Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
+/// Only edges with exactly one face belong to loops. At other edges loops end, as open chains.
 #define GUSSET_NON_MANIFOLD_STOP 1
 
-/// The part of the mesh that is checked.
+/// Part of the mesh that is checked.
 typedef uint32_t gusset_survey;
-/// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+/// Every edge: all defects are reported, and flagged on the loops.
 #define GUSSET_SURVEY_WHOLE_MESH 0
-/// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
-/// touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is
-/// away from the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops
-/// are not cut there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but
-/// one that was made to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+/// The boundary only, many times faster. The whole mesh is checked only if the boundary is open, touches itself, is not
+/// oriented or has edges with three faces.
+/// Other defects are not reported. Edges with equally many faces in both directions, two or more, do not cut loops.
+/// The search relies on hashes. It fails on ordinary meshes with a probability below 2^-64, but a malicious mesh may
+/// hide a boundary: for untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
 #define GUSSET_SURVEY_BOUNDARY_ONLY 1
 
-/// Bits that describe a loop.
+/// Properties of a loop.
 /// @bits
 typedef uint32_t gusset_loop_flags;
-/// The chain does not close: it has one vertex more than it has edges.
+/// The loop is an open chain, with one vertex more than edges.
 #define GUSSET_LOOP_OPEN 1
 /// The loop passes a vertex where the surface touches itself.
 #define GUSSET_LOOP_BOW_TIE 2
-/// It was cut from a longer walk at a vertex that the walk passed twice.
+/// The loop was cut from a longer walk at a vertex that the walk passes twice.
 #define GUSSET_LOOP_SPLIT 4
-/// It runs along, or ends at, an edge with three or more faces.
+/// The loop runs along, or ends at, an edge with three or more faces.
 #define GUSSET_LOOP_NON_MANIFOLD 8
-/// The faces along it disagree in orientation.
+/// The faces along the loop disagree in orientation.
 #define GUSSET_LOOP_NOT_ORIENTED 16
-/// It has an edge of length 0.
+/// The loop has an edge of length 0.
 #define GUSSET_LOOP_ZERO_LENGTH 32
 
 /// The loop runs this edge against its face.
@@ -387,235 +380,226 @@ typedef uint32_t gusset_loop_flags;
 /// The edge has length 0.
 #define GUSSET_EDGE_ZERO_LENGTH 4
 
-/// The kind of a defect.
+/// Kind of a defect.
 typedef uint32_t gusset_defect_kind;
-/// A face (index) that repeats a vertex (other).
+/// A face (index) repeats a vertex (other).
 #define GUSSET_DEFECT_DEGENERATE_FACE 1
-/// An edge whose two faces run it in the same direction: half-edges index and other.
+/// The two faces of an edge run it in the same direction: half-edges index and other.
 #define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
-/// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
+/// An edge has three or more half-edges: index is the first, count their number. A face may count twice.
 #define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
-/// A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at edges with three or
-/// more faces, whose own ends are therefore listed too where a loop passes them.
+/// The faces at a vertex (index) form more than one fan. Fans end at edges with three or more faces, whose ends are
+/// listed too where a loop passes them.
 #define GUSSET_DEFECT_BOW_TIE 4
 
-/// The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+/// Boundary loops of a mesh. It does not refer to the mesh.
 typedef struct gusset_boundary gusset_boundary;
 
-/// How loops are found; all zero is the default.
+/// Options of gusset_boundary_create.
 typedef struct gusset_boundary_options {
     size_t struct_size;
     gusset_non_manifold non_manifold;
     gusset_survey survey;
 } gusset_boundary_options;
 
-/// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
-/// vertices[0]. Pointers are valid until the boundary is destroyed.
+/// Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last edge of a loop to
+/// vertices[0].
 typedef struct gusset_loop_view {
     size_t struct_size;
-    /// The vertices in order, each once; a closed loop starts at its smallest half-edge.
+    /// Vertices, each once. A closed loop starts at its smallest half-edge.
     struct gusset_indices vertices;
-    /// The half-edge (position in face_corners) that each edge is.
+    /// Half-edge (position in face_corners) of each edge.
     struct gusset_indices half_edges;
-    /// The face that each edge borders.
+    /// Face beside each edge.
     struct gusset_indices faces;
-    /// GUSSET_EDGE_... of each edge: as many as half_edges.
+    /// GUSSET_EDGE_... bits of each edge.
     const uint8_t *edge_flags;
-    /// The sum of the edges' lengths, in the unit of the positions.
+    /// Sum of the edge lengths.
     double length;
-    /// Bits; 0 for an ordinary closed loop.
+    /// Properties of the loop; 0 if ordinary and closed.
     gusset_loop_flags flags;
-    /// The number of the walk that the loop was cut from.
+    /// Number of the walk that the loop was cut from.
     uint32_t walk;
 } gusset_loop_view;
 
-/// Something wrong or unusual in a mesh.
+/// Defect of a mesh.
 typedef struct gusset_defect {
     gusset_defect_kind kind;
-    /// The face, half-edge or vertex.
+    /// Face, half-edge or vertex.
     uint32_t index;
-    /// The second element of the kinds that have one, else UINT32_MAX.
+    /// Second element, if kind has one; otherwise UINT32_MAX.
     uint32_t other;
-    /// How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+    /// Number of half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; otherwise 0.
     uint32_t count;
 } gusset_defect;
 
-/// The loops of a boundary as a whole. Pointers are valid until the boundary is destroyed.
+/// Loop count and defects of a boundary.
 typedef struct gusset_boundary_view {
     size_t struct_size;
-    /// The number of loops and open chains; 0 if the mesh is closed. gusset_boundary_get_loop lends each.
+    /// Number of loops and open chains; 0 if the mesh is closed.
     size_t loop_count;
-    /// The number of walks that the loops were cut from. Loops that touch at vertices count as one walk where the walk
-    /// round the boundary passes from one loop to the next.
+    /// Number of walks that loops were cut from. Loops that touch share a walk if it passes from one to the other.
     size_t walk_count;
-    /// Degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and the bow-tie vertices on
-    /// its boundary. NULL if there are none.
+    /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on its boundary.
     const struct gusset_defect *defects;
-    /// The number of defects.
+    /// Number of defects.
     size_t defect_count;
 } gusset_boundary_view;
 
-/// Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only. Direction: a loop
-/// runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface is on the
-/// left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of its
-/// vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
-/// smallest half-edges. Walks along edges with three or more faces alone are left out; a loop that is cut out of
-/// another walk may have no edge with exactly one face. A face of fewer than three sides of different ends has no
-/// border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places are no errors: see
-/// the flags of each loop, and the defects.
+/// Finds all boundary loops of a mesh: chains of edges with exactly one face.
+/// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface is on the left and
+/// the hole on the right.
+/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have two vertices.
+/// - Loops are in the order of their smallest half-edges.
+/// - Walks along only edges with three or more faces are left out, except loops cut from other walks.
+/// - A face with fewer than three sides between different vertices lacks a border; its neighbours count as adjacent.
+/// - Defects are not errors.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, or O(H + B log B) for
-///     GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B)
+///     for B boundary edges; linear memory.
 /// @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_boundary_options *options,
     struct gusset_boundary **boundary);
 
-/// Destroys a boundary; NULL is allowed.
+/// Destroys a boundary.
 GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
 
-/// Lends the number of loops and all defects, valid until the boundary is destroyed.
+/// Lends the counts and defects of a boundary.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_get_view(const struct gusset_boundary *boundary,
     struct gusset_boundary_view *view);
 
-/// Lends loop number `index`, below loop_count of gusset_boundary_view.
-/// @param index its number, from 0.
+/// Lends one loop of a boundary.
+/// @param index below loop_count of gusset_boundary_view.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_get_loop(const struct gusset_boundary *boundary, size_t index,
     struct gusset_loop_view *view);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Checks: Reports everything wrong or unusual in a mesh. */
+/* ---- Checks: Reports the properties and defects of a mesh. */
 
-/// Bits that describe a mesh.
+/// Properties of a mesh.
 /// @bits
 typedef uint32_t gusset_mesh_flags;
-/// There are edges, and every one has exactly two faces; degenerate faces have none.
+/// The mesh has edges, each with exactly two faces.
 #define GUSSET_MESH_CLOSED 1
-/// No non-manifold edge and no non-manifold vertex.
+/// No edge or vertex is non-manifold.
 #define GUSSET_MESH_MANIFOLD 2
-/// No edge whose two faces run it in the same direction.
+/// The two faces of each edge run it in opposite directions.
 #define GUSSET_MESH_ORIENTED 4
-/// Faces can be turned over so that it becomes oriented.
+/// The mesh is oriented, or becomes so if faces are turned over.
 #define GUSSET_MESH_ORIENTABLE 8
 
-/// What a check found. Opaque and immutable; it keeps nothing of the mesh.
+/// Findings of a check. It does not refer to the mesh.
 typedef struct gusset_check gusset_check;
 
-/// Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
-/// destroyed.
+/// Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces have no edges.
 typedef struct gusset_check_view {
     size_t struct_size;
-    /// Vertices, unused ones too.
+    /// Vertices, including unused ones.
     uint32_t vertex_count;
-    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not degenerate. Degenerate
-    /// faces have no edges.
+    /// Distinct edges: pairs of different vertices, consecutive in a face.
     uint32_t edge_count;
     /// Faces.
     uint32_t face_count;
-    /// Pieces: faces that share an edge are in one.
+    /// Components: faces connected by shared edges.
     uint32_t component_count;
-    /// Walks round the boundary, fan by fan.
+    /// Walks along the boundary, as walk_count of gusset_boundary_view.
     uint32_t boundary_walk_count;
-    /// Bits.
     gusset_mesh_flags properties;
-    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
+    /// Used vertices - edges + all faces: the Euler characteristic if no face is degenerate.
     int64_t euler;
-    /// The number of handles of all components together; -1 if the mesh is not manifold or not orientable, or has a
-    /// degenerate face.
+    /// Handles of all components together. -1 if the mesh is not manifold or not orientable, or has a degenerate face.
     int64_t genus;
-    /// The half-edges of the edges with exactly one face.
+    /// Half-edges of edges with exactly one face.
     struct gusset_indices boundary_edges;
-    /// The first half-edge of each edge with three or more faces.
+    /// First half-edge of each edge with three or more faces.
     struct gusset_indices non_manifold_edges;
-    /// The ends of those edges, and the bow-ties.
+    /// Ends of non-manifold edges, and bow-ties.
     struct gusset_indices non_manifold_vertices;
-    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose own ends are
-    /// therefore among them, as a rule.
+    /// Vertices whose faces form more than one fan. Fans end at non-manifold edges, whose ends are usually included.
     struct gusset_indices bow_ties;
-    /// The first half-edge of each edge whose two faces run it in the same direction.
+    /// First half-edge of each edge whose two faces run it in the same direction.
     struct gusset_indices orientation_conflicts;
-    /// Faces with the same cycle of vertices, in either direction, as a face before them; degenerate ones apart.
+    /// Faces with the same cycle of vertices, in either direction, as an earlier face; none degenerate.
     struct gusset_indices duplicate_faces;
     /// Faces that repeat a vertex.
     struct gusset_indices degenerate_faces;
-    /// Faces without area that repeat none: their vector area is 0 up to rounding.
+    /// Other faces whose vector area is 0 up to rounding.
     struct gusset_indices zero_area_faces;
     /// Vertices that no face uses.
     struct gusset_indices unused_vertices;
 } gusset_check_view;
 
-/// Checks a mesh. What it finds is no error.
+/// Checks the topology of a mesh. Defects are not errors.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, struct gusset_check **check);
 
-/// Destroys a check; NULL is allowed.
+/// Destroys a check.
 GUSSET_API void gusset_check_destroy(struct gusset_check *check);
 
-/// Lends what the check found.
+/// Lends the findings of a check.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_get_view(const struct gusset_check *check,
     struct gusset_check_view *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Developments: Cuts surfaces open and lays them out in the plane with little distortion. */
+/* ---- Developments: Cuts surfaces open and flattens them with little distortion. */
 
-/// The distortion that a development minimises.
+/// Distortion that a development minimises.
 typedef uint32_t gusset_distortion;
-/// Lengths and areas: stretch and compression count alike, by the symmetric Dirichlet energy.
+/// Lengths and areas, stretch and compression alike: the symmetric Dirichlet energy.
 #define GUSSET_DISTORTION_SYMMETRIC 0
 /// Lengths: as rigid as possible.
 #define GUSSET_DISTORTION_RIGID 1
-/// Angles: a least squares conformal map, which may stretch areas.
+/// Angles: the least-squares conformal map, which may stretch areas.
 #define GUSSET_DISTORTION_CONFORMAL 2
 
-/// How a surface is developed; all zero is the default.
+/// Options of gusset_develop.
 typedef struct gusset_develop_options {
     size_t struct_size;
-    /// Which distortion is least.
     gusset_distortion distortion;
-    /// Darts at the most: cuts from the border of a chart to where its curvature is.
+    /// Largest number of darts: cuts from the border of a chart to where it is curved.
     uint32_t max_darts;
-    /// Vertices of the mesh, path after path, along which it is cut. Vertices that follow one another are connected by
-    /// the shortest path along edges; a path of one vertex cuts nothing.
+    /// Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
+    /// along edges. A path of one vertex cuts nothing.
     struct gusset_indices cuts;
-    /// Where each path begins among them, and the end of the last; empty for one path of all.
+    /// Start of each path in cuts, and the end of the last. Empty: one path.
     struct gusset_indices cut_offsets;
-    /// No more darts are made once no length changes by a larger factor; above 1, or 0: all darts are made.
+    /// Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
     double max_stretch;
-    /// Steps of each descent at the most; 0: 200. A chart whose border would meet itself takes more than one, and so
-    /// does one as rigid as possible.
+    /// Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    /// several descents. 0: 200.
     uint32_t max_iterations;
     uint32_t reserved;
 } gusset_develop_options;
 
 struct gusset_result;
 
-/// Lays a surface out in the plane with the least distortion: the pattern to cut it from. The surface is cut along the
-/// paths given. What is no disc then, as a tube, a closed surface, one with holes or handles, is opened along short
-/// paths. Each connected component of the rest is a chart. One that can be unfolded about its edges, as cylinders,
-/// cones and tangent developables in plane strips can, keeps the length of every edge to 1e-10 of it (of 1e-3 mean
-/// edges, if it is shorter), before rounding: charts lie beside one another, and far from the origin places are rounded
-/// more. It may overlap itself; triangles without area may then be turned over by rounding. Any other chart descends to
-/// the least distortion; no triangle is turned over, and the border does not meet itself, so that the map is one to
-/// one. Where that ends the descent early, its finish is STALLED. Darts are made as long as they lower the distortion:
-/// each is a cut from the border to the vertex whose scale in a conformal map would be the worst. The result is a flat
-/// mesh in the scalar type of the surface, with z = 0. It has the faces of the mesh in their order, each from its own
-/// first corner and all counterclockwise in the plane. Charts are turned so that the mean square of their borders'
-/// distances from the middle is greatest along x. A vertex on a cut becomes several; of merged vertices the smallest is
-/// meant. Edges of three or more faces, and those whose two faces disagree in orientation, are borders, and no cuts.
-/// Polygons are measured by triangles they are cut into; a triangle flatter than 1e-7 of its longest side, or smaller
-/// than 1e-7 of the mean edge, counts as that large. Conformal maps have the area of the surface. Nets and sheets are
-/// developed by their meshes; see gusset_net_to_mesh and gusset_sheet_to_mesh.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (a vertex of
-///     a cut; the report's input is the cut, the index the place in it), CUT_NOT_CONNECTED (the same), REPEATED_CORNER
-///     (a face)
-/// @complexity O(H log H) for H half-edges if charts unfold; else, for each step of the descent and each dart, O(n^1.5)
-///     for n vertices of the chart. Memory O(n log n).
+/// Flattens a surface with the least distortion, as a pattern to cut it from.
+/// The surface is cut along the given paths. Components that are not discs are then opened along short paths. Each
+/// connected component of the rest is a chart. The result has the scalar type of the surface and z = 0; its faces keep
+/// their order and first corners, and are counter-clockwise. For nets and sheets, see gusset_net_to_mesh and
+/// gusset_sheet_to_mesh.
+/// - A chart that unfolds about its edges keeps their lengths: cylinders, cones, tangent developables in plane strips.
+///   The error is at most 1e-10 of the length, or of 1e-3 mean edges if more, before rounding, which grows with the
+///   distance from the origin. The chart may overlap itself, and rounding may turn over triangles without area.
+/// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned over, and the border
+///   does not meet itself. If this ends the descent early, finish is GUSSET_CHART_STALLED.
+/// - Darts are made while they lower the distortion, from the border to the vertex with the worst scale in a conformal
+///   map.
+/// - Each chart is turned so that its border has the greatest variance along x.
+/// - A vertex on a cut becomes several. Merged vertices count as the smallest.
+/// - Edges with three or more faces, or two that disagree in orientation, are borders, not cuts.
+/// - Polygons are measured by triangles. A triangle flatter than 1e-7 of its longest side, or smaller than 1e-7 of the
+///   mean edge, counts as that large.
+/// - A conformal map has the area of the surface.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input of the
+///     report is the cut, index the place in it), CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
+/// @complexity O(H log H) for H half-edges if charts unfold; otherwise O(n^1.5) for n vertices of a chart, each step
+///     and each dart; memory O(n log n).
 /// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B. Levy et al., Least
 ///     squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology generators
 ///     (2005), for the cuts that open; M. Ben-Chen et al., Conformal flattening by curvature prescription and metric
@@ -625,100 +609,95 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_develop(const struct gusset_cont
 
 struct gusset_develop_report;
 
-/// Lends the places in the plane, the places they come from, and the report on each chart, for results of
-/// gusset_develop.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the flat points, charts and cuts, for a result of gusset_develop.
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_develop(const struct gusset_result *result,
     struct gusset_develop_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Developments: reports: Charts, cuts and distortion of a development. */
+/* ---- Developments: reports: Charts, cuts and distortion of a development. */
 
-/// How a chart was laid out.
+/// Outcome of the layout of a chart.
 typedef uint32_t gusset_chart_finish;
-/// By unfolding about edges: every edge has its length.
+/// Unfolded about edges: all edges keep their lengths.
 #define GUSSET_CHART_EXACT 0
-/// By descent until nothing was gained.
+/// Descended until nothing was gained.
 #define GUSSET_CHART_CONVERGED 1
-/// By descent, ended by the number of steps.
+/// Descended until max_iterations.
 #define GUSSET_CHART_ITERATION_LIMIT 2
-/// The conformal map that was asked for.
+/// The requested conformal map.
 #define GUSSET_CHART_CONFORMAL 3
-/// The conformal map folds or overlaps: the chart has the least symmetric distortion instead.
+/// The map with the least symmetric distortion, because the conformal map folds or overlaps.
 #define GUSSET_CHART_NOT_CONFORMAL 4
-/// No map without folds was found: some triangles are turned over.
+/// Some triangles are turned over, because no map without folds was found.
 #define GUSSET_CHART_FOLDED 5
-/// By descent until no step was possible that gains: the border would meet itself, or rounding hides it. Cuts or darts
-/// may help.
+/// Descended until no step gained: the border would meet itself, or rounding hides the gain. Cuts or darts may help.
 #define GUSSET_CHART_STALLED 6
 
-/// The reason for a cut.
+/// Reason for a cut.
 typedef uint32_t gusset_cut_kind;
-/// On a path that was given.
+/// On a given path.
 #define GUSSET_CUT_GIVEN 0
-/// To make a disc of a chart.
+/// To open a component to a disc.
 #define GUSSET_CUT_OPENING 1
 /// For a dart.
 #define GUSSET_CUT_DART 2
 
-/// A chart: a connected component of the development.
+/// Connected component of a development.
 typedef struct gusset_chart {
-    /// Its first vertex among those of the result.
+    /// First vertex of the chart in the result. Its vertices are consecutive.
     uint32_t first_vertex;
-    /// How many follow one another.
+    /// Number of vertices.
     uint32_t vertex_count;
-    /// The number of its faces; see face_charts.
+    /// Number of faces.
     uint32_t face_count;
-    /// How it came about.
     gusset_chart_finish finish;
-    /// Steps of all its descents.
+    /// Steps of all descents.
     uint32_t iterations;
-    /// Pairs of edges of its border that meet in the plane, neighbours apart; of EXACT charts those that cross by more
-    /// than 1e-8 of the root of the area. Only EXACT and FOLDED charts can have some.
+    /// Pairs of border edges that meet in the plane, except neighbours. With GUSSET_CHART_EXACT, only crossings by more
+    /// than 1e-8 of the root of the area count. 0 unless finish is GUSSET_CHART_EXACT or GUSSET_CHART_FOLDED.
     uint32_t overlaps;
-    /// Triangles that are turned over; 0 but for FOLDED.
+    /// Triangles that are turned over. 0 unless finish is GUSSET_CHART_FOLDED.
     uint32_t folds;
     uint32_t reserved;
-    /// The symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 over both singular values s
-    /// of the map to the plane; 4 for an isometry, which has the least.
+    /// Symmetric Dirichlet energy: the mean over the area of s^2 + 1 / s^2, summed over both singular values s of the
+    /// map to the plane. The least is 4, for an isometry.
     double energy;
-    /// The largest factor by which a length grows.
+    /// Largest factor by which a length grows.
     double max_stretch;
-    /// The least.
+    /// Smallest factor by which a length grows.
     double min_stretch;
-    /// The area of the surface, in the squared unit of the positions.
+    /// Area of the surface.
     double area;
-    /// The area in the plane.
+    /// Area in the plane.
     double flat_area;
 } gusset_chart;
 
-/// Where a surface lies in the plane. Pointers are valid until the result is destroyed.
+/// Points, charts and cuts of a development.
 typedef struct gusset_develop_report {
     size_t struct_size;
-    /// x, y of each vertex in the plane, in the unit of the positions, in double precision whatever their type.
+    /// x, y of each vertex in the plane, always in double precision.
     const double *points;
-    /// Of each vertex, that of the surface that it is; vertices on cuts are several.
+    /// Vertex of the surface for each vertex. Vertices on cuts repeat.
     struct gusset_indices vertex_map;
-    /// Of each face its chart.
+    /// Chart of each face.
     struct gusset_indices face_charts;
-    /// Of each face two numbers: the largest factor by which lengths in it grow, and the least.
+    /// Largest and smallest factor by which lengths grow, two numbers for each face.
     const double *stretches;
-    /// Charts, in the order of their first faces. They lie beside one another along x.
+    /// Charts in the order of their first faces, side by side along x.
     const struct gusset_chart *charts;
-    /// How many.
+    /// Number of charts.
     size_t chart_count;
-    /// Edges of the surface that were cut, two vertices an edge; first those given, then those that open, then darts.
+    /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
     struct gusset_indices cut_edges;
-    /// Of each of them GUSSET_CUT_...
+    /// GUSSET_CUT_... of each cut edge.
     struct gusset_indices cut_kinds;
-    /// The number of darts.
+    /// Number of darts.
     uint32_t darts;
     uint32_t reserved;
 } gusset_develop_report;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Options of stitching: How a strip is chosen, subdivided and smoothed. */
+/* ---- Options of stitching: How a strip is chosen, subdivided and smoothed. */
 
 /// The rule that chooses meridians.
 typedef uint32_t gusset_meridians;
@@ -779,8 +758,8 @@ typedef uint32_t gusset_intersections;
 /// - faired rows are taken back in places, up to 12 times, until nothing cuts or nothing is left to take back; if the
 ///   straight rows cut less in the end, they are kept;
 /// - blends are taken back likewise, and made with less fairing where they still cut; the one that cuts least is kept,
-///   or the strip if that cuts less than every blend. All other strips stay as they are: rows that are not faired,
-///   quads, and other meridians.
+///   or the strip if that cuts less than every blend.
+/// All other strips stay as they are: rows that are not faired, quads, and other meridians.
 #define GUSSET_INTERSECTIONS_AUTO 0
 /// They are not looked for: rows are faired in full, and the first blend is kept.
 #define GUSSET_INTERSECTIONS_IGNORE 1
@@ -921,8 +900,7 @@ typedef struct gusset_stitch_options {
     uint32_t reserved;
 } gusset_stitch_options;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Facing arcs: Finds which vertices of two loops face each other. */
+/* ---- Facing arcs: Finds which vertices of two loops face each other. */
 
 /// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
 typedef struct gusset_facing gusset_facing;
@@ -992,253 +970,235 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_get_view(const struct gus
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_meridians_index(uint32_t n, uint32_t m, uint32_t *j, size_t capacity,
     size_t *written);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Holes: reports: What filling did to each hole. */
+/* ---- Holes: reports: The outcome for each loop. */
 
-/// The weight that the triangulation of a rim minimises.
+/// Weight that the triangulation of a hole minimises.
 typedef uint32_t gusset_fill_weight;
-/// The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges, the rim's
-/// included, t being the angle between the normals on both sides, and over the triangles of the mean square of how far
-/// the surface that was there is likely to have been from them, as its tangent planes at the rim say, in units of 1 /
-/// 140 of its length. By area alone if it is planar.
+/// Best continuation of the surrounding surface: the area if the rim is planar, otherwise the sum of
+/// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
+/// - the mean squared distance of the triangles from the missing surface, estimated from the tangent planes at the rim,
+///   in units of 1/140 of its length.
 #define GUSSET_WEIGHT_CONTINUATION 0
-/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between
-/// its faces.
+/// Sum of the areas and, over all edges, the rim included, squared length times 1 - cosine of the angle between the
+/// normals.
 #define GUSSET_WEIGHT_AREA_AND_BEND 1
-/// The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa
-/// has it.
+/// Largest angle between neighbouring faces, old faces at the rim included; then the area.
 #define GUSSET_WEIGHT_BEND_THEN_AREA 2
-/// The least area, exactly.
+/// Area, minimised exactly for a single loop of at most 128 vertices.
 #define GUSSET_WEIGHT_AREA 3
 
-/// The vertices of a patch.
+/// Vertices of a patch.
 typedef uint32_t gusset_patch_finish;
-/// Triangles between the vertices of the rims.
+/// Rim vertices only.
 #define GUSSET_PATCH_PLAIN 0
-/// With new vertices, where the plain triangles are, but for those beside creases that go on.
+/// New vertices on the plain triangles, except beside creases that continue.
 #define GUSSET_PATCH_REFINED 1
-/// With new vertices, faired.
+/// New vertices, faired.
 #define GUSSET_PATCH_FAIRED 2
 
-/// The outcome for one loop.
+/// Outcome for one loop.
 typedef uint32_t gusset_hole_status;
 /// Filled; with plan_only, to be filled.
 #define GUSSET_HOLE_FILLED 0
-/// Left: it is no hole, as keep has it.
+/// Left open: keep excludes it.
 #define GUSSET_HOLE_KEPT 1
-/// Left: it exceeds max_edges, max_length, max_diameter or max_area.
+/// Left open: it exceeds max_edges, max_length, max_diameter or max_area.
 #define GUSSET_HOLE_TOO_LARGE 2
-/// Left: an open chain.
+/// Left open: it is an open chain.
 #define GUSSET_HOLE_OPEN 3
-/// Left: it runs along an edge with three or more faces.
+/// Left open: it runs along an edge with three or more faces.
 #define GUSSET_HOLE_NON_MANIFOLD 4
-/// Left: the faces along it disagree in orientation.
+/// Left open: the faces along it disagree in orientation.
 #define GUSSET_HOLE_NOT_ORIENTED 5
-/// Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+/// Left open: a given loop has fewer than three vertices, or passes a vertex twice.
 #define GUSSET_HOLE_NOT_SIMPLE 6
-/// Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+/// Left open: an edge of a given loop does not have exactly one face, or belongs to an earlier loop.
 #define GUSSET_HOLE_NOT_FREE 7
-/// Left: every triangulation would have an edge between two vertices of one old face, which is an edge of the mesh or
-/// becomes one once its polygons are cut into triangles; or none was found that closes all loops together which are to
-/// get one patch, as where two of them share a vertex.
+/// Left open: every triangulation has an edge between two vertices of one old face, or no shared patch was found.
 #define GUSSET_HOLE_NO_TRIANGULATION 8
 
-/// The account of one loop.
+/// Report on one loop.
 typedef struct gusset_hole {
-    /// Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before closed components
-    /// were turned outwards, or, of a given loop that is not simple, free or oriented, as given.
+    /// First vertex of the loop in rims, with the surface on the left before closed components were turned outwards. A
+    /// given loop that is not simple, free or oriented is as given.
     size_t rim_first;
-    /// How many they are.
+    /// Number of its vertices.
     size_t rim_count;
-    /// Its patch's first face in the result: the faces and the new vertices of a patch of several loops are in the
-    /// accounts of all of them.
+    /// First face of the patch in the result. Loops that share a patch have the same faces and vertices.
     size_t face_first;
-    /// How many faces the patch has.
+    /// Number of its faces.
     size_t face_count;
-    /// The patch's first new vertex in the result.
+    /// First new vertex of the patch in the result.
     size_t vertex_first;
-    /// How many new vertices the patch has.
+    /// Number of these.
     size_t vertex_count;
-    /// The sum of its edges' lengths, in the unit of the positions.
+    /// Length of the loop.
     double length;
-    /// The diagonal of the box round it, along the axes.
+    /// Diagonal of the axis-aligned box of the loop.
     double diameter;
-    /// The area of the cone of triangles from its edges to their common centre: that of the hole if it is planar and
-    /// convex, more otherwise.
+    /// Area of the triangles from the edges of the loop to the mean of its vertices: the area of a planar convex hole,
+    /// more for others.
     double area;
     gusset_hole_status status;
-    /// The weight that the patch's triangulation is best by: the one asked for, or one that cuts less.
+    /// Weight of the triangulation: as requested, or one with fewer intersections.
     gusset_fill_weight weight;
-    /// What the patch is made of: what was asked for, or less, which cuts less.
+    /// Finish of the patch: as requested, or simpler with fewer intersections.
     gusset_patch_finish finish;
-    /// The number of the patch, from 0 on in the order of the faces; loops with the same number have one patch.
-    /// UINT32_MAX if it has none, as all have in a plan.
+    /// Number of the patch, from 0, in the order of faces; equal for loops that share it. UINT32_MAX: no patch, always
+    /// with plan_only.
     uint32_t patch;
 } gusset_hole;
 
-/// The accounts of all loops. Pointers are valid until the result is destroyed.
+/// Reports on all loops.
 typedef struct gusset_fill_report {
     size_t struct_size;
-    /// One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_get_loop numbers
-    /// them. NULL if there are none.
+    /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
     const struct gusset_hole *holes;
-    /// How many.
+    /// Number of loops.
     size_t hole_count;
-    /// The vertices of all rims.
+    /// Vertices of all loops.
     struct gusset_indices rims;
-    /// Of each new vertex, in their order, three vertices of its patch's rims.
+    /// Three rim vertices for each new vertex, in the order of the new vertices.
     struct gusset_indices parents;
-    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without new vertices. They
-    /// place it at the nearest point of the plain triangulation of the rims, which it is itself if its patch was
-    /// neither faired nor creased, or if the hole is flat.
+    /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest point on the plain
+    /// triangulation of the rims: the vertex itself if its patch is flat, or is not faired and not creased.
     const double *weights;
-    /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first, which is a new
-    /// face's; ascending. What they share, a vertex or an edge, is no cut, nor are vertices and edges at the same
-    /// place; any other touch is. Exact.
+    /// Pairs of intersecting faces, ascending, the larger index first: a new face. Every contact counts, decided
+    /// exactly, except at shared or coincident vertices and edges.
     struct gusset_indices intersections;
-    /// Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first
-    /// corner and has the others in reverse order.
+    /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the others are reversed.
     struct gusset_indices turned_outwards;
-    /// 1 if intersections were looked for, 0 if not.
+    /// 1 if intersections were looked for, otherwise 0.
     uint32_t intersections_known;
     uint32_t reserved;
 } gusset_fill_report;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Holes: Closes holes by new triangles. */
+/* ---- Holes: Closes holes by new triangles. */
 
-/// The loops that are not holes.
+/// Loops that are not holes.
 typedef uint32_t gusset_fill_keep;
 /// All loops are holes.
 #define GUSSET_KEEP_NONE 0
-/// The longest loop is none: the outline of an open sheet.
+/// The longest loop (the first of equals), as the outline of a sheet.
 #define GUSSET_KEEP_LONGEST 1
-/// Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the sheet: whose area
-/// vector points as that of their component, and is at least half as long as its area.
+/// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their
+/// component's, and a length of at least half the component's area.
 #define GUSSET_KEEP_BORDERS 2
 
-/// The loops that get one patch.
+/// Loops that share a patch.
 typedef uint32_t gusset_fill_together;
-/// Each loop gets a patch of its own.
+/// Each loop gets its own patch.
 #define GUSSET_TOGETHER_APART 0
-/// All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one plane, up to some
-/// 160 loops.
+/// All filled loops share one patch of genus 0. If they are not coplanar, the limit is about 160 loops.
 #define GUSSET_TOGETHER_ONE 1
-/// Loops get one patch where that costs less, by the weight asked for, than patches of their own. Loops whose boxes,
-/// each larger on all sides by half its diagonal, meet are tried, the pair that gains most first: about 8 pairs for
-/// each loop and 256 in all, as the log says, and at most 16 loops for a patch. By area alone the ends of a short tube
-/// cost less together, along the tube itself.
+/// Loops share a patch where it has less weight than separate patches.
+/// - Tried are pairs whose boxes overlap after each grows on all sides by half its diagonal, about 8 for each loop and
+///   256 in all (the log says if exceeded).
+/// - The pair with the largest relative gain comes first. A patch has at most 16 loops.
+/// - With GUSSET_WEIGHT_AREA, the ends of a short tube share a patch along the tube.
 #define GUSSET_TOGETHER_CHEAPEST 2
 
-/// The new vertices of patches.
+/// New vertices of patches.
 typedef uint32_t gusset_fill_refinement;
 /// No new vertices.
 #define GUSSET_REFINE_NONE 0
-/// New vertices as dense as those round the hole.
+/// New vertices as dense as the vertices around the hole.
 #define GUSSET_REFINE_RIM_DENSITY 1
 
-/// How smoothly faired patches continue the old surface.
+/// Smoothness between faired patches and the old surface.
 typedef uint32_t gusset_fill_continuity;
-/// Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is least.
+/// Tangent continuity: fairing minimises the squared Laplacian.
 #define GUSSET_CONTINUITY_C1 0
-/// They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old faces round
-/// each rim have a say, and with them their noise.
+/// Curvature continuity: fairing minimises the squared gradient of the Laplacian. Two rings of old faces around each
+/// rim, with their noise, determine the curvature.
 #define GUSSET_CONTINUITY_C2 1
 
-/// How holes are filled; all zero is the default: triangles without new vertices, in every hole.
+/// Options of gusset_fill. Default: all holes, without new vertices.
 typedef struct gusset_fill_options {
     size_t struct_size;
     gusset_fill_weight weight;
     gusset_fill_refinement refine;
-    /// Read if new vertices are asked for; otherwise the log says that it is not.
+    /// Fairing of new vertices. Without new vertices it is ignored, and the log says so.
     gusset_fairing fairing;
-    /// Which loops are no holes; read if all loops are asked for.
+    /// Loops that stay open. Read only if all loops are selected.
     gusset_fill_keep keep;
-    /// Whether faces of patches that cut each other or old faces are looked for, and avoided by less fairing, other
-    /// weights and no new vertices (AUTO), only reported (REPORT), or neither (IGNORE).
+    /// Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
+    /// reports them, IGNORE does not look for them.
     gusset_intersections intersections;
-    /// 1: nothing is filled or turned over; the accounts say which loops would be tried, and with which weight and
-    /// finish. Loops that turn out to have no triangulation are not foreseen, nor which of them together says get one
-    /// patch. 0 or 1.
+    /// If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
+    /// does not predict failed triangulations or shared patches.
     /// @flag
     uint32_t plan_only;
-    /// About how many new vertices a patch gets, at most about twice as many; where more would be needed the triangles
-    /// are larger. 0: 50,000, or four for each vertex of its rims if that is more, and as many again for sharp angles
-    /// there.
+    /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0: 50,000,
+    /// or 4 for each rim vertex if more, and as many again for sharp angles there.
     uint32_t max_new_vertices;
-    /// Loops of more edges are left alone. 0 is no limit.
+    /// Most edges of a loop to fill. 0: no limit.
     uint32_t max_edges;
-    /// Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+    /// Largest length of a loop to fill, at least 0. 0: no limit.
     double max_length;
-    /// Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+    /// Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
     double max_diameter;
-    /// Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
+    /// Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
     double max_area;
-    /// What becomes of closed components of the result, patches and all.
+    /// Orientation of closed components of the result, patches included.
     gusset_outward outward;
-    /// Which loops get one patch; read without groups.
+    /// Choice of loops that share a patch. Read only without groups.
     gusset_fill_together together;
-    /// A number for each of the loops given, loop_count in all: those with the same number get one patch, a surface of
-    /// genus 0 between them, but for loops that are left for reasons of their own. NULL: as together says. Needs loops.
+    /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
+    /// loops left open for their own reasons. NULL: see together.
     const uint32_t *groups;
-    /// How smoothly faired vertices go on the surface round the hole.
     gusset_fill_continuity continuity;
-    /// 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or 1.
+    /// If 1, creases of the old surface end at the rim.
     /// @flag
     uint32_t ignore_creases;
 } gusset_fill_options;
 
-/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them. Loops that cannot
-/// be filled are left, which is no error: the account of each says why. The result has the old vertices with their bits
-/// and indices, then the new ones; the old faces, which are turned over only if outward says so, then the new
-/// triangles, hole by hole. No new edge joins two vertices of one old face, so that a result that is closed stays so
-/// when its polygons are cut into triangles. A planar hole gets no overlaps by the default weight and by area, however
-/// concave it is, also one round islands, if its rims do not cross. Creases of the old surface that end at a rim go on
-/// across the patch, by plain triangles where they are straight: joined in pairs, or three and more in a new vertex
-/// where they meet. A crease without a counterpart ends at the rim. Patches of several loops have none, and with
-/// ignore_creases none has. Several loops get one patch where options.groups or options.together says so: a surface of
-/// genus 0 between them. If none is found, by a search that is not complete, or two of the loops share a vertex, all of
-/// them are left; GUSSET_TOGETHER_CHEAPEST leaves such loops apart. Faces of a patch that cut each other or old faces
-/// are looked for, exactly. Where there are any, less fairing, the other weights and no new vertices are tried, and
-/// what cuts least is taken; the view has the pairs that are left. No faired vertex leaves the box round its rims,
-/// larger on all sides by half its diagonal.
-/// @param loops the vertices of each loop in order, in either direction, each consecutive pair (and the last with the
-///     first) an edge with exactly one face; loop_count of them. NULL with 0: all loops that the mesh has.
-/// @param loop_count see loops.
-/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in the loop, whose number is the report's input),
+/// Fills holes of a mesh: closes boundary loops by triangles, oriented like the surrounding surface.
+/// Loops that cannot be filled stay open; gusset_hole gives the reason. The result has the old vertices, with their
+/// bits, then the new ones; the old faces, then the new triangles, hole by hole.
+/// - No new edge joins two vertices of one old face: a closed result stays closed when its polygons are triangulated.
+/// - With the default weight or GUSSET_WEIGHT_AREA, a planar hole, even with islands, gets no overlapping triangles if
+///   its rims do not cross.
+/// - In a patch of one loop, creases of the old surface continue: matching pairs are joined, three or more meet in a
+///   new vertex. Without new vertices, only straight pairs are joined. Other creases end at the rim.
+/// - Loops of a shared patch stay open if two of them share a vertex or the search, which is not exhaustive, fails.
+///   GUSSET_TOGETHER_CHEAPEST gives them separate patches.
+/// - A patch that intersects itself or other faces, by an exact test, is retried with less fairing, other weights and
+///   no new vertices. The one with the fewest intersections is kept.
+/// - Faired vertices stay in the box of the rims, grown on all sides by half its diagonal.
+/// @param loops vertices of each loop in order, in either direction. Consecutive vertices, and the last and the first,
+///     form an edge with exactly one face. NULL with loop_count 0: all loops.
+/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input of the report is the loop, index the place in it),
 ///     NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
-/// @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of least area:
-///     exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by ear, O(n log n); linear memory.
-///     Several loops of n vertices in all: O(n log n) if they are few, O(n^3) if they are many. Besides O(H log d) for
-///     H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts:
-///     O(n log n) for n faces near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops that
-///     touch at one vertex look at each other's edges there.
+/// @complexity O(n^3) time, 30 n^2 bytes for a loop of n <= 128 vertices. Otherwise linear memory: O(n), coarse to
+///     fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for many. Also O(H log d) for H
+///     half-edges, at most d at a vertex, O(m^1.5) for m new vertices of a hole, and O(n log n), at worst O(n^2), for
+///     intersections with n faces near holes.
 /// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_fill(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_indices *loops, size_t loop_count,
     const struct gusset_fill_options *options, struct gusset_result **result);
 
-/// Lends the reports of the loops, for results of gusset_fill.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the report on each loop, for a result of gusset_fill.
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_fill(const struct gusset_result *result,
     struct gusset_fill_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Joining: Joins many open pieces to one mesh. */
+/* ---- Joining: Joins many open pieces to one mesh. */
 
 struct gusset_join_options;
 
 /// Joins open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
-/// across a gap stitched, holes filled, and closed components turned outwards, as the options say. That two loops
-/// cannot be joined is no failure: each joint has its outcome. Loops of different components face each other as wholes
-/// if nearly all vertices of each (9/10) are nearest to the other loop, and from similar distances (the ninth decile is
-/// at most four times the first, or the spacing of the vertices) or so that the nearest vertices go round the other
-/// loop once; else runs of neighbouring vertices that are nearest to each other face each other, and are joined by open
-/// strips. What faces nothing is left alone. Pieces that overlap are not cut unless overlaps says so: where two lie on
-/// each other, their borders face each other and enclose what is between. Vertices of the result: those of the pieces
-/// in order, then those of the strips, then those of the patches; faces in the same way. Positions are of the scalar
-/// type of the first piece, and old ones keep their bits.
+/// across a gap stitched, holes filled, and closed components turned outwards, as the options say.
+/// That two loops cannot be joined is no failure: each joint has its outcome.
+/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the
+/// other loop, and from similar distances (the ninth decile is at most four times the first, or the spacing of the
+/// vertices) or so that the nearest vertices go round the other loop once; else runs of neighbouring vertices that are
+/// nearest to each other face each other, and are joined by open strips. What faces nothing is left alone. Pieces that
+/// overlap are not cut unless overlaps says so: where two lie on each other, their borders face each other and enclose
+/// what is between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the
+/// patches; faces in the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's struct_size says, at least
 ///     one; each may have several components.
 /// @param piece_count see pieces.
@@ -1264,8 +1224,7 @@ struct gusset_join_report;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_join(const struct gusset_result *result,
     struct gusset_join_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Options of joining: Which borders are joined, and how. */
+/* ---- Options of joining: Which borders are joined, and how. */
 
 /// The treatment of coincident borders of pieces.
 typedef uint32_t gusset_welding;
@@ -1362,8 +1321,7 @@ typedef struct gusset_join_options {
     const struct gusset_trim_options *trim_options;
 } gusset_join_options;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Joining: reports: What became of each joint and each loop. */
+/* ---- Joining: reports: What became of each joint and each loop. */
 
 /// The outcome for two loops that face each other.
 typedef uint32_t gusset_joint_outcome;
@@ -1409,10 +1367,10 @@ typedef struct gusset_piece_map {
     struct gusset_indices faces;
 } gusset_piece_map;
 
-/// Two loops, or runs of loops, that face each other across a gap. Of two borders that coincide along a part only,
-/// sewing leaves loops that run along the rest of one and back along the other; they turn at two vertices that sewing
-/// made of several. Such a loop may be joined with itself: both sides are on it, one of them with both ends, whole is
-/// 0, and the strip has no interior rows whatever the options say.
+/// Two loops, or runs of loops, that face each other across a gap.
+/// Of two borders that coincide along a part only, sewing leaves loops that run along the rest of one and back along
+/// the other; they turn at two vertices that sewing made of several. Such a loop may be joined with itself: both sides
+/// are on it, one of them with both ends, whole is 0, and the strip has no interior rows whatever the options say.
 typedef struct gusset_joint {
     /// The vertices of each side in the result, in order; if joined, side by side from the first meridian on. The order
     /// is that of before closed components were turned outwards.
@@ -1502,58 +1460,57 @@ typedef struct gusset_join_report {
     uint32_t reserved;
 } gusset_join_report;
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Orientation: Turns faces over until neighbours agree. */
+/* ---- Orientation: Turns faces over until neighbours agree. */
 
-/// How to orient; all zero is the default.
+/// Options of gusset_orient.
 typedef struct gusset_orient_options {
     size_t struct_size;
+    /// Orientation of closed components.
     gusset_outward outward;
     uint32_t reserved;
 } gusset_orient_options;
 
-/// What was turned, and what could not be oriented. Pointers are valid until the result is destroyed.
+/// Faces that were turned over, and components that cannot be oriented.
 typedef struct gusset_orient_report {
     size_t struct_size;
-    /// Per face, 1 if it was turned over, else 0.
+    /// For each face, 1 if it was turned over, otherwise 0.
     const uint8_t *turned;
-    /// The number of faces.
+    /// Number of faces.
     size_t face_count;
-    /// The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
+    /// Smallest face of each non-orientable component, ascending.
     struct gusset_indices one_sided_faces;
-    /// For each of them, a half-edge of it at which two faces disagree when others agree.
+    /// For each non-orientable component, a half-edge at which its faces cannot agree.
     struct gusset_indices one_sided_half_edges;
-    /// The number of faces turned over.
+    /// Number of faces turned over.
     uint32_t turned_faces;
-    /// Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
+    /// Number of components: faces connected across edges with two faces. A degenerate face is a component.
     uint32_t component_count;
-    /// Closed components that face outwards now and, without GUSSET_OUTWARD_CLOSED, would not.
+    /// Number of closed components that face outwards only because of GUSSET_OUTWARD_CLOSED.
     uint32_t inverted_components;
     uint32_t reserved;
 } gusset_orient_report;
 
-/// Turns faces over until faces that share an edge of two faces run it in opposite directions. In each component as few
-/// faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three or more faces
-/// connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
-/// turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions,
-/// order of faces.
+/// Turns faces over until the two faces of each edge run it in opposite directions.
+/// In each component the fewest faces are turned; on a tie, its smallest face stays. Edges with three or more faces
+/// connect nothing. A non-orientable component, such as a Moebius strip, stays unchanged and is listed. A turned face
+/// keeps its first corner; the others are reversed. Vertices and the order of faces do not change.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_orient(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_orient_options *options, struct gusset_result **result);
 
-/// Lends the flags, lists and counts, for results of gusset_orient.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the flags, lists and counts, for a result of gusset_orient.
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct gusset_result *result,
     struct gusset_orient_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Results: The mesh that an operation makes, with the report of the operation. */
+/* ---- Results: The mesh that an operation makes, with the report of the operation. */
 
 /// A mesh that an operation made, with the report of that operation. Opaque and immutable; it keeps nothing of the
-/// inputs. gusset_join, gusset_stitch, gusset_strip, gusset_fill, gusset_weld, gusset_sew, gusset_orient,
-/// gusset_develop, gusset_net_to_mesh and gusset_sheet_to_mesh make results. Each operation has a report of its own:
+/// inputs.
+/// gusset_join, gusset_stitch, gusset_strip, gusset_fill, gusset_weld, gusset_sew, gusset_orient, gusset_develop,
+/// gusset_net_to_mesh and gusset_sheet_to_mesh make results. Each operation has a report of its own:
 /// gusset_result_get_join and so on.
 typedef struct gusset_result gusset_result;
 
@@ -1593,8 +1550,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_mesh(const struct gus
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct gusset_result *result,
     struct gusset_quality_report *quality);
 
-/// Finds where the vertices, corners and faces of a result come from. The inputs are the meshes or pieces of the
-/// operation in their order, or its one mesh, net or sheet:
+/// Finds where the vertices, corners and faces of a result come from.
+/// The inputs are the meshes or pieces of the operation in their order, or its one mesh, net or sheet:
 /// - a strip has two polylines, which have neither corners nor faces; nor have its corners and faces any sources;
 /// - a corner that gusset_sew added on an edge has the corners of its face at both ends of that edge;
 /// - each vertex of a development comes from one vertex, and its corners and faces are those of the surface;
@@ -1609,61 +1566,58 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct 
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_origins_create(const struct gusset_context *context,
     const struct gusset_result *result, struct gusset_origins **origins);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Sewing: Joins coincident borders, also where their vertices do not match. */
+/* ---- Sewing: Joins coincident borders, also where their vertices do not match. */
 
-/// What became of the old mesh. Lists are ascending; pointers are valid until the result is destroyed.
+/// Effects of sewing. Lists are ascending.
 typedef struct gusset_sew_report {
     size_t struct_size;
-    /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
     struct gusset_indices vertex_map;
-    /// Per old face, the index in the result of the first face that it became; UINT32_MAX if it was dropped.
+    /// Index in the result of the first part of each old face; UINT32_MAX if dropped.
     struct gusset_indices face_map;
-    /// Per face of the result, the old face that it is, or is a part of; ascending.
+    /// Old face of each face of the result.
     struct gusset_indices face_origin;
-    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
+    /// Old vertices that coincide with another, or lie inside a boundary edge, and were not sewn to it.
     struct gusset_indices left_vertices;
-    /// Vertices that became one with a smaller one.
+    /// Number of vertices merged into a smaller one.
     uint32_t welded_vertices;
-    /// Edges of two faces that were free edges, or parts of such.
+    /// Number of edges with two faces made from boundary edges or parts of them.
     uint32_t sewn_edges;
-    /// Points at which free edges were split.
+    /// Number of points at which boundary edges were split.
     uint32_t splits;
-    /// Old faces that were cut or gained corners.
+    /// Number of old faces that were cut or gained corners.
     uint32_t split_faces;
-    /// Old faces that were dropped.
+    /// Number of dropped old faces.
     uint32_t dropped_faces;
     uint32_t reserved;
-    /// How far apart what lies together was allowed to be, short edges apart; 0 for equal positions.
+    /// Largest distance at which elements coincide, except at short edges; 0 for equal positions.
     double tolerance;
 } gusset_sew_report;
 
-/// Sews borders that lie on one another, also where their vertices do not match. Vertices are welded first, as by
-/// gusset_weld. Where a vertex of one border then lies inside a free edge of another (a T-junction), the edge is split
-/// there, if that makes pieces of which exactly two lie on one another; triangles with split edges are cut into
-/// triangles, none of them turned over, and larger faces gain corners. Then borders are welded again. So the result has
-/// no edge of three or more faces and no degenerate face that welding alone would not have made. Vertices that lie
-/// inside an edge which is not split there are listed as left, as are those that welding leaves. A vertex lies inside
-/// an edge that is longer than twice the tolerance if it is within the tolerance of it and beyond that from both its
-/// ends. By default it is that of welding: see gusset_weld_options. The result has the old faces in their order, and
-/// the parts of one in place of it, one after the other. Of vertices made one the smallest is left, and its position
-/// keeps its bits; new vertices have the position of an old one.
-/// @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded before edges are
-///     split, and borders after it.
-/// @errors as gusset_weld, TOO_LARGE (the result has too many elements)
-/// @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside each edge; linear
-///     extra memory.
+/// Sews coincident borders, also where their vertices do not match.
+/// - Vertices are welded as by gusset_weld.
+/// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the edge is split if
+///   exactly two pieces coincide. Triangles with split edges are cut into triangles, none turned over; larger faces
+///   gain corners.
+/// - Borders are welded again.
+/// - A vertex lies inside an edge if it is within the tolerance of the edge and not of its ends. The edge must be
+///   longer than twice the tolerance; see gusset_weld_options for its default.
+/// - Splitting makes no edges with three or more faces and no degenerate faces.
+/// - The result has the old faces in order, or their parts in their places. Among merged vertices the smallest remains,
+///   with its position bits. New vertices have the position of an old one.
+/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before edges are split, borders afterwards.
+/// @errors as gusset_weld, TOO_LARGE (the result)
+/// @complexity O(H log H) for H half-edges, if valences are small and few vertices lie inside each edge; linear memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sew(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_weld_options *options, struct gusset_result **result);
 
-/// Lends the maps, lists and counts, for results of gusset_sew.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the maps, lists and counts, for a result of gusset_sew.
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sew(const struct gusset_result *result,
     struct gusset_sew_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Stitching: Joins two loops by a strip of new faces. */
+/* ---- Stitching: Joins two loops by a strip of new faces. */
 
 /// The parts of a stitch. Pointers are valid until the result is destroyed. Index 0 is the first mesh, 1 the second.
 typedef struct gusset_stitch_report {
@@ -1719,10 +1673,11 @@ typedef struct gusset_stitch_report {
 } gusset_stitch_report;
 
 /// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a
-/// strip between the arcs that face each other. The result has the vertices of A, then of B, then new ones in the
-/// interior rows; the faces of A, then of B, then the strip. Positions are of the scalar type of A, old ones keep their
-/// bits, and every old face is kept. An arc of one vertex gets a fan, which touches its piece at that vertex only; two
-/// arcs of one vertex each get one meridian and no face.
+/// strip between the arcs that face each other.
+/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
+/// strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one
+/// vertex gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no
+/// face.
 /// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair (and the last with the
 ///     first) an edge with exactly one face. If both are NULL, the loops that lie nearest to each other are taken; if
 ///     one is, the loop of its mesh that is nearest to the one given. Those to choose from are not open, have three
@@ -1760,8 +1715,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip_mesh(const stru
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_stitch(const struct gusset_result *result,
     struct gusset_stitch_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Strips: Builds a strip of triangles between two polylines that belong to no mesh. */
+/* ---- Strips: Builds a strip of triangles between two polylines that belong to no mesh. */
 
 /// How a strip is made; all zero is the default.
 typedef struct gusset_strip_options {
@@ -1804,9 +1758,9 @@ typedef struct gusset_strip_report {
 } gusset_strip_report;
 
 /// Makes a strip of faces between two polylines that run side by side, as gusset_stitch does between two rims: the
-/// third, intermediate mesh alone. The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by
-/// row. Faces run A_i+1, A_i, B_j: against polyline A, and along B. Where both sides advance at once triangles split a
-/// quad by its shorter diagonal.
+/// third, intermediate mesh alone.
+/// The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
+/// against polyline A, and along B. Where both sides advance at once triangles split a quad by its shorter diagonal.
 /// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
 ///     least 3, and the last point is not the first again.
 /// @param count_a see points_a.
@@ -1826,8 +1780,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_strip(const struct gusset_contex
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip(const struct gusset_result *result,
     struct gusset_strip_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Trimming: Keeps one piece of each overlap. */
+/* ---- Trimming: Keeps one piece of each overlap. */
 
 /// How pieces that overlap are trimmed; all zero is the default.
 typedef struct gusset_trim_options {
@@ -1872,13 +1825,14 @@ typedef struct gusset_trim_view {
 typedef struct gusset_trim gusset_trim;
 
 /// Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the others, which
-/// gusset_join closes; see GUSSET_OVERLAPS_TRIM there for both at once. The pieces are cut along lines on which both
-/// are equally good. A vertex is the better the farther it is from the borders of its piece, in mean edges of it, so
-/// that the finer of two pieces counts for more, and the less flat the angle it was seen under, if viewpoints are
-/// given; loops of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on another piece
-/// if the nearest place there is near, faces the same way, and is on no border. Where two are equally good but for
-/// noise, the earlier one is kept. No vertex moves, and no face is cut. What would be thinner than two faces goes, so
-/// do small islands, faces that hang on others by one vertex, and faces that cut those of an earlier piece.
+/// gusset_join closes; see GUSSET_OVERLAPS_TRIM there for both at once.
+/// The pieces are cut along lines on which both are equally good. A vertex is the better the farther it is from the
+/// borders of its piece, in mean edges of it, so that the finer of two pieces counts for more, and the less flat the
+/// angle it was seen under, if viewpoints are given; loops of fewer than 32 vertices are small holes and no borders in
+/// that sense. A vertex lies on another piece if the nearest place there is near, faces the same way, and is on no
+/// border. Where two are equally good but for noise, the earlier one is kept. No vertex moves, and no face is cut. What
+/// would be thinner than two faces goes, so do small islands, faces that hang on others by one vertex, and faces that
+/// cut those of an earlier piece.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's struct_size says, at least
 ///     one, all in one coordinate system; see gusset_alignment_create.
 /// @param piece_count see pieces.
@@ -1900,94 +1854,92 @@ GUSSET_API void gusset_trim_destroy(struct gusset_trim *trim);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
     struct gusset_trim_view *view);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Welding: Merges coincident vertices. */
+/* ---- Welding: Merges coincident vertices. */
 
-/// The vertices that are welded.
+/// Vertices that are welded.
 typedef uint32_t gusset_weld_vertices;
-/// The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
+/// Ends of boundary edges: coincident borders are sewn edge to edge.
 #define GUSSET_WELD_BOUNDARY 0
-/// All vertices that faces use are welded, as triangle soups need it.
+/// All vertices that faces use, for triangle soups.
 #define GUSSET_WELD_ALL 1
 
-/// Whether corners of one face may become one.
+/// Treatment of coincident corners of one face.
 typedef uint32_t gusset_collapse;
 /// Corners of one face stay apart.
 #define GUSSET_COLLAPSE_NEVER 0
-/// Corners of one face may become one; a face that keeps fewer than three different vertices is dropped.
+/// Corners of one face may be merged. A face left with fewer than three different vertices is dropped.
 #define GUSSET_COLLAPSE_ALLOW 1
 
-/// The treatment of vertices that no face uses.
+/// Treatment of vertices that no face uses.
 typedef uint32_t gusset_unused;
-/// Vertices that no face uses stay.
+/// Unused vertices stay.
 #define GUSSET_UNUSED_KEEP 0
-/// Vertices that no face of the result uses are left out.
+/// Vertices that no face of the result uses are removed.
 #define GUSSET_UNUSED_REMOVE 1
 
-/// How to weld; all zero is the default.
+/// Options of gusset_weld and gusset_sew.
 typedef struct gusset_weld_options {
     size_t struct_size;
-    /// Which vertices.
     gusset_weld_vertices vertices;
-    /// GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can have put copies of
-    /// one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for 64-bit ones, or twice the last
-    /// decimal place that positions show, as those from text files do, if that is more. Let D be the largest power of
-    /// ten that does not exceed the longest side of the box round the vertices in question. The last place is the
-    /// largest of 1e-5 D, 1e-6 D, ... of which at least a third of the coordinates (those of the largest order of
-    /// magnitude), or of their differences from one vertex to the next, are multiples. Multiples of 1e-4 D do not
-    /// count, as a coarse grid is no sign of rounding; of the rest there must be eight. At each vertex it is at most a
-    /// quarter of the shortest edge that ends there, so that no edge collapses. See tolerance of the result's view for
-    /// what it was. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance. GUSSET_TOLERANCE_EXACT:
-    /// if their positions are equal, where -0 equals 0.
+    /// Distance at which vertices coincide.
+    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
+    /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
+    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for 64-bit ones,
+    ///   or, if more, twice the last decimal place that positions show. At each vertex it is at most a quarter of the
+    ///   shortest edge, so that no edge collapses.
+    /// - Last decimal place: let D be the largest power of ten up to the longest side of the box of the vertices. The
+    ///   place is the largest of 1e-5 D, 1e-6 D, ... of which a third of the coordinates of the largest order of
+    ///   magnitude, or of the differences between consecutive vertices, are multiples. Multiples of 1e-4 D are left
+    ///   out; at least eight other numbers are needed.
     gusset_tolerance_mode tolerance_mode;
-    /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+    /// Largest distance of coincident vertices, finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
     gusset_collapse collapse;
     gusset_unused unused;
 } gusset_weld_options;
 
-/// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the result is
-/// destroyed.
+/// Effects of welding. Indices are of the old mesh, and lists ascending.
 typedef struct gusset_weld_report {
     size_t struct_size;
-    /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
     struct gusset_indices vertex_map;
-    /// Per old face, its index in the result; UINT32_MAX if it was dropped.
+    /// Index of each old face in the result; UINT32_MAX if dropped.
     struct gusset_indices face_map;
-    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or
-    /// more lie together there, or sewing would have collapsed a face or made an edge of three or more faces.
+    /// Half-edges of boundary edges that coincide with another edge and were not sewn to it. Three or more coincide, or
+    /// sewing would collapse a face or put three or more faces at an edge.
     struct gusset_indices left_edges;
-    /// Vertices that lie together with another and are not one with it.
+    /// Vertices that coincide with another and were not merged with it.
     struct gusset_indices left_vertices;
-    /// Vertices that became one with a smaller one.
+    /// Number of vertices merged into a smaller one.
     uint32_t welded_vertices;
-    /// Edges of two faces that were two free edges.
+    /// Number of edges with two faces made from two boundary edges.
     uint32_t sewn_edges;
-    /// Faces that were dropped.
+    /// Number of dropped faces.
     uint32_t dropped_faces;
     uint32_t reserved;
-    /// How far apart vertices that lie together were allowed to be, short edges apart; 0 for equal positions.
+    /// Largest distance at which vertices coincide, except at short edges; 0 for equal positions.
     double tolerance;
 } gusset_weld_report;
 
-/// Makes one vertex of vertices that lie together. By default borders are sewn: where exactly two free edges lie on one
-/// another, whatever their directions, they become one edge, and so do their ends. Where three or more lie together
-/// none is preferred, and a pair is left where sewing it would collapse a face or make an edge of three or more faces:
-/// a manifold stays one. What is left is listed. Vertices that lie together without an edge to sew stay apart, as where
-/// two holes touch. With GUSSET_WELD_ALL, vertices that lie together become one whatever comes of the edges. Which lie
-/// together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
-/// within the tolerance of it, nearest first, so that nothing chains. The result has the old faces in their order, each
-/// from its own first corner. Of vertices made one the smallest is left, and its position keeps its bits; the vertices
-/// left are in their old order. If every face is dropped, the result has none and is no valid input.
+/// Merges coincident vertices.
+/// - By default, borders are sewn: where exactly two boundary edges coincide, in either direction, they and their ends
+///   become one.
+/// - Edges stay apart, and are listed, where three or more coincide or sewing would collapse a face or put three or
+///   more faces at an edge: a manifold stays a manifold.
+/// - Coincident vertices without an edge to sew stay apart, as where two holes touch.
+/// - With GUSSET_WELD_ALL, all coincident vertices are merged, regardless of edges.
+/// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance, nearest first.
+///   Merging does not chain.
+/// - The result has the old faces in order, each from its own first corner, and the remaining vertices in order. Among
+///   merged vertices the smallest remains, with its position bits. A result without faces is not a valid input.
 /// @errors as gusset_mesh_view, OUT_OF_RANGE (the tolerance)
-/// @complexity O(H log H) for H half-edges, if no vertex has very many and few corners of one face lie together; linear
-///     extra memory.
+/// @complexity O(H log H) for H half-edges, if valences are small and few corners of one face coincide; linear memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_weld(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_weld_options *options, struct gusset_result **result);
 
-/// Lends the maps, lists and counts, for results of gusset_weld.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the maps, lists and counts, for a result of gusset_weld.
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_weld(const struct gusset_result *result,
     struct gusset_weld_report *report);

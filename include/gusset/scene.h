@@ -10,46 +10,42 @@
 extern "C" {
 #endif
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Scenes: Nets in nested groups. */
+/* ---- Scenes: Nets in nested groups. */
 
-/// What an entry of a scene is.
+/// Kind of a scene entry.
 typedef uint32_t gusset_scene_entry_kind;
-/// A net.
+/// Net.
 #define GUSSET_SCENE_NET 0
-/// A group of entries.
+/// Group of entries.
 #define GUSSET_SCENE_GROUP 1
 
-/// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are
-/// never given twice. Functions that take it as const may run at the same time in many threads; those that change it
-/// need it for themselves.
+/// Scene: nets in nested groups. An entry may belong to several groups. Indices are never reused.
 typedef struct gusset_scene gusset_scene;
 
-/// An entry of a scene.
+/// Entry of a scene.
 typedef struct gusset_scene_entry_report {
     size_t struct_size;
-    /// Into the space of the groups that it is in.
+    /// Map into the space of its groups.
     struct gusset_transform transform;
-    /// The number of entries in a group; 0 for a net.
+    /// Entries in a group; 0 for a net.
     size_t child_count;
-    /// GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
     gusset_scene_entry_kind kind;
-    /// 1 if it is shown; a group that it is in may hide it all the same.
+    /// 1: shown, unless an enclosing group is hidden.
     uint32_t visible;
 } gusset_scene_entry_report;
 
-/// How much is in a scene.
+/// Size of a scene. A top-level entry is outside all groups.
 typedef struct gusset_scene_report {
     size_t struct_size;
-    /// Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
+    /// Instances, each a path from a top-level entry; at most UINT64_MAX.
     uint64_t instances;
-    /// Instances of nets alone.
+    /// Instances that are nets.
     uint64_t net_instances;
     /// Entries that are nets.
     uint32_t nets;
     /// Entries that are groups.
     uint32_t groups;
-    /// The longest way from an entry in no group: 1 if no group has entries, 0 for an empty scene.
+    /// Length of the longest path, in entries; 0 for an empty scene.
     uint32_t levels;
     uint32_t reserved;
 } gusset_scene_report;
@@ -59,144 +55,134 @@ typedef struct gusset_scene_report {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_create(const struct gusset_context *context,
     struct gusset_scene **scene);
 
-/// Destroys a scene; NULL is allowed.
+/// Destroys a scene.
 GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 
-/// Adds a net as it is now, or an empty group, in no group yet. Later changes of the handle of the net do not change
-/// the scene.
-/// @param net the net; NULL for a group.
+/// Adds a net, as it is now, or an empty group as a top-level entry.
+/// @param net the net; NULL adds a group.
 /// @param entry receives its index.
 /// @errors TOO_LARGE
-/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add(const struct gusset_context *context,
     struct gusset_scene *scene, const struct gusset_net *net, uint32_t *entry);
 
-/// Puts an entry into a group, behind what is in it; again, if it is in it already.
-/// @param group the index of the group.
-/// @param child the index of the entry.
+/// Appends an entry to a group. An entry may occur in it repeatedly.
+/// @param group the group.
+/// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE
-/// @complexity O(1) for an entry without children or a group in no group; at most O(entries below the one or above the
-///     other, whichever are fewer).
+/// @complexity O(1) for a child without children or a top-level group, else O(fewer of the entries below child and
+///     above group).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add_child(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t group, uint32_t child);
 
-/// Takes an entry out of a group: the first one, if it is in it several times.
-/// @param group the index of the group.
-/// @param child the index of the entry.
-/// @errors NO_SUCH_ELEMENT (if it is not in the group)
+/// Removes the first occurrence of an entry from a group.
+/// @param group the group.
+/// @param child the entry.
+/// @errors NO_SUCH_ELEMENT (also if child is not in the group)
 /// @complexity O(children of the group + groups of the child).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_remove_child(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t group, uint32_t child);
 
-/// Removes an entry from the scene and from all groups; what was in a group stays.
-/// @param entry its index.
+/// Removes an entry from the scene and its groups; its children stay.
+/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(children of its groups + groups of its children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_remove(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t entry);
 
-/// A change of the visibility of an entry.
+/// Change of visibility.
 typedef uint32_t gusset_visibility;
-/// None.
+/// No change.
 #define GUSSET_VISIBILITY_KEEP 0
-/// To visible.
+/// Shows the entry.
 #define GUSSET_VISIBILITY_SHOW 1
-/// To hidden, with all that is in the entry.
+/// Hides the entry with all its children.
 #define GUSSET_VISIBILITY_HIDE 2
 
-/// The changes of an entry of a scene. All zeros: none.
+/// Changes of an entry. Default: none.
 typedef struct gusset_scene_changes {
     size_t struct_size;
-    /// The net that replaces the one of the entry, as it is now; NULL: it stays. The entry keeps its index, its groups
-    /// and its transform.
+    /// New net, as it is now; NULL: no change.
     const struct gusset_net *net;
-    /// The place of the entry in the space of the groups that it is in, twelve finite numbers; NULL: it stays.
+    /// New map into the space of its groups, finite; NULL: no change.
     const struct gusset_transform *transform;
     gusset_visibility visibility;
     uint32_t reserved;
 } gusset_scene_changes;
 
-/// Changes an entry: its net, its transform, its visibility. On failure the entry is as it was.
-/// @param entry its index.
-/// @param changes what changes.
-/// @errors UNKNOWN_VALUE (visibility), NO_SUCH_ELEMENT (with the entry (also for a net in place of a group)),
-///     OUT_OF_RANGE (the transform)
-/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// Changes the net, transform or visibility of an entry.
+/// @param entry the entry.
+/// @param changes the changes.
+/// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
+/// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_set_entry(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t entry, const struct gusset_scene_changes *changes);
 
-/// What an entry is.
-/// @param entry its index.
-/// @param report its struct_size set.
+/// Describes an entry.
+/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_entry(const struct gusset_scene *scene, uint32_t entry,
     struct gusset_scene_entry_report *report);
 
-/// The net of an entry, as a handle that shares its memory until it is changed.
-/// @param entry its index.
-/// @errors NO_SUCH_ELEMENT (for a group)
+/// Makes a handle of an entry's net. It shares memory until changed.
+/// @param entry the entry.
+/// @errors NO_SUCH_ELEMENT (also for a group)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_net_create(const struct gusset_context *context,
     const struct gusset_scene *scene, uint32_t entry, struct gusset_net **net);
 
-/// The entries in a group, in order.
-/// @param group its index.
-/// @param children room for capacity indices, or NULL with capacity 0 to ask for their number.
-/// @param capacity see children.
-/// @param written receives it.
-/// @errors NO_SUCH_ELEMENT (for a net), BUFFER_TOO_SMALL
+/// Writes the entries of a group, in order.
+/// @param group the group.
+/// @param children room for capacity entries; NULL and capacity 0 to count.
+/// @param capacity size of children.
+/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @errors NO_SUCH_ELEMENT (also for a net), BUFFER_TOO_SMALL
 /// @complexity O(children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_children(const struct gusset_context *context,
     const struct gusset_scene *scene, uint32_t group, uint32_t *children, size_t capacity, size_t *written);
 
-/// How much is in a scene.
-/// @param report its struct_size set.
-/// @complexity O(entries + children), however many instances there are.
+/// Counts the contents of a scene.
+/// @complexity O(entries + children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
     struct gusset_scene_report *report);
 
-/* ------------------------------------------------------------------------------------------------------------------ */
-/* Visible nets of a scene: Where each net of a scene is in the world, and all of them as one net. */
+/* ---- Visible nets of a scene: Lists instances, and joins their nets into one. */
 
-/// One way to an entry from an entry in no group.
+/// Instance: one path from a top-level entry to an entry.
 typedef struct gusset_scene_instance {
-    /// Into the space of the scene.
+    /// Map into the space of the scene.
     struct gusset_transform world;
     /// The entry.
     uint32_t entry;
-    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in none.
+    /// Instance of the enclosing group; UINT32_MAX at top level.
     uint32_t parent;
-    /// 1 unless it or a group on the way is hidden.
+    /// 1 unless the entry or an enclosing group is hidden.
     uint32_t visible;
     uint32_t reserved;
 } gusset_scene_instance;
 
-/// All instances and where they are: each behind the group that it is in, children in order.
-/// @param instances room for capacity of them, or NULL with capacity 0 to ask for their number.
-/// @param capacity see instances.
-/// @param written receives it.
-/// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused before any is
-///     looked at)
+/// Writes all instances: each after its group, children in order.
+/// @param instances room for capacity instances; NULL and capacity 0 to count.
+/// @param capacity size of instances.
+/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_world_transforms(const struct gusset_context *context,
     const struct gusset_scene *scene, struct gusset_scene_instance *instances, size_t capacity, size_t *written);
 
-/// Joins the nets of all visible instances, where they are in the space of the scene, to one. Nets under transforms
-/// that mirror are flipped where the others would be opposed to them, as if options said turn.
-/// gusset_scene_unflatten_create is the inverse.
-/// @param options NULL for each net below the one before, with hidden bridges.
-/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), as
+/// Joins all visible nets into one, in the space of the scene.
+/// Mirrored nets are flipped if necessary: turn counts as 1. gusset_scene_unflatten_create is the inverse.
+/// @param options NULL: nets from top to bottom, with hidden bridges.
+/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or too many nodes), as
 ///     gusset_net_concatenate_create
 /// @complexity O(entries + instances + nodes).
 /// @source Deryagin, scenes as "a single whole".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
     const struct gusset_scene *scene, const struct gusset_concatenate_options *options, struct gusset_net **net);
 
-/// A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once:
-/// the inverse of gusset_scene_flatten_create, in one group (entry 0). Nets come back as they are in the space of the
-/// flat one, bit for bit; copies that were made to equalise sizes are removed.
-/// @param direction that of the bridges.
+/// Splits a net at the last-made bridges of a direction from side to side. The parts form one group, entry 0.
+/// Parts keep their bits in the space of net; copies that equalised sizes are removed.
 /// @errors CROSSING_CELL
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_unflatten_create(const struct gusset_context *context,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The binary interface, and what it was when its baseline was written.
-#   abi.sh check INCLUDE      compares; INCLUDE holds gusset.h, gusset_plugin.h and gusset.symbols or is beside share/gusset
+#   abi.sh check INCLUDE      compares; INCLUDE holds the headers, and gusset.symbols or is beside share/gusset
 #   abi.sh baseline INCLUDE   writes the baseline of this SONAME, and the symbols file of the Debian package
 #
 # The rule: within one SONAME the interface only grows. What is there keeps its name, its signature, its layout and its value; new
@@ -24,10 +24,12 @@ debian=$root/packaging/debian/libgusset${version%.*}.symbols
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-for header in "$include"/*.h "$include"/gusset/*.h; do
-  sed -E '/^GUSSET_[A-Z_]*API/ { :more; /;$/! { N; b more }; s/\);$/) { __builtin_trap(); }/ }' "$header"
+# In the order in which gusset.h includes them, without inline functions.
+parts=$(sed -n 's|^#include "\(gusset/.*\)"|\1|p' "$include/gusset.h" | grep -v views.h)
+for header in $parts gusset_plugin.h; do
+  sed -E '/^#include "/d; /^GUSSET_[A-Z_]*API/ { :more; /;$/! { N; b more }; s/\);$/) { __builtin_trap(); }/ }' "$include/$header"
   sed -nE '/GUSSET_VERSION_/d; s/^(#define|   ) (GUSSET_[A-Z0-9_]+) (= )?(0x)?[0-9A-F]+,?$/enum the_\2 { value_of_\2 = \2 } the_\2;/p' \
-    "$header"
+    "$include/$header"
 done >"$work/interface.c"
 # Where this was compiled, the baseline does not hold.
 (cd "$work" && gcc -std=c17 -w -g -shared -fPIC -nostdlib "-Wl,-soname,$soname" interface.c -o "$soname")

@@ -1,4 +1,4 @@
-"""Keywords of structs of options, with what gusset.h says of them. Written by generate.py; do not edit."""
+"""Keywords of structs of options, with what the C headers say of them. Written by generate.py; do not edit."""
 
 # fmt: off
 from __future__ import annotations
@@ -20,66 +20,63 @@ __all__ = ["FIELDS", "Unpack", "WeldOptions", "OrientOptions", "BoundaryOptions"
 class WeldOptions(TypedDict, total=False):
     """Fields of ``gusset_weld_options``; what is not given is as by default."""
 
-    #: Which vertices: one of the words
+    #: Vertices that are welded.
     vertices: Literal['boundary', 'all']
-    #: GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can have put copies of
-    #: one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for 64-bit ones, or twice the last
-    #: decimal place that positions show, as those from text files do, if that is more. Let D be the largest power of
-    #: ten that does not exceed the longest side of the box round the vertices in question. The last place is the
-    #: largest of 1e-5 D, 1e-6 D, ... of which at least a third of the coordinates (those of the largest order of
-    #: magnitude), or of their differences from one vertex to the next, are multiples. Multiples of 1e-4 D do not
-    #: count, as a coarse grid is no sign of rounding; of the rest there must be eight. At each vertex it is at most a
-    #: quarter of the shortest edge that ends there, so that no edge collapses. See tolerance of the result's view for
-    #: what it was. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance. GUSSET_TOLERANCE_EXACT:
-    #: if their positions are equal, where -0 equals 0.
+    #: Distance at which vertices coincide. - GUSSET_TOLERANCE_GIVEN: at most tolerance. - GUSSET_TOLERANCE_EXACT: 0;
+    #: -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
+    #: 64-bit ones, or, if more, twice the last decimal place that positions show. At each vertex it is at most a
+    #: quarter of the shortest edge, so that no edge collapses. - Last decimal place: let D be the largest power of
+    #: ten up to the longest side of the box of the vertices. The place is the largest of 1e-5 D, 1e-6 D, ... of which
+    #: a third of the coordinates of the largest order of magnitude, or of the differences between consecutive
+    #: vertices, are multiples. Multiples of 1e-4 D are left out; at least eight other numbers are needed.
     tolerance_mode: Literal['auto', 'given', 'exact']
-    #: In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+    #: Largest distance of coincident vertices, finite, at least 0.
     tolerance: float
-    #: one of the words
+    #: Treatment of coincident corners of one face.
     collapse: Literal['never', 'allow']
-    #: one of the words
+    #: Treatment of vertices that no face uses.
     unused: Literal['keep', 'remove']
 
 
 class OrientOptions(TypedDict, total=False):
     """Fields of ``gusset_orient_options``; what is not given is as by default."""
 
-    #: one of the words
-    outward: Literal['default', 'keep', 'closed']
+    #: Orientation of closed components.
+    outward: Literal['auto', 'keep', 'closed']
 
 
 class BoundaryOptions(TypedDict, total=False):
     """Fields of ``gusset_boundary_options``; what is not given is as by default."""
 
-    #: one of the words
+    #: Treatment of edges with three or more faces.
     non_manifold: Literal['cut', 'stop']
-    #: one of the words
+    #: Part of the mesh that is checked.
     survey: Literal['whole_mesh', 'boundary_only']
 
 
 class StitchOptions(TypedDict, total=False):
     """Fields of ``gusset_stitch_options``; what is not given is as by default."""
 
-    #: one of the words
+    #: The rule that chooses meridians.
     meridians: Literal['continuation', 'index', 'arc_length', 'greedy', 'min_diagonal', 'smooth', 'quad', 'min_area']
-    #: one of the words
+    #: The treatment of pieces that are oriented against each other.
     orientation: Literal['fix', 'refuse', 'keep']
     #: The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of
     #: rim B so many places later, counted in the direction in which rim A runs (negative: earlier), and no other
     #: start is tried. Any value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and
     #: with GUSSET_EXTENT_OPEN_ARCS also if there are none to join.
     twist: int
-    #: one of the words
+    #: The part of the loops that is joined.
     extent: Literal['whole_loops', 'open_arcs', 'auto', 'arcs']
-    #: one of the words
+    #: Which of several runs of facing vertices is joined.
     run: Literal['closest', 'longest']
-    #: one of the words
+    #: The number of interior rows.
     rows: Literal['none', 'mean_edge', 'count']
     #: Interior rows, read for GUSSET_ROWS_COUNT.
     row_count: int
-    #: one of the words
+    #: The faces of strips.
     cells: Literal['triangles', 'quads']
-    #: one of the words
+    #: The source of a tolerance.
     tolerance_mode: Literal['auto', 'given', 'exact']
     #: How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least
     #: 0; read for GUSSET_TOLERANCE_GIVEN.
@@ -89,63 +86,60 @@ class StitchOptions(TypedDict, total=False):
     arc_a: Sequence[float]
     #: The same on loop B.
     arc_b: Sequence[float]
-    #: one of the words
+    #: The effort of the search for the best strip.
     search: Literal['auto', 'exact']
-    #: one of the words
+    #: The first meridian of a closed strip.
     start: Literal['auto', 'closest', 'given']
-    #: one of the words, read if interior rows are asked for; otherwise the log says that it is not.
+    #: Read if interior rows are asked for; otherwise the log says that it is not.
     fairing: Literal['none', 'thin_plate']
-    #: one of the words
+    #: The treatment of faces that intersect each other.
     intersections: Literal['auto', 'ignore', 'report']
-    #: one of the words
+    #: The definition of the centre of a loop.
     centres: Literal['vertices', 'length']
-    #: one of the words: what becomes of closed components of the result, the strip and all.
-    outward: Literal['default', 'keep', 'closed']
-    #: one of the words: what lies between the rims in the end.
+    #: What becomes of closed components of the result, the strip and all.
+    outward: Literal['auto', 'keep', 'closed']
+    #: What lies between the rims in the end.
     finish: Literal['strip', 'blend']
 
 
 class FillOptions(TypedDict, total=False):
     """Fields of ``gusset_fill_options``; what is not given is as by default."""
 
-    #: one of the words
+    #: Weight that the triangulation of a hole minimises.
     weight: Literal['continuation', 'area_and_bend', 'bend_then_area', 'area']
-    #: one of the words
+    #: New vertices of patches.
     refine: Literal['none', 'rim_density']
-    #: one of the words, read if new vertices are asked for; otherwise the log says that it is not.
+    #: Fairing of new vertices. Without new vertices it is ignored, and the log says so.
     fairing: Literal['none', 'thin_plate']
-    #: one of the words: which loops are no holes; read if all loops are asked for.
+    #: Loops that stay open. Read only if all loops are selected.
     keep: Literal['none', 'longest', 'borders']
-    #: one of the words: whether faces of patches that cut each other or old faces are looked for, and avoided by less
-    #: fairing, other weights and no new vertices (AUTO), only reported (REPORT), or neither (IGNORE).
+    #: Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
+    #: reports them, IGNORE does not look for them.
     intersections: Literal['auto', 'ignore', 'report']
-    #: 1: nothing is filled or turned over; the accounts say which loops would be tried, and with which weight and
-    #: finish. Loops that turn out to have no triangulation are not foreseen, nor which of them together says get one
-    #: patch. 0 or 1.
+    #: If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
+    #: does not predict failed triangulations or shared patches.
     plan_only: bool
-    #: About how many new vertices a patch gets, at most about twice as many; where more would be needed the triangles
-    #: are larger. 0: 50,000, or four for each vertex of its rims if that is more, and as many again for sharp angles
-    #: there.
+    #: Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0:
+    #: 50,000, or 4 for each rim vertex if more, and as many again for sharp angles there.
     max_new_vertices: int
-    #: Loops of more edges are left alone. 0 is no limit.
+    #: Most edges of a loop to fill. 0: no limit.
     max_edges: int
-    #: Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+    #: Largest length of a loop to fill, at least 0. 0: no limit.
     max_length: float
-    #: Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+    #: Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
     max_diameter: float
-    #: Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
+    #: Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
     max_area: float
-    #: one of the words: what becomes of closed components of the result, patches and all.
-    outward: Literal['default', 'keep', 'closed']
-    #: one of the words: which loops get one patch; read without groups.
+    #: Orientation of closed components of the result, patches included.
+    outward: Literal['auto', 'keep', 'closed']
+    #: Choice of loops that share a patch. Read only without groups.
     together: Literal['apart', 'one', 'cheapest']
-    #: A number for each of the loops given, loop_count in all: those with the same number get one patch, a surface of
-    #: genus 0 between them, but for loops that are left for reasons of their own. NULL: as together says. Needs
-    #: loops.
+    #: Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
+    #: loops left open for their own reasons. NULL: see together.
     groups: ArrayLike
-    #: one of the words: how smoothly faired vertices go on the surface round the hole.
+    #: Smoothness between faired patches and the old surface.
     continuity: Literal['c1', 'c2']
-    #: 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or 1.
+    #: If 1, creases of the old surface end at the rim.
     ignore_creases: bool
 
 
@@ -168,7 +162,7 @@ class TrimOptions(TypedDict, total=False):
 class AlignOptions(TypedDict, total=False):
     """Fields of ``gusset_alignment_options``; what is not given is as by default."""
 
-    #: Where the pieces begin: one of the words
+    #: Where the pieces begin.
     start: Literal['as_given', 'principal_axes', 'rims']
     #: So many points of each piece are looked for on the others; 0: 2,000.
     samples: int
@@ -185,178 +179,170 @@ class AlignOptions(TypedDict, total=False):
 class OutlineOptions(TypedDict, total=False):
     """Fields of ``gusset_outline_options``; what is not given is as by default."""
 
-    #: one of the words
+    #: Kind of an outline's curve.
     curve: Literal['composite', 'single', 'blend_c1', 'blend_c2', 'cubic_c2', 'chain']
-    #: one of the words
+    #: Guide of a section's control point.
     method: Literal['bisector', 'median', 'normal', 'symmedian', 'alpha']
-    #: one of the words, for composite and single curves; a chain has its own.
+    #: For composite and single curves.
     lock: Literal['parameter', 'self_consistent', 'data_guide']
-    #: one of the words, for composite curves and chains.
+    #: For composite curves and chains.
     joint: Literal['half', 'knot', 'g2']
-    #: one of the words
+    #: Method of solution.
     solver: Literal['fast', 'step']
-    #: one of the words, for open outlines, and parts of them that end at corners; a tangent demanded there comes
-    #: first.
+    #: For open outlines and parts between corners. A constraint on the end tangent takes precedence.
     ends: Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']
-    #: Read for GUSSET_METHOD_ALPHA; 0 to 1.
+    #: 0 to 1.
     alpha: float
-    #: Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
+    #: Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
     parameter_limit: float
-    #: Neighbours at most so far apart are one point; below 1. 0 for 1e-12. 1e-300 merges equal points only.
+    #: Largest distance of neighbours that are merged, below 1; 0: 1e-12. 1e-300 merges equal points only.
     repeat_tolerance: float
-    #: Points where the polygon turns by more than this angle, in radians, are corners; at least 0, and 0, pi or more,
-    #: also INFINITY, for none.
+    #: Points where the polygon turns by more are corners. At least 0; 0, or pi and more: none.
     corner_angle: float
-    #: Iterations end when nothing moves farther, below 1; 0 for 1e-12.
+    #: Iterations end when no move exceeds it; below 1; 0: 1e-12.
     tolerance: float
-    #: The most sweeps or iterations between two corners; 0 for 200.
+    #: Maximum sweeps or iterations between two corners; 0: 200.
     max_sweeps: int
-    #: The most steps at a point in a sweep; 0 for 20,000.
+    #: Maximum steps at a point in a sweep; 0: 20,000.
     max_steps: int
 
 
 class OffsetOptions(TypedDict, total=False):
     """Fields of ``gusset_offset_options``; what is not given is as by default."""
 
-    #: The deviation aimed at, above 0, in the unit of the points.
+    #: Wanted deviation, above 0.
     tolerance: float
-    #: No segment is halved once there are so many; 0 for 65536.
+    #: No segment is halved at this number of segments; 0: 65536.
     max_segments: int
-    #: The degree of the segments, 2 or 3; 0 for 3.
+    #: Degree of segments, 2 or 3; 0: 3.
     degree: int
 
 
 class NetMeshOptions(TypedDict, total=False):
     """Fields of ``gusset_net_mesh_options``; what is not given is as by default."""
 
-    #: GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER or GUSSET_NET_TRIANGLES_FIXED.
+    #: Faces of a net's mesh.
     faces: Literal['quads', 'triangles_shorter', 'triangles_fixed']
-    #: 1: a vertex for each node, and nothing is glued. 0 or 1.
+    #: 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
     no_weld: bool
-    #: 1: finite vertices that nothing uses are kept. 0 or 1.
+    #: 1: keeps finite vertices without faces and wires.
     keep_unused: bool
-    #: 1: a cell of which just one corner is missing becomes a triangle. 0 or 1.
+    #: 1: a cell with exactly one missing corner becomes a triangle.
     fill_corners: bool
-    #: 1: texture coordinates are wanted. 0 or 1.
+    #: 1: computes texture coordinates.
     texture: bool
-    #: Faces with an edge of more than so many times the median length of edges are left out: in a range image those
-    #: that lead from one surface to another behind it, for which 4 is a good value. Above 0; 0 for no limit.
+    #: Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range images, 4 removes
+    #: faces across depth jumps.
     max_edge_ratio: float
 
 
 class ConcatenateOptions(TypedDict, total=False):
     """Fields of ``gusset_concatenate_options``; what is not given is as by default."""
 
-    #: How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
+    #: For welding: largest distance of coincident nodes, at least 0.
     tolerance: float
-    #: one of the words: where each net lies from the one before.
+    #: Direction from each net to the next.
     direction: Literal['right', 'down']
-    #: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+    #: Treatment of the cells of a bridge.
     mode: Literal['keep', 'hide', 'weld']
-    #: one of the words: how nets with fewer nodes along the side are enlarged.
+    #: Enlargement of nets with fewer nodes along the side.
     equalise: Literal['uniform', 'first', 'last', 'at', 'at_poles', 'refuse']
-    #: Read for GUSSET_REPLICATE_AT: the row or column.
+    #: Row or column to replicate.
     equalise_index: int
-    #: Each net but the first is turned by so many places along its side, which is closed then.
+    #: Rotation of each net except the first along its closed side, in nodes.
     twist: int
-    #: 1: nets whose faces are taken the other way round than those of the first are flipped along the side; 0:
-    #: refused.
+    #: 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
     turn: bool
-    #: How many rows or columns of nodes of its own each new bridge has, evenly on straight lines between the two
-    #: sides; 0 for GUSSET_BRIDGE_WELD.
+    #: Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
     rows: int
 
 
 class SurfaceOptions(TypedDict, total=False):
     """Fields of ``gusset_surface_options``; what is not given is as by default."""
 
-    #: A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
+    #: Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
     tolerance: float
-    #: 1: with the cones of normals that isophotes (GUSSET_CONTOUR_ANGLE) and gusset_surface_nearest_angle descend,
-    #: about 0.7 bytes a node; 0: the first such question builds them.
+    #: 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
+    #: node; 0: the first such query builds them.
     cones: bool
 
 
 class NearestOptions(TypedDict, total=False):
     """Fields of ``gusset_nearest_options``; what is not given is as by default."""
 
-    #: No point farther than this is looked for; a length, at least 0; 0 or INFINITY: no limit.
+    #: Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     limit: float
-    #: For minima: the number of the nearest that are wanted; 0: all.
+    #: For minima: maximum number, the nearest first; 0: all.
     max_count: int
 
 
 class ContourOptions(TypedDict, total=False):
     """Fields of ``gusset_contour_options``; what is not given is as by default."""
 
-    #: With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the
-    #: surface. Otherwise not read.
+    #: With GUSSET_POINT_SPACING_CHORD: a length above 0, finite. Values below the surface's tolerance act as the
+    #: tolerance.
     chord: float
-    #: one of the words
+    #: Curve points between crossings with cell sides.
     spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
-    #: With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
+    #: With GUSSET_POINT_SPACING_LEUS: points between two crossings, at most 1000.
     points: int
 
 
 class IntersectionOptions(TypedDict, total=False):
     """Fields of ``gusset_intersection_options``; what is not given is as by default."""
 
-    #: With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite, the greatest distance of the curve from the
-    #: chords between its points, as their tangents and middles show it. (1.14 times as much was seen at one chord in
-    #: 10,000.) A chord that is smaller than `tolerance` and than the surfaces' own tolerances counts as the smaller
-    #: one of these. Otherwise not read.
+    #: With GUSSET_POINT_SPACING_CHORD: largest distance of the curve from its chords, above 0 and finite. Estimated:
+    #: rare chords exceed it by about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
     chord: float
-    #: A length, finite: surfaces that are apart, or overlap, by no more than that all over touch there. 0: the
-    #: smaller one of the tolerances of the two surfaces. Branches are found and told apart by that one, or by
-    #: `tolerance` if it is smaller: shorter ones may be lost. A surface's intersections with itself take a greater
-    #: one for the surface's own.
+    #: Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
+    #: surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
+    #: tolerances may be lost.
     tolerance: float
-    #: one of the words: all but GUSSET_POINT_SPACING_LEUS; for GUSSET_POINT_SPACING_AUTO the smaller surface's box
-    #: counts.
+    #: Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
 
 
 class SheetMeshOptions(TypedDict, total=False):
     """Fields of ``gusset_sheet_mesh_options``; what is not given is as by default."""
 
-    #: How far triangles may be from the surface, a length more than 0; 0, or INFINITY: no demand.
+    #: Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     tolerance: float
-    #: The fewest parts of each cell in u; 0 stands for 1.
+    #: Minimum parts of each cell in u; 0: 1.
     min_u: int
-    #: The fewest parts of each cell in v; 0 stands for 1.
+    #: Minimum parts of each cell in v; 0: 1.
     min_v: int
-    #: 1: triangles only; 0: quads, and triangles at poles.
+    #: 1: triangles only; 0: quads, with triangles at poles.
     triangles: bool
 
 
 class DevelopOptions(TypedDict, total=False):
     """Fields of ``gusset_develop_options``; what is not given is as by default."""
 
-    #: Which distortion is least: one of the words
+    #: Distortion that a development minimises.
     distortion: Literal['symmetric', 'rigid', 'conformal']
-    #: Darts at the most: cuts from the border of a chart to where its curvature is.
+    #: Largest number of darts: cuts from the border of a chart to where it is curved.
     max_darts: int
-    #: Vertices of the mesh, path after path, along which it is cut. Vertices that follow one another are connected by
-    #: the shortest path along edges; a path of one vertex cuts nothing.
+    #: Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
+    #: along edges. A path of one vertex cuts nothing.
     cuts: ArrayLike
-    #: Where each path begins among them, and the end of the last; empty for one path of all.
+    #: Start of each path in cuts, and the end of the last. Empty: one path.
     cut_offsets: ArrayLike
-    #: No more darts are made once no length changes by a larger factor; above 1, or 0: all darts are made.
+    #: Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
     max_stretch: float
-    #: Steps of each descent at the most; 0: 200. A chart whose border would meet itself takes more than one, and so
-    #: does one as rigid as possible.
+    #: Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    #: several descents. 0: 200.
     max_iterations: int
 
 
 class JoinOptions(TypedDict, total=False):
     """Fields of ``gusset_join_options``; what is not given is as by default."""
 
-    #: one of the words
+    #: The treatment of coincident borders of pieces.
     weld: Literal['sew', 'none', 'edge_to_edge']
     #: GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face
     #: each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned, nor in the end.
-    orientation: Literal['fix', 'keep']
-    #: one of the words
+    orientation: Literal['fix', 'refuse', 'keep']
+    #: The widest gap that is closed.
     gap: Literal['auto', 'given']
     #: 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or 1.
     whole_loops_only: bool
@@ -382,9 +368,9 @@ class JoinOptions(TypedDict, total=False):
     #: How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last two must be valid
     #: too; intersections REPORT is as IGNORE.
     fill_options: FillOptions
-    #: one of the words: the side that closed components of the result face; outwards by default. The wall of a cavity
-    #: within another component is turned too. A result that is not turned is mostly as the first piece has it.
-    outward: Literal['default', 'keep', 'closed']
+    #: The side that closed components of the result face; outwards by default. The wall of a cavity within another
+    #: component is turned too. A result that is not turned is mostly as the first piece has it.
+    outward: Literal['auto', 'keep', 'closed']
     #: GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
     overlaps: Literal['keep', 'trim']
     #: Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
@@ -401,7 +387,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "unused": ('choice', {'keep': 0, 'remove': 1}, None),
     },
     "gusset_orient_options": {
-        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
+        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
     },
     "gusset_boundary_options": {
         "non_manifold": ('choice', {'cut': 0, 'stop': 1}, None),
@@ -418,14 +404,14 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "cells": ('choice', {'triangles': 0, 'quads': 1}, None),
         "tolerance_mode": ('choice', {'auto': 0, 'given': 1, 'exact': 2}, None),
         "tolerance": ('float', {}, ('tolerance_mode', 'given')),
-        "arc_a": ('row', {}, ('extent', 'arcs')),
-        "arc_b": ('row', {}, ('extent', 'arcs')),
+        "arc_a": ('row', {}, None),
+        "arc_b": ('row', {}, None),
         "search": ('choice', {'auto': 0, 'exact': 1}, None),
         "start": ('choice', {'auto': 0, 'closest': 1, 'given': 2}, None),
         "fairing": ('choice', {'none': 0, 'thin_plate': 1}, None),
         "intersections": ('choice', {'auto': 0, 'ignore': 1, 'report': 2}, None),
         "centres": ('choice', {'vertices': 0, 'length': 1}, None),
-        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
+        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
         "finish": ('choice', {'strip': 0, 'blend': 1}, None),
     },
     "gusset_fill_options": {
@@ -440,7 +426,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "max_length": ('float', {}, None),
         "max_diameter": ('float', {}, None),
         "max_area": ('float', {}, None),
-        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
+        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
         "together": ('choice', {'apart': 0, 'one': 1, 'cheapest': 2}, None),
         "groups": ('array', {}, None),
         "continuity": ('choice', {'c1': 0, 'c2': 1}, None),
@@ -455,7 +441,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
     "gusset_alignment_options": {
         "start": ('choice', {'as_given': 0, 'principal_axes': 1, 'rims': 2}, None),
         "samples": ('int', {}, None),
-        "poses": ('array', {}, ('start', 'as_given')),
+        "poses": ('array', {}, None),
         "max_distance": ('float', {}, None),
         "max_rounds": ('int', {}, None),
     },
@@ -506,12 +492,12 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "max_count": ('int', {}, None),
     },
     "gusset_contour_options": {
-        "chord": ('float', {}, ('spacing', 'chord')),
+        "chord": ('float', {}, None),
         "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
-        "points": ('int', {}, ('spacing', 'leus')),
+        "points": ('int', {}, None),
     },
     "gusset_intersection_options": {
-        "chord": ('float', {}, ('spacing', 'chord')),
+        "chord": ('float', {}, None),
         "tolerance": ('float', {}, None),
         "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
     },
@@ -531,7 +517,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
     },
     "gusset_join_options": {
         "weld": ('choice', {'sew': 0, 'none': 1, 'edge_to_edge': 2}, None),
-        "orientation": ('choice', {'fix': 0, 'keep': 2}, None),
+        "orientation": ('choice', {'fix': 0, 'refuse': 1, 'keep': 2}, None),
         "gap": ('choice', {'auto': 0, 'given': 1}, None),
         "whole_loops_only": ('flag', {}, None),
         "within_components": ('flag', {}, None),
@@ -542,7 +528,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "weld_options": ('options:WeldOptions', {}, None),
         "strip_options": ('options:StitchOptions', {}, None),
         "fill_options": ('options:FillOptions', {}, None),
-        "outward": ('choice', {'default': 0, 'keep': 1, 'closed': 2}, None),
+        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
         "overlaps": ('choice', {'keep': 0, 'trim': 1}, None),
         "trim_options": ('options:TrimOptions', {}, ('overlaps', 'trim')),
     },

@@ -15,8 +15,9 @@ use std::ptr;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-/// Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at
-/// a time, but gusset_context_cancel and gusset_context_get_progress may be called from any.
+/// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a
+/// time, but any thread may call gusset_context_cancel, gusset_context_reset and
+/// gusset_context_get_progress.
 pub struct gusset_context {
     watch: Watch,
     state: Mutex<State>,
@@ -24,26 +25,24 @@ pub struct gusset_context {
 
 handle! { gusset_context }
 
-/// Called now and then during long work, on the thread that made the call. fraction: part done, 0
-/// to 1. stage: what is being done, valid during the callback only. Return nonzero to cancel the
-/// call. It must not use the context, except for gusset_context_cancel and
-/// gusset_context_get_progress, and must not throw or longjmp.
+/// Receives the progress of long work, on the calling thread. A nonzero return cancels the call.
+/// The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
+/// gusset_context_get_progress.
+/// - fraction: the part done, 0 to 1.
+/// - stage: the current work; valid during the callback.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
-/// Called with remarks that are no failures, on the thread that made the call; message is valid
-/// during the callback only. The same rules as for progress. Stitching, filling and joining remark
-/// that
-/// - the pieces of a stitch, or the components of its two loops, disagree in orientation, and the
-///   second was turned over;
-/// - what is closed was inside out, and was turned over;
-/// - fairing was asked for, and no new vertices were;
-/// - rows, cells or fairing were asked for with a blend, which does not read them;
-/// - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
-/// - loops are left although others are near: near_loops_left of gusset_join_report is not 0;
+/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Programs read the
+/// same from results; the sentences may change. Stitching, filling and joining remark that
+/// - the second piece of a stitch, or component of its loops, was turned over to agree with the
+///   first;
+/// - a closed component was inside out and was turned over;
+/// - fairing was requested without new vertices;
+/// - rows, cells or fairing were requested with a blend, which ignores them;
+/// - a strip replaces a blend with too many vertices or more intersections;
+/// - loops stay open near others: near_loops_left of gusset_join_report is not 0;
 /// - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
-///
-/// Programs read the same from the results; the sentences may change.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
 struct State {
@@ -53,21 +52,21 @@ struct State {
     report: gusset_error_report,
 }
 
-/// What went wrong in the last call, for programs.
+/// Report of the last error.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_error_report {
-    /// sizeof(gusset_error_report), set by the caller.
+    /// sizeof(gusset_error_report).
     pub struct_size: usize,
-    /// The status that the call returned.
+    /// Status that the call returned.
     pub status: i32,
-    /// What index counts: one of GUSSET_ELEMENT_...
+    /// Kind of element that the index of a report counts.
     pub element: gusset_element,
-    /// The first offending element.
+    /// First offending element.
     pub index: u64,
-    /// Its value where it has one: the coordinate, the vertex index, the limit exceeded.
+    /// Value of the element, if any: a coordinate, a vertex index, an exceeded limit.
     pub value: f64,
-    /// The mesh or loop that it belongs to: 0 the first, 1 the second.
+    /// Mesh, input or loop of the element, from 0.
     pub input: u32,
     /// 0.
     pub reserved: u32,
@@ -236,7 +235,7 @@ macro_rules! lend {
 }
 pub(crate) use lend;
 
-/// Creates a context with automatic threads and no callbacks.
+/// Creates a context with automatic threads and without callbacks.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -251,17 +250,15 @@ pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context
     })
 }
 
-/// Destroys a context; NULL is allowed.
-///
-/// No call may be using it.
+/// Destroys a context. No call may be using it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
     handle::destroy(context);
 }
 
-/// Sets the number of threads, on which results do not depend.
+/// Sets the number of threads.
 ///
-/// @param threads 0 as many as the machine has, 1 the calling thread only.
+/// @param threads 0: all threads of the machine; 1: the calling thread only.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
@@ -270,8 +267,8 @@ pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context
 
 /// Sets the progress callback.
 ///
-/// @param progress NULL for none.
-/// @param user handed to it, and not looked at.
+/// @param progress NULL: none.
+/// @param user passed to the callback unchanged.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
@@ -286,8 +283,8 @@ pub unsafe extern "C" fn gusset_context_set_progress(
 
 /// Sets the log callback.
 ///
-/// @param log NULL for none.
-/// @param user handed to it, and not looked at.
+/// @param log NULL: none.
+/// @param user passed to the callback unchanged.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
@@ -307,7 +304,7 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusse
     })
 }
 
-/// Cancels the running call, and every later one until gusset_context_reset.
+/// Cancels the running call and all later calls until gusset_context_reset.
 ///
 /// @complexity O(1).
 /// @threads From any thread; NULL is allowed.
@@ -318,12 +315,10 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     }
 }
 
-/// Takes a cancel back.
-///
-/// NULL is allowed.
+/// Withdraws a cancellation.
 ///
 /// @complexity O(1).
-/// @threads From any thread.
+/// @threads From any thread; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     if let Ok(context) = handle::get(context, "context") {
@@ -331,7 +326,7 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     }
 }
 
-/// How much of the running (or last) call is done, 0 to 1; 0 for NULL.
+/// Returns the part of the running or last call that is done.
 ///
 /// @return 0 to 1; 0 for NULL.
 /// @complexity O(1).
@@ -340,13 +335,10 @@ pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_cont
     handle::get(context, "context").map_or(0.0, |context| context.watch.fraction())
 }
 
-/// What went wrong in the last call with this context, as an English sentence; empty after a
-/// success.
+/// Explains the error of the last call in an English sentence.
 ///
-/// Never NULL. Valid until the next call with the context. Empty too for NULL, and while a call is
-/// running.
-///
-/// @return a NUL-terminated UTF-8 string, never NULL.
+/// @return a NUL-terminated UTF-8 string, never NULL, valid until the next call with the context;
+///     empty after a success, during a call, and for NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
@@ -354,7 +346,7 @@ pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_conte
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
 
-/// What went wrong in the last call with this context, as numbers.
+/// Copies the report of the last call; it is cleared after a success.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

@@ -1,5 +1,5 @@
-//! Statuses: Numbers that functions return. 1 to 999 are mistakes of the caller, 1000 to 1999 lie
-//! in the data, 2000 to 2999 come from the environment. A number never changes its meaning.
+//! Statuses: Results of functions. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the
+//! data, 2000 to 2999 failures of the environment. A number never changes its meaning.
 //!
 //! The first sentence of each comment is the text of its status too: see `status_text.rs`. Each error of the core becomes a code with an element in one place, `From<Error>`.
 
@@ -9,7 +9,7 @@ use std::ffi::c_char;
 
 pub(super) use super::status_text::text;
 
-/// What a function returns; `GUSSET_OK` is 0.
+/// Status that a function returns.
 #[repr(i32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "cbindgen takes the comments below, one each")]
@@ -18,173 +18,170 @@ pub enum gusset_status {
     GUSSET_OK = 0,
     /// A pointer that must not be NULL is NULL.
     GUSSET_ERROR_NULL_ARGUMENT = 1,
-    /// A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have
-    /// any alignment.)
+    /// A pointer to a struct, a handle or an output is misaligned. Element arrays may have any
+    /// alignment.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /// struct_size is smaller than the first version of the struct.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
-    /// An enumerator, a reserved field or a field unknown to this version has an unknown value.
+    /// A choice, a reserved field or a field unknown to this version has an unknown value.
     GUSSET_ERROR_UNKNOWN_VALUE = 4,
     /// An option is outside its range.
     GUSSET_ERROR_OUT_OF_RANGE = 5,
-    /// The caller's buffer is too small; nothing was written but the size needed.
+    /// The caller's buffer is too small; only the required size was written.
     GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
-    /// The context is in use by another call: on another thread, or further up this one's stack.
+    /// Another call uses the context, on another thread or further up the stack.
     GUSSET_ERROR_CONTEXT_BUSY = 7,
-    /// There is no element of this index.
+    /// The element with this index does not exist.
     GUSSET_ERROR_NO_SUCH_ELEMENT = 8,
-    /// A stride is smaller than what lies at each step of it.
+    /// A stride is smaller than one element.
     GUSSET_ERROR_BAD_STRIDE = 9,
     /// Exactly one of face_offsets and face_size must be given.
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
-    /// Arrays that the library would write to overlap.
+    /// An output array overlaps another array.
     GUSSET_ERROR_OVERLAP = 11,
-    /// A handle is of another kind than the function takes, or was destroyed. (That is seen where the
-    /// memory has not been used again; a pointer to anything else cannot be told.)
+    /// A handle is of the wrong kind or was destroyed. Detection ends when its memory is used
+    /// again; other invalid pointers are not detected.
     GUSSET_ERROR_WRONG_HANDLE = 12,
-    /// Values are given for another number of inputs, or of elements of one, than there are.
+    /// The number of inputs, or of values of an input, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
-    /// More vertices, faces or half-edges than this version takes.
+    /// A count exceeds the limit of this version.
     GUSSET_ERROR_TOO_LARGE = 1000,
-    /// The bytes of an array exceed the address space.
+    /// An array exceeds the address space.
     GUSSET_ERROR_SIZE_OVERFLOW = 1001,
-    /// A mesh without vertices or without faces, or no mesh at all.
+    /// A mesh lacks vertices or faces, or no mesh was given.
     GUSSET_ERROR_EMPTY_MESH = 1002,
-    /// Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than
-    /// their elements.
+    /// Offsets do not start at 0, decrease, or do not end at the number of elements.
     GUSSET_ERROR_BAD_OFFSETS = 1003,
-    /// A face of fewer than three corners.
+    /// A face has fewer than three corners.
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
-    /// A face names a vertex that does not exist.
+    /// A vertex index is out of range.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A number is NaN or infinite: a coordinate of a vertex that a face uses, of a point, a tangent,
-    /// a query or a node, or a value of a channel.
+    /// A number is NaN or infinite. It is a coordinate of a used vertex, a point, a tangent, a
+    /// query or a node, or a value of a channel.
     GUSSET_ERROR_NOT_FINITE = 1006,
-    /// The second mesh, or a later piece, has f64 positions and the first f32.
+    /// A later mesh or piece has 64-bit positions and the first has 32-bit positions.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
-    /// A record of a winged-edge table fits no mesh.
+    /// A record of a winged-edge table is inconsistent.
     GUSSET_ERROR_BAD_WINGS = 1008,
-    /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
+    /// A merge map names a vertex that does not exist or is merged into another.
     GUSSET_ERROR_BAD_MERGE = 1009,
-    /// A face passes a vertex twice, where each face needs a shape.
+    /// A face passes a vertex twice, which the operation does not allow.
     GUSSET_ERROR_REPEATED_CORNER = 1010,
-    /// There is no boundary loop that can be stitched, or of one mesh there are no two.
+    /// No boundary loop, or no pair of loops of one mesh, can be stitched.
     GUSSET_ERROR_NO_LOOP = 1100,
-    /// A loop of fewer than three vertices.
+    /// A loop has fewer than three vertices.
     GUSSET_ERROR_LOOP_TOO_SHORT = 1101,
     /// A loop passes a vertex twice.
     GUSSET_ERROR_LOOP_REPEATS_VERTEX = 1102,
     /// Consecutive vertices of a loop are not joined by an edge with exactly one face.
     GUSSET_ERROR_LOOP_EDGE_NOT_FREE = 1103,
-    /// Both loops pass the same vertex of the same mesh.
+    /// Both loops pass the same vertex of one mesh.
     GUSSET_ERROR_LOOPS_SHARE_VERTEX = 1104,
     /// The faces along a loop disagree in orientation.
     GUSSET_ERROR_LOOP_NOT_ORIENTED = 1105,
-    /// The second piece is oriented against the first, and the options refuse to turn it over.
+    /// The second piece is oriented against the first, and the options forbid turning it over.
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
-    /// Every strip through the first meridian would repeat an edge that the mesh already has.
+    /// Every strip through the first meridian would repeat an edge of the mesh.
     GUSSET_ERROR_NO_STRIP = 1107,
-    /// The planes through the loops' centres cannot tell which vertices face each other: such loops
-    /// are joined whole.
+    /// The planes through the loops' centres do not show which vertices face each other. Join these
+    /// loops whole.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
-    /// Vertices that follow one another in a cut are not connected by edges.
+    /// Consecutive vertices of a cut are not connected by edges.
     GUSSET_ERROR_CUT_NOT_CONNECTED = 1109,
     /// A closed curve does not end where it begins.
     GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
-    /// A control point of what must be a plane curve has z other than 0.
+    /// A control point of a plane curve has z other than 0.
     GUSSET_ERROR_CURVE_NOT_PLANE = 1201,
-    /// A curve without segments, or without points, where one is needed.
+    /// A curve lacks segments or points.
     GUSSET_ERROR_EMPTY_CURVE = 1202,
-    /// A section of a frame has another number of points than the first one.
+    /// A section of a frame has a different number of points than the first.
     GUSSET_ERROR_SECTIONS_DIFFER = 1210,
     /// A section of a frame, or a plane, does not meet a column.
     GUSSET_ERROR_NO_NODE = 1211,
-    /// A net of fewer than two rows or columns.
+    /// A net has fewer than two rows or columns.
     GUSSET_ERROR_NET_TOO_SMALL = 1300,
-    /// A gluing makes both pairs of opposite corners of a cell one each, which no surface allows.
+    /// A gluing merges both pairs of opposite corners of a cell.
     GUSSET_ERROR_CROSSING_CELL = 1301,
     /// A seam is empty, leaves the net, or repeats one pair of nodes.
     GUSSET_ERROR_BAD_SEAM = 1302,
-    /// Sides of nets to be joined have different numbers of nodes, or do not lie on each other.
+    /// Sides of nets to be joined have different numbers of nodes or do not coincide.
     GUSSET_ERROR_SIDES_DIFFER = 1303,
-    /// Faces of a mesh are no rectangular grid of quads, or triangles no such grid with diagonals.
+    /// Faces do not form a rectangular grid of quads, whole or split along diagonals.
     GUSSET_ERROR_NO_GRID = 1304,
-    /// A stream is damaged, cut off, or none of ours.
+    /// A stream is damaged, truncated or in another format.
     GUSSET_ERROR_BAD_STREAM = 1305,
     /// A group of a scene would contain itself.
     GUSSET_ERROR_SCENE_CYCLE = 1306,
-    /// A scene without nets.
+    /// A scene has no nets.
     GUSSET_ERROR_EMPTY_SCENE = 1307,
-    /// A field of deformation is not defined at a node.
+    /// A deformation field is not defined at a node.
     GUSSET_ERROR_FIELD_UNDEFINED = 1320,
     /// A net is glued elsewhere than along whole sides, or has bridges.
     GUSSET_ERROR_GLUED_INSIDE = 1321,
     /// Two nets are glued differently.
     GUSSET_ERROR_GLUINGS_DIFFER = 1322,
-    /// Knots of a spline: their number does not fit, or one is out of order or repeated too often.
+    /// Knots of a spline have a wrong number, order or multiplicity.
     GUSSET_ERROR_BAD_KNOTS = 1410,
-    /// Curves of a net do not meet, or not in the order given.
+    /// Curves of a net do not meet, or meet out of order.
     GUSSET_ERROR_CURVES_APART = 1411,
-    /// Memory could not be had.
+    /// Memory could not be allocated.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
-    /// The host cancelled.
+    /// The caller cancelled the call.
     GUSSET_ERROR_CANCELLED = 2001,
-    /// A defect of the library; the context and all handles remain usable.
+    /// Internal error of the library; the context and all handles remain usable.
     GUSSET_ERROR_PANIC = 9999,
 }
 
 use gusset_status::*;
 
-/// What the index in a report counts.
+/// Kind of element that the index of a report counts.
 pub type gusset_element = u32;
-/// The report's index means nothing.
+/// The index means nothing.
 pub const GUSSET_ELEMENT_NONE: gusset_element = 0;
-/// A vertex of the input mesh.
+/// Vertex of the input mesh.
 pub const GUSSET_ELEMENT_VERTEX: gusset_element = 1;
-/// A face of the input mesh.
+/// Face of the input mesh.
 pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
-/// A half-edge: a position in face_corners.
+/// Half-edge: a position in face_corners.
 pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
-/// An entry of face_offsets.
+/// Entry of face_offsets.
 pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
-/// A place in the loop given; the report's input is the number of the loop.
+/// Place in a given loop; the report's input is the number of the loop.
 pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
-/// A count of elements or bytes.
+/// Number of elements or bytes.
 pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
-/// A point of an outline or a curve, counted over all outlines.
+/// Point of an outline or a curve, counted over all outlines.
 pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
-/// A constraint on an outline: its place, or its tangent.
+/// Constraint on an outline: its place or tangent.
 pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
-/// One of the places on a curve or a surface that were given.
+/// Given place on a curve or a surface.
 pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
-/// A section of a frame, or a plane, counted from 0; the value is the column or the number of
-/// points.
+/// Section of a frame, or plane, from 0. The value is the column or the number of points.
 pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
-/// A node of a net, row after row.
+/// Node of a net, row after row.
 pub const GUSSET_ELEMENT_NODE: gusset_element = 13;
-/// A link of a net: twice its first node, and 1 if it is vertical.
+/// Link of a net: twice its first node, plus 1 if vertical.
 pub const GUSSET_ELEMENT_LINK: gusset_element = 14;
-/// A cell of a net, row after row.
+/// Cell of a net, row after row.
 pub const GUSSET_ELEMENT_CELL: gusset_element = 15;
-/// One of the seams given.
+/// Given seam.
 pub const GUSSET_ELEMENT_SEAM: gusset_element = 16;
-/// A bridge of a net.
+/// Bridge of a net.
 pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
-/// An entry of a scene.
+/// Entry of a scene.
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
-/// A byte of a stream.
+/// Byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
-/// One of the operations, fields, gluings, lines, loops, pairs, pieces, sheets or curves that were
-/// given.
+/// Given operation, field, gluing, line, loop, pair, piece, sheet or curve.
 pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
-/// A place along the side of a net; the value is a distance.
+/// Place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
-/// A knot of a spline, in u or in v as the message says.
+/// Knot of a spline; the message names u or v.
 pub const GUSSET_ELEMENT_KNOT: gusset_element = 30;
-/// A row of a net of curves; the message has the column, the value is how far they are apart.
+/// Row of a net of curves. The message has the column; the value is their distance.
 pub const GUSSET_ELEMENT_ROW: gusset_element = 31;
 
-/// An edge of a winged-edge table.
+/// Edge of a winged-edge table.
 pub const GUSSET_ELEMENT_EDGE: gusset_element = 32;
 
 /// A failure on its way to the host.
@@ -379,11 +376,9 @@ impl From<Error> for Failure {
     }
 }
 
-/// What a status means, in a few English words.
+/// Describes a status in a few English words.
 ///
-/// Never NULL; static.
-///
-/// @param status any number; for one that is no status, "unknown status".
+/// @param status any number; an unknown one gives "unknown status".
 /// @return a static string, never NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]

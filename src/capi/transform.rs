@@ -1,8 +1,8 @@
-//! Affine maps: Three rows of four numbers; they map points to points.
+//! Affine maps: Maps of points, as three rows of four numbers.
 
 use glam::{DAffine3, DVec3};
 
-/// An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
+/// Affine map: four numbers for each of x, y, z, the last one the translation.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_transform {

@@ -2,9 +2,7 @@
 
 use std::ffi::{CStr, c_char};
 
-/// The library's version, "major.minor.patch".
-///
-/// Never NULL; static.
+/// Returns the version of the library, "major.minor.patch".
 ///
 /// @return a static string, never NULL.
 /// @complexity O(1).
@@ -17,10 +15,10 @@ pub extern "C" fn gusset_version() -> *const c_char {
     TEXT.as_ptr()
 }
 
-/// The number of the binary interface.
+/// Returns the number of the binary interface.
 ///
-/// It changes whenever a program built against an older header could break; until 1.0 that is when
-/// the minor version changes.
+/// It changes when programs built against older headers could break: until 1.0, with each minor
+/// version.
 ///
 /// @return the number.
 /// @complexity O(1).

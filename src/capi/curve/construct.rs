@@ -8,36 +8,36 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::OffsetOptions;
 use crate::job::Job;
 
-/// How an offset is fitted.
+/// Options of gusset_curve_offset_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_offset_options {
-    /// sizeof(gusset_offset_options), set by the caller.
+    /// sizeof(gusset_offset_options).
     pub struct_size: usize,
-    /// The deviation aimed at, above 0, in the unit of the points.
+    /// Wanted deviation, above 0.
     pub tolerance: f64,
-    /// No segment is halved once there are so many; 0 for 65536.
+    /// No segment is halved at this number of segments; 0: 65536.
     pub max_segments: usize,
-    /// The degree of the segments, 2 or 3; 0 for 3.
+    /// Degree of segments, 2 or 3; 0: 3.
     pub degree: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// What is said about an offset.
+/// Accuracy of an offset.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_offset_report {
-    /// sizeof(gusset_offset_report), set by the caller.
+    /// sizeof(gusset_offset_report).
     pub struct_size: usize,
-    /// How far the curve is from the true offset, as measured at 16 places inside each segment.
+    /// Largest distance from the true offset, sampled at 16 places in each segment.
     pub deviation: f64,
-    /// The number of corners of the original, bridged by straight segments.
+    /// Corners of the original, bridged by straight segments.
     pub corners: usize,
-    /// 1 if the deviation is within the tolerance.
+    /// 1: the deviation is within the tolerance.
     pub reached: u32,
-    /// 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs
-    /// backwards there.
+    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards
+    /// there.
     pub tight: u32,
 }
 
@@ -51,17 +51,13 @@ impl gusset_offset_options {
     }
 }
 
-/// The part of a curve from one place to another, open.
+/// Cuts an open part out of a curve.
 ///
-/// On a closed curve the part may run over the start, and from a place to itself it goes round once. A
-/// curve of n segments ends at segment n - 1 and t = 1.
+/// On a closed curve the part may pass the start, and goes round once if from equals to. A curve of
+/// n segments ends at segment n - 1, t = 1.
 ///
-/// @param from where it begins.
-/// @param to where it ends.
-/// @param part receives the result, for gusset_curve_destroy, as for all functions of this group;
-///     NULL on failure.
-/// @errors NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before
-///     from), TOO_LARGE
+/// @errors NO_SUCH_ELEMENT (0: from, 1: to), OUT_OF_RANGE (to precedes from on an open curve),
+///     TOO_LARGE
 /// @complexity O(points).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -77,7 +73,7 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     })
 }
 
-/// The same curve run through from its end to its start.
+/// Reverses a curve.
 ///
 /// @complexity O(points).
 #[unsafe(no_mangle)]
@@ -90,19 +86,17 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     create(context, reversed, "reversed", |job| Ok(gusset_curve(view(curve, "curve")?.reversed(job)?)))
 }
 
-/// Changes the degrees of a curve's segments: lower degrees are raised, higher ones lowered.
+/// Raises and lowers the degrees of a curve's segments.
 ///
-/// A raised segment stays the same curve. A lowered segment is fitted by least squares with fixed ends.
+/// Raising is exact. Lowering is a least-squares fit with fixed ends.
 ///
-/// @param lowest segments of a lower degree are raised to this, 1 to 64; 1 raises none.
-/// @param highest segments of a higher degree are lowered to this, lowest to 64; 64 lowers none.
-/// @param tolerance segments that would deviate by more are not lowered; at least 0, in the unit of
-///     the points; infinity is allowed.
-/// @param deviations receives for each segment a bound on its deviation from the original. A
-///     segment that was kept has the deviation that lowering would cost. NULL if it is not wanted.
-/// @errors OUT_OF_RANGE (a degree, tolerance), TOO_LARGE
-/// @complexity O(degree) for each new control point of a raised segment, O(degree^3) a lowered
-///     segment.
+/// @param lowest least degree, 1 to 64.
+/// @param highest greatest degree, lowest to 64.
+/// @param tolerance a segment with a greater deviation is not lowered; at least 0, or INFINITY.
+/// @param deviations receives a bound of each segment's deviation; for a segment not lowered, the
+///     deviation that lowering would cause. May be NULL.
+/// @errors OUT_OF_RANGE (degree, tolerance), TOO_LARGE
+/// @complexity O(degree) a new control point of raised segments, O(degree^3) a lowered segment.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_change_degree_create(
@@ -123,16 +117,15 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
     })
 }
 
-/// The curve beside a plane curve, re-fitted by segments with common tangents.
+/// Fits the offset of a plane curve by segments with common tangents.
 ///
-/// Places where it crosses itself are not removed.
+/// Self-intersections are not removed.
 ///
-/// @param distance how far to the left of it, to the right if negative; in the unit of the points,
-///     finite.
-/// @param options its tolerance must be given.
-/// @param report what became of it; NULL if it is not wanted.
+/// @param distance to the left, or to the right if negative; finite.
+/// @param options required; its tolerance must be set.
+/// @param report may be NULL.
 /// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE
-/// @complexity O(degree) for each of the places measured.
+/// @complexity O(degree) a measured place.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_offset_create(

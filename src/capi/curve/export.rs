@@ -11,19 +11,19 @@ use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_char;
 
-/// A format that curves are exported to.
+/// Export format of a curve.
 pub type gusset_curve_format = u32;
-/// The data of an SVG path, of M, L, Q, C and Z, for plane curves of degrees up to 3. Numbers read back
-/// as the same bits, and y is not turned over.
+/// SVG path data (M, L, Q, C, Z), for plane curves up to degree 3. Numbers are exact; y is not
+/// flipped.
 pub const GUSSET_CURVE_FORMAT_SVG: gusset_curve_format = 0;
-/// The contour of a TrueType font, for closed plane curves of degrees up to 2: control points, and those
-/// joints that are not in the middle between two of them.
+/// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the
+/// middle between two of them.
 pub const GUSSET_CURVE_FORMAT_CONTOUR: gusset_curve_format = 1;
-/// A clamped B-spline, for curves whose segments have one degree n. A joint with one tangent becomes a
-/// knot of multiplicity n - 1, and is not a control point.
+/// Clamped B-spline, for curves of one degree n. A joint with one tangent becomes a knot of
+/// multiplicity n - 1 without a control point.
 pub const GUSSET_CURVE_FORMAT_SPLINE: gusset_curve_format = 2;
 
-/// A curve in another form. Opaque and immutable; it keeps nothing of the curve.
+/// An exported curve.
 #[derive(Default)]
 pub struct gusset_curve_form {
     /// With a 0 at the end.
@@ -36,41 +36,38 @@ pub struct gusset_curve_form {
 
 handle! { gusset_curve_form }
 
-/// The parts of a form; those that it does not have are empty. Pointers are valid until it is
-/// destroyed.
+/// Lent parts of an exported curve; parts of other formats are empty.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_form_view {
-    /// sizeof(gusset_curve_form_view), set by the caller.
+    /// sizeof(gusset_curve_form_view).
     pub struct_size: usize,
-    /// The text of an SVG path, ended by a 0; empty for other forms.
+    /// SVG path, zero-terminated.
     pub text: *const c_char,
-    /// Its length without the 0.
+    /// Length without the final 0.
     pub text_length: usize,
-    /// The points of a contour or the control points of a spline: x, y, z of each.
+    /// x, y, z of contour points or control points of a spline.
     pub points: *const f64,
-    /// How many.
+    /// Number of points.
     pub point_count: usize,
-    /// Of a contour, for each point: 1 on the curve, 0 off it.
+    /// Contour: 1 for a point on the curve, 0 for a point off it.
     pub on_curve: *const u8,
-    /// Of a spline: the knots, point_count + degree + 1 of them.
+    /// Spline: point_count + degree + 1 knots.
     pub knots: *const f64,
-    /// How many.
+    /// Number of knots.
     pub knot_count: usize,
-    /// Of a spline: its degree.
+    /// Spline: degree.
     pub degree: usize,
 }
 
 versioned! { gusset_curve_form_view: 72 }
 
-/// Exports a curve to another format.
+/// Exports a curve.
 ///
-/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: how far from the middle a joint still counts
-///     as there, at least 0, in the unit of the points; rounding always does. Other formats do not
-///     read it.
-/// @errors UNKNOWN_VALUE (format), CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours),
-///     EMPTY_CURVE (not for SVG), OUT_OF_RANGE (a degree that the format lacks: see
-///     gusset_curve_change_degree_create; tolerance)
+/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint
+///     is omitted, at least 0. Rounding is always allowed.
+/// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for
+///     SVG), OUT_OF_RANGE (tolerance; degree, see gusset_curve_change_degree_create)
 /// @complexity O(points).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -102,7 +99,7 @@ pub unsafe extern "C" fn gusset_curve_export_create(
     })
 }
 
-/// Destroys a form; NULL is allowed.
+/// Frees an exported curve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form) {
     handle::destroy(form);

@@ -1,6 +1,6 @@
 //! Frames: Curves across and along a body, through a common grid of nodes.
 //!
-//! @source Nadopta, introduction; the correspondences are our own.
+//! @source Nadopta, introduction.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::outline::{Given, gusset_outline, gusset_outlines};
@@ -16,23 +16,21 @@ use crate::curve::frame::{Axis, Correspondence, Frame, FrameOptions, NodeGrid, O
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Which points of a section belong to which of the next.
+/// Correspondence of points between sections.
 pub type gusset_correspondence_rule = u32;
-/// The points of the sections by their places: all sections have equally many.
+/// By index; all sections have the same number of points.
 pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence_rule = 0;
-/// Equal parts of the arc length of each section, or of the lengths between corners that all sections
-/// have. Closed sections start where they are turned least against each other, wherever their first
-/// points are; one that runs the other way round than the first one is taken backwards. Open sections
-/// go from their first points to their last.
+/// Equal arc lengths of each section, or between corners common to all. Closed sections start where
+/// the twist is least, and are reversed if oriented opposite to the first. Open sections run from
+/// first to last point.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence_rule = 1;
-/// Where half-planes at equal angles round the axis, straight or bent, meet each section; the
-/// farthest place where there are several.
+/// Half-planes at equal angles round the axis, straight or bent; the farthest of several crossings.
 pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence_rule = 2;
-/// Landmarks of each section, and equal parts of the arc length between them.
+/// Landmarks of each section, and equal arc lengths between them.
 pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence_rule = 3;
 
-/// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing
-/// of the points.
+/// A grid of nodes on a body, with a curve across through each row and a curve along through each
+/// column.
 pub struct gusset_frame {
     pub(crate) grid: NodeGrid,
     pub(crate) across: Tagged<gusset_outline>,
@@ -46,107 +44,99 @@ pub struct gusset_frame {
 
 handle! { gusset_frame }
 
-/// Where the nodes of a frame move.
+/// Direction in which nodes move.
 pub type gusset_offset_direction = u32;
-/// Nodes move along the normals of the body.
+/// Along normals of the body.
 pub const GUSSET_OFFSET_NORMAL: gusset_offset_direction = 0;
-/// Nodes move within the planes of their sections.
+/// In the planes of sections.
 pub const GUSSET_OFFSET_IN_SECTION: gusset_offset_direction = 1;
 
 c_enum! { direction: OffsetDirection {
     GUSSET_OFFSET_NORMAL => Normal, GUSSET_OFFSET_IN_SECTION => InSection
 } }
 
-/// How a frame is made; all zero is the default: the points themselves are the nodes.
+/// Options of gusset_frame_create. By default the points are the nodes. Fields name values of
+/// `correspondence` without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_frame_options {
-    /// sizeof(gusset_frame_options), set by the caller.
+    /// sizeof(gusset_frame_options).
     pub struct_size: usize,
-    /// Which points of a section belong to which of the next.
+    /// Correspondence of points between sections.
     pub correspondence: gusset_correspondence_rule,
-    /// The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
-    /// parts from each landmark to the next.
+    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
     pub columns: u32,
-    /// 1: the last section is followed by the first one. 0 or 1.
+    /// 1: the first section follows the last.
     /// @flag
     pub ring: u32,
-    /// 1: closed sections start at their first points, or at the corner after the first section's; read
-    /// with ARC_LENGTH. 0 or 1.
+    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after
+    /// the first section's first point.
     /// @flag
     pub given_starts: u32,
-    /// 1: corners that only the points' polygon has are drawn smooth. 0: a point is a corner where that
-    /// turns by 40 degrees and far more than usual, or by the `corner_angle` of the curves across if
-    /// that is less than pi; there they turn sharply. 0 or 1.
+    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40
+    /// degrees and far more than usual, or by `corner_angle` of `across` if less than pi.
     /// @flag
     pub smooth_corners: u32,
     /// 0.
     pub reserved: u32,
-    /// For ANGLE: a point of the axis.
+    /// ANGLE: a point of the axis.
     pub axis_point: [f64; 3],
-    /// For ANGLE: its direction; seen against it angles grow counter-clockwise.
+    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
     pub axis_direction: [f64; 3],
-    /// For ANGLE: towards the nodes of column 0; any vector not along the axis, at its first point if
-    /// it is bent.
+    /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     pub reference: [f64; 3],
-    /// For ANGLE about a bent axis: a point of it for each section, x, y, z; axis_point and
-    /// axis_direction are not read then. The axis passes them along the circles through three of them
-    /// at a time, and the reference goes along without turning about it. NULL: the axis is straight.
+    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and
+    /// axis_direction. The axis follows circles through three consecutive points; the reference
+    /// does not rotate about it. NULL: straight.
     pub axis_points: *const f64,
-    /// The number of these points: that of the sections.
+    /// Number of sections.
     pub axis_point_count: usize,
-    /// For LANDMARKS: for each section its landmarks in order, places among its own points; as many
-    /// for each.
+    /// LANDMARKS: for each section the same number of indices into its own points, in order.
     pub landmarks: gusset_indices,
-    /// How the curves across are made; NULL for the defaults.
+    /// Options of the curves across; NULL: defaults.
     pub across: *const gusset_outline_options,
-    /// How the curves along are made; NULL for the defaults.
+    /// Options of the curves along; NULL: defaults.
     pub along: *const gusset_outline_options,
-    /// For GIVEN: points that are missing, counted over all sections, in any order. What stands in
-    /// their places is not read, and may be NaN. Each is filled along the body: on the curve of
-    /// Catmull and Rom through the nodes of its column before and behind it, two of each if there
-    /// are as many, by the centripetal parameters of the columns next to it.
+    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not
+    /// read. Each is interpolated by a Catmull-Rom curve through up to two nodes before and after
+    /// it in the column, with centripetal parameters from adjacent columns.
     pub missing: gusset_indices,
 }
 
-/// The nodes of a frame, row by row, and its curves. Pointers are valid until the frame is destroyed.
+/// Lent nodes, row by row, and curves of a frame.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_frame_view {
-    /// sizeof(gusset_frame_view), set by the caller.
+    /// sizeof(gusset_frame_view).
     pub struct_size: usize,
-    /// The number of sections.
+    /// Number of sections.
     pub rows: usize,
-    /// The number of nodes in a section.
+    /// Number of nodes in a section.
     pub columns: usize,
     /// x, y, z of each node.
     pub nodes: *const f64,
-    /// The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is
-    /// none.
+    /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
     pub across: *const f64,
-    /// The direction of the curve along.
+    /// Unit tangents of the curves along.
     pub along: *const f64,
-    /// The curves across, one for each section: node i of row k is its point k columns + i. The frame
-    /// owns them.
+    /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
     pub curves_across: *const gusset_outline,
-    /// The curves along, one for each column: node i of row k is its point i rows + k. The frame owns
-    /// them.
+    /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
     pub curves_along: *const gusset_outline,
-    /// For each section 1 if it was taken backwards.
+    /// By section: 1 if it was reversed.
     pub turned: *const u8,
-    /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+    /// Nodes whose half-plane meets their section several times.
     pub ambiguous: gusset_indices,
-    /// Nodes at which the curve across turns sharply, ascending.
+    /// Nodes that are corners of the curve across, ascending.
     pub corners: gusset_indices,
-    /// The largest angle, in radians, by which the nodes of a closed section are turned against those
-    /// of the section before it: a body that is not meant to be wrung has a small one. 0 of open ones.
+    /// Largest rotation of a closed section's nodes relative to the previous section; 0 for open
+    /// sections.
     pub max_twist: f64,
-    /// The largest distance between the two curves at a node, relative to the size of the nodes'
-    /// box.
+    /// Largest distance between the two curves at a node, relative to the nodes' box.
     pub max_gap: f64,
-    /// The smallest sine of the angle at which two curves cross at a node.
+    /// Smallest sine of the angle between two curves at a node.
     pub min_sine: f64,
-    /// Nodes that were missing and are filled, ascending.
+    /// Interpolated missing nodes, ascending.
     pub filled: gusset_indices,
 }
 
@@ -186,19 +176,16 @@ impl gusset_frame_options {
     }
 }
 
-/// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve
-/// across through each row of it, and a curve along through each column.
+/// Makes the frame of consecutive sections.
 ///
-/// @param sections at least 2, 3 of a ring.
-/// @errors as gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are
-///     not as many for each section, or not in order; an axis without direction, or points of it
-///     that are not as many as sections; missing points of another correspondence than GIVEN),
-///     NO_SUCH_ELEMENT (a missing point), SECTIONS_DIFFER, NO_NODE (a section that a half-plane
-///     does not meet, or that is no curve; with the section and the column, a missing node with
-///     none before it, or none behind, in its column)
-/// @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <=
-///     128 of them, none are shared by sections with more.
-/// @source Nadopta, introduction; the correspondences are ours.
+/// @param sections at least 2, for a ring 3.
+/// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing
+///     points without GIVEN), NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (names
+///     section and column: half-plane misses the section; section is not a curve; no node before or
+///     after a missing one)
+/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3);
+///     with more corners, none is common.
+/// @source Nadopta, introduction.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_create(
@@ -231,24 +218,23 @@ pub unsafe extern "C" fn gusset_frame_create(
     })
 }
 
-/// Makes the frame beside a frame: room for comfort round a body, more in some places than in
-/// others.
+/// Makes the offset of a frame.
 ///
-/// Each node moves by its distance: outwards, if sections are closed, inwards if it is negative; of
-/// open sections along the derivative from section to section crossed with that along them, or,
-/// within sections, away from the chord between their ends. Directions come from circles through
-/// neighbouring nodes, so that planes, round cylinders with sections square to their axes, and
-/// spheres become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
-/// nothing tells a direction stay.
+/// Directions come from circles through neighbouring nodes. Offsets of planes, spheres, and round
+/// cylinders with perpendicular sections are exact. Curves have the options of the original.
 ///
-/// @param frame may be destroyed afterwards.
-/// @param distances in the unit of the points, finite.
-/// @param distance_count 1: all nodes move by the same; the number of rows: each section by its
-///     own; rows x columns: each node by its own, row by row.
-/// @errors COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), as
-///     gusset_frame_create (for the new nodes)
-/// @complexity O(nodes), and that of the curves.
-/// @source Nadopta, introduction, for the aim; the directions are ours.
+/// Each node moves by its distance:
+/// - Closed sections: outwards, or inwards if negative.
+/// - Open sections: along D x d, the derivatives from section to section and within a section; with
+///   GUSSET_OFFSET_IN_SECTION, away from the chord of the section's ends.
+/// - Nodes without a direction stay.
+///
+/// @param distances finite lengths.
+/// @param distance_count 1: one for all; rows: one for each section; rows x columns: one for each
+///     node, row by row.
+/// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance), as gusset_frame_create (new nodes)
+/// @complexity O(nodes), plus the curves.
+/// @source Nadopta, introduction.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_offset_create(
@@ -276,13 +262,13 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
     })
 }
 
-/// Destroys what gusset_frame_create or gusset_frame_offset_create made; NULL is allowed.
+/// Frees a frame.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
     handle::destroy(frame);
 }
 
-/// Lends the nodes and the curves, valid until the frame is destroyed.
+/// Lends nodes and curves.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -313,15 +299,15 @@ pub unsafe extern "C" fn gusset_frame_get_view(
     })
 }
 
-/// Cuts the curves along by the plane through a point across a normal, and draws a curve through
-/// the crossings as the curves across were made: a new section.
+/// Cuts the curves along by a plane, and makes a new section through the crossings.
+///
+/// The section has the options of the curves across. Point i is the first crossing of column i.
 ///
 /// @param point x, y, z.
-/// @param normal x, y, z, of any length but 0.
-/// @param section receives one outline, for gusset_outline_destroy; NULL on failure; point i of it
-///     is on the curve along column i, at its first crossing.
-/// @errors as gusset_outline_create, OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in
-///     the report is the column that the plane does not cross)
+/// @param normal x, y, z, not 0.
+/// @param section receives one outline.
+/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: the column
+///     that the plane does not cross)
 /// @complexity O(segments).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -14,7 +14,7 @@ use crate::job::Job;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
+/// Places on a curve, or on two curves.
 #[derive(Default)]
 pub struct gusset_places {
     places: Vec<gusset_place>,
@@ -27,29 +27,28 @@ pub struct gusset_places {
 
 handle! { gusset_places }
 
-/// What was found. Pointers are valid until the handle is destroyed.
+/// Lent places.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_places_view {
-    /// sizeof(gusset_places_view), set by the caller.
+    /// sizeof(gusset_places_view).
     pub struct_size: usize,
-    /// The places, in the order of the (first) curve.
+    /// The places, ordered along the first curve.
     pub places: *const gusset_place,
-    /// How many.
+    /// Number of places.
     pub count: usize,
-    /// The points there: x, y, z of each.
+    /// x, y, z at each place.
     pub points: *const f64,
-    /// Of intersections: the places on the second curve, or the later ones on the same; else NULL.
+    /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
     pub others: *const gusset_place,
-    /// Parts that two segments have in common: start and end on the first, the same start and end
-    /// on the second; four places each. Of tangent angles: start and end of a part, twice.
+    /// Common parts, four places each: start and end on the first curve, the same on the second.
+    /// For tangent angles: start and end, twice.
     pub overlaps: *const gusset_place,
-    /// How many, each of four places.
+    /// Number of overlaps.
     pub overlap_count: usize,
-    /// Of crossings: the segments that lie in the line or plane altogether.
+    /// Segments that lie entirely in the plane or line.
     pub inside: gusset_indices,
-    /// 1 if some pair of segments was given up: they run beside each other within rounding for a
-    /// long way.
+    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
     pub undecided: u32,
     /// 0.
     pub reserved: u32,
@@ -57,14 +56,14 @@ pub struct gusset_places_view {
 
 versioned! { gusset_places_view: 80 }
 
-/// The rule by which samples are spread along a curve.
+/// Spacing of samples.
 pub type gusset_sample_rule = u32;
-/// As many points as `amount` says, at equal arc lengths.
+/// `amount` points at equal arc lengths.
 pub const GUSSET_SAMPLE_COUNT: gusset_sample_rule = 0;
-/// A point every `amount` of arc length; an open curve's end is always the last.
+/// A point every `amount` of arc length, and the end of an open curve.
 pub const GUSSET_SAMPLE_STEP: gusset_sample_rule = 1;
-/// The curve is nowhere farther than `amount` from the chords between the points. Each segment is halved
-/// at most 20 times, which leaves 1e-12 of its size.
+/// Chords within `amount` of the curve. Each segment is halved at most 20 times, to 1e-12 of its
+/// size.
 pub const GUSSET_SAMPLE_CHORD: gusset_sample_rule = 2;
 
 fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
@@ -105,16 +104,14 @@ impl gusset_places {
     }
 }
 
-/// Finds the places where a curve crosses or touches a plane.
+/// Finds where a curve crosses or touches a plane.
 ///
-/// A plane curve meets the line through `point` along (x, y) where it meets the plane across (-y, x, 0).
+/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
 ///
 /// @param point x, y, z of a point of the plane.
-/// @param normal x, y, z across it, of any length but 0.
-/// @param places receives the result, for gusset_places_destroy, as for all functions of this
-///     group; NULL on failure.
+/// @param normal x, y, z, not 0.
 /// @errors OUT_OF_RANGE (normal), NOT_FINITE
-/// @complexity O(points), and O(degree^2) a crossing.
+/// @complexity O(points + degree^2 crossings).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
@@ -135,22 +132,20 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     })
 }
 
-/// Finds the places where two curves meet, or come as near to each other as `within`; or, if other is
-/// NULL, where a plane curve meets itself.
+/// Finds where two curves meet or come within a distance, or where a plane curve meets itself.
 ///
-/// If within is 0 and both curves are plane, the places are crossings and touches. Otherwise they are the
-/// places where the distance of the curves is least, each once. Joints of neighbouring segments do not
-/// count where a curve meets itself.
+/// If within is 0 and both curves are plane, the result has crossings and touches. Otherwise it has
+/// the local minima of the distance, each once. Joints of adjacent segments are not
+/// self-intersections.
 ///
-/// @param other the other curve; NULL for the curve itself.
-/// @param within a length, 0 or more and finite, 0 if other is NULL; in space at least 1e-12 of the
-///     curves' size is taken.
-/// @param places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are
-///     parts in common, parts that stay as near, and parts where no place can be told from the
-///     next.
+/// @param other NULL: self-intersections.
+/// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves'
+///     size.
+/// @param places overlaps are parts that are common, stay within the distance, or cannot be
+///     separated.
 /// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within
 ///     is not 0)
-/// @complexity Bounded work for each pair of segments whose boxes meet or are as near as within.
+/// @complexity Bounded for each pair of segments whose boxes are within the distance.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_create(
@@ -168,20 +163,17 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     })
 }
 
-/// The points of a curve whose tangents make a given angle with a direction: all of them, each
-/// once.
+/// Finds all points where the tangent of a curve makes an angle with a direction.
 ///
-/// At a cusp, where the derivative is 0, the tangents before and after it count, to 1e-6; at a joint
-/// those of both segments, but not those between. Angles within 1e-7 of 0, pi / 2 and pi are taken
-/// for these; tangents count as along the direction, or against it, to 1e-9.
+/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, tangents
+/// of both segments, not those between. Angles within 1e-7 of 0, pi / 2 and pi are set to them.
+/// Tangents are parallel to the direction, or opposite, to 1e-9.
 ///
-/// @param curve the curve, of any dimension and degree.
-/// @param direction x, y, z, of any length but 0, packed.
+/// @param direction x, y, z, not 0.
 /// @param angle 0 to pi.
-/// @param places receives the places; overlaps are parts all of whose tangents make the angle, as
-///     those of straight segments: where each begins and ends, twice. NULL on failure.
+/// @param places overlaps are parts with a constant angle, such as straight segments.
 /// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
-/// @complexity O(points), and O(degree^2) for each place.
+/// @complexity O(points + degree^2 places).
 /// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -202,11 +194,11 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     })
 }
 
-/// Points along a curve, in its order; of a closed curve the start is not repeated at the end.
+/// Samples points along a curve; a closed curve's start is not repeated.
 ///
 /// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE
-/// @complexity O(points, and samples).
+/// @complexity O(points + samples).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_sample_create(
@@ -231,13 +223,13 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
     })
 }
 
-/// Destroys what was found; NULL is allowed.
+/// Frees places.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
     handle::destroy(places);
 }
 
-/// Lends what was found.
+/// Lends the places.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

@@ -13,59 +13,58 @@ use glam::DVec3;
 /// Places that are measured between two progress reports.
 const PLACES_PER_REPORT: usize = 1 << 8;
 
-/// The nearest point of a curve.
+/// Nearest point of a curve.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_curve_nearest_point {
-    /// Where on the curve.
+    /// Place on the curve.
     pub place: gusset_place,
     /// x, y, z.
     pub point: [f64; 3],
-    /// The distance.
+    /// Distance; infinite if it overflows.
     pub distance: f64,
 }
 
-/// The measures of a curve, as flags.
+/// Measures of a curve.
 /// @bits
 pub type gusset_curve_measure_flags = u32;
-/// The arc length: `length`.
+/// `length`.
 pub const GUSSET_CURVE_MEASURE_LENGTH: gusset_curve_measure_flags = 1;
-/// The smallest box with sides along the axes: `low` and `high`. A curve without points lacks it.
+/// `low` and `high`; undefined without points.
 pub const GUSSET_CURVE_MEASURE_BOUNDS: gusset_curve_measure_flags = 2;
-/// The mean of the points by arc length: `centre`. A curve without points lacks it.
+/// `centre`; undefined without points.
 pub const GUSSET_CURVE_MEASURE_CENTRE: gusset_curve_measure_flags = 4;
-/// The area that the curve encloses: `area_vector` and `area`.
+/// `area_vector` and `area`.
 pub const GUSSET_CURVE_MEASURE_AREA: gusset_curve_measure_flags = 8;
-/// The moments of the enclosed region: `centroid` and `second`. Only a curve in the plane z = 0 with
-/// points has them.
+/// `centroid` and `second`; defined only for a curve with points in the plane z = 0.
 pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
 
-/// The measures of a curve. A chord from its end to its start closes an open curve.
+/// Measures of a curve. A chord closes open curves.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_measures {
-    /// sizeof(gusset_curve_measures), set by the caller.
+    /// sizeof(gusset_curve_measures).
     pub struct_size: usize,
-    /// Of the measures that this struct has; the fields of all others are 0.
+    /// Measures that are present; all other fields are 0.
     pub defined: gusset_curve_measure_flags,
     /// 0.
     pub reserved: u32,
-    /// The arc length, without the chord.
+    /// Arc length without the chord.
     pub length: f64,
-    /// The least x, y and z.
+    /// Least x, y, z of the bounding box.
     pub low: [f64; 3],
-    /// The greatest x, y and z.
+    /// Greatest x, y, z of the bounding box.
     pub high: [f64; 3],
-    /// The mean of the points by arc length.
+    /// Mean of the points by arc length.
     pub centre: [f64; 3],
-    /// Half the integral of r x dr. A curve in the plane z = 0 has (0, 0, signed area): regions that it
-    /// runs round clockwise count negative.
+    /// Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for
+    /// clockwise curves.
     pub area_vector: [f64; 3],
-    /// The length of `area_vector`: the area of the largest shadow, never negative.
+    /// Length of area_vector: area of the largest shadow.
     pub area: f64,
-    /// The centre of gravity of the enclosed region; the curve's start if its area is 0.
+    /// Centroid of the enclosed region; the curve's start if the area is 0.
     pub centroid: [f64; 2],
-    /// The integrals of x x, x y and y y about the centroid, with the sign of the area.
+    /// Integrals of x x, x y and y y about the centroid, with the area's sign.
     pub second: [f64; 3],
 }
 
@@ -92,21 +91,18 @@ fn room<'a, T>(
     Ok((made, input::results(out, times(count, each, name)?, name)?))
 }
 
-/// Computes points, derivatives, tangents and curvatures at many places: only those that the caller
-/// gives room for.
+/// Computes points, derivatives, tangents and curvatures at places.
 ///
-/// @param places count of them, at any alignment.
-/// @param count the number of places, at least 0.
-/// @param order the highest derivative, 0 for the points alone, at most 64; read if derivatives is
-///     given.
-/// @param derivatives receives 3 (order + 1) count numbers: for each place x, y, z of the point,
-///     then of the first derivative by t, and so on; 0 beyond the degree. NULL: not wanted.
-/// @param tangents receives 3 count numbers: x, y, z of each direction, of length 1; 0 on a segment
-///     without extent. NULL: not wanted.
-/// @param curvatures receives count numbers, 1 over the radius: on a plane segment positive where
-///     it turns from x to y; infinite where the first derivative is 0. NULL: not wanted.
-/// @errors NO_SUCH_ELEMENT (a place), OUT_OF_RANGE (order, CANCELLED. Nothing is written then)
-/// @complexity O(degree^2) a place, for each of the outputs.
+/// NULL outputs are not computed. After an error, nothing is written.
+///
+/// @param order highest derivative, 0 to 64; read only with `derivatives`.
+/// @param derivatives receives 3 (order + 1) count numbers: for each place the point x, y, z, then
+///     the derivatives by t in order; 0 beyond the degree.
+/// @param tangents receives 3 count numbers: unit tangents x, y, z; 0 on a segment without extent.
+/// @param curvatures receives count numbers, 1 / radius. On plane segments, positive if turning
+///     from x to y. Infinite where the first derivative is 0.
+/// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
+/// @complexity O(degree^2) a place and output.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_evaluate(
@@ -140,14 +136,12 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
     })
 }
 
-/// The nearest points of a curve to many points.
+/// Finds the nearest point of a curve for each given point.
 ///
-/// @param points x, y, z of each, packed, count of them; any finite numbers. A distance above the
-///     largest number is infinite.
-/// @param count see points.
+/// @param points x, y, z of each point, packed, finite.
 /// @param out receives count results.
 /// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
-/// @complexity About O(log segments + degree^2) a point, on the context's threads.
+/// @complexity About O(log segments + degree^2) a point, parallel.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_nearest(
@@ -167,12 +161,10 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// The arc lengths from the start to many places.
+/// Computes the arc lengths from the start of a curve to places.
 ///
-/// @param places count of them, at any alignment.
-/// @param count see places.
-/// @param out receives count numbers.
-/// @errors as gusset_curve_evaluate (except OUT_OF_RANGE)
+/// @param out receives count lengths.
+/// @errors NO_SUCH_ELEMENT (place)
 /// @complexity O(points) in all.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -195,10 +187,8 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// The places at many arc lengths from the start; beyond the ends, the ends.
+/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
 ///
-/// @param lengths count numbers.
-/// @param count see lengths.
 /// @param out receives count places.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
@@ -222,15 +212,14 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     })
 }
 
-/// Measures a curve: only what the flags ask for is computed.
+/// Measures a curve.
 ///
-/// A measure that the curve lacks is not an error: `defined` of the measures lacks its flag.
+/// `defined` lacks the flag of an undefined measure. The length is accurate to 1e-13, the centre is
+/// computed from 16 chords a segment. All others, and lengths up to degree 2, are exact except for
+/// rounding.
 ///
-/// @param flags 0 for all that the curve has.
-/// @errors UNKNOWN_VALUE (flags)
-/// @complexity O(points) for length and bounds, O(sum of degree^2) for all others. The length is
-///     right to 1e-13, and exact except for rounding up to degree 2; the centre is that of 16
-///     chords a segment; all others are exact except for rounding.
+/// @param flags 0: all.
+/// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_measure(

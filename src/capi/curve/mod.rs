@@ -1,4 +1,4 @@
-//! Curves: Curves of Bezier segments, and places on them.
+//! Curves: Curves of Bezier segments, and places on them. Input arrays may have any alignment.
 //!
 //! @source Textbook properties of Bezier curves: Bernstein bases, de Casteljau, hodographs.
 
@@ -23,8 +23,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
-/// from many threads.
+/// A curve of Bézier segments.
 pub struct gusset_curve(pub(crate) Curve);
 
 handle! { gusset_curve }
@@ -33,28 +32,28 @@ handle! { gusset_curve }
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_place {
-    /// Counted from 0.
+    /// Index of the segment.
     pub segment: u32,
     /// 0.
     pub reserved: u32,
-    /// The parameter: 0 at the segment's first control point, 1 at its last.
+    /// Parameter: 0 at the segment's first control point, 1 at its last.
     pub t: f64,
 }
 
-/// The arrays of a curve. Pointers are valid until it is destroyed.
+/// Lent arrays of a curve.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_view {
-    /// sizeof(gusset_curve_view), set by the caller.
+    /// sizeof(gusset_curve_view).
     pub struct_size: usize,
-    /// The control points: x, y, z of each; z is 0 for a plane curve.
+    /// x, y, z of control points; z is 0 for a plane curve.
     pub controls: *const f64,
-    /// How many.
+    /// Number of control points.
     pub control_count: usize,
-    /// 0, then the index of the last control point of each segment: segment k has the control points
+    /// 0, then the index of each segment's last control point: segment k has the control points
     /// ends[k] to ends[k + 1].
     pub ends: gusset_indices,
-    /// 1: the curve ends where it begins and goes on there.
+    /// 1: the curve is closed.
     pub closed: u32,
     /// 0.
     pub reserved: u32,
@@ -114,15 +113,15 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 
 /// Makes a curve from its control points.
 ///
-/// Degrees are 1 to 64; coordinates any finite numbers.
+/// Segments have degree 1 to 64. Coordinates are finite.
 ///
-/// @param controls x, y of each control point, or x, y, z, packed.
-/// @param control_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
+/// @param controls x, y or x, y, z of each control point, packed.
+/// @param control_count at most 2^30; 0: no segments, and ends is {0}.
 /// @param dimension 2 or 3.
-/// @param ends 0, then the index of the last control point of each segment, rising; the last is
+/// @param ends 0, then the rising index of each segment's last control point; the last is
 ///     control_count - 1.
-/// @param end_count the number of segments and 1.
-/// @param closed 1 if the last control point is the first one again, else 0.
+/// @param end_count segments + 1.
+/// @param closed 1: the last control point repeats the first.
 /// @errors BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(points).
 #[unsafe(no_mangle)]
@@ -148,13 +147,13 @@ pub unsafe extern "C" fn gusset_curve_create(
     })
 }
 
-/// Destroys a curve; NULL is allowed.
+/// Frees a curve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
     handle::destroy(curve);
 }
 
-/// Lends the control points, valid until the curve is destroyed.
+/// Lends the control points.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

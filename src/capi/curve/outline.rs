@@ -1,4 +1,4 @@
-//! Outlines: Passes curves through given points: the inverse problem of Bezier curves.
+//! Outlines: Curves through given points: the inverse problem of Bezier curves.
 //!
 //! @source Nadopta.
 
@@ -19,61 +19,55 @@ use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// The demand of a constraint.
+/// Demand on a curve at a point.
 pub type gusset_constraint_kind = u32;
-/// The curve passes the point in the direction of the tangent, of any length but 0.
+/// Direction `tangent`, not 0.
 pub const GUSSET_CONSTRAINT_TANGENT: gusset_constraint_kind = 0;
-/// The curve may turn sharply at the point.
+/// A corner is allowed.
 pub const GUSSET_CONSTRAINT_CORNER: gusset_constraint_kind = 1;
-/// The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
-/// x-axis, in the plane of x and y.
+/// Direction at the angle tangent[0], counter-clockwise from the x-axis in the xy plane.
 pub const GUSSET_CONSTRAINT_TANGENT_ANGLE: gusset_constraint_kind = 2;
 
-/// What is demanded of a curve at a point.
+/// A constraint at a point.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_constraint {
-    /// The point, counted over all outlines.
+    /// Index of the point over all outlines.
     pub point: u32,
-    /// The demand of a constraint.
+    /// Demand on a curve at a point.
     pub kind: gusset_constraint_kind,
-    /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
-    /// GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
+    /// x, y, z (z = 0 for plane outlines), or an angle, 0, 0.
     pub tangent: [f64; 3],
 }
 
-/// Outlines in the caller's memory: all points one after another. Nothing is copied on the way in.
-/// The arrays may have any alignment, must be as long as the counts say, and must not change during
-/// a call.
+/// Outlines in arrays of the caller, borrowed without a copy, at any alignment.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outlines {
-    /// sizeof(gusset_outlines), set by the caller.
+    /// sizeof(gusset_outlines).
     pub struct_size: usize,
-    /// The coordinates, doubles: x, y or x, y, z at the start of every point_stride bytes; finite.
+    /// Doubles x, y or x, y, z at the start of every point_stride bytes; finite.
     pub points: *const c_void,
-    /// In bytes; 0 for points without gaps.
+    /// Bytes from point to point; 0: no gaps.
     pub point_stride: usize,
-    /// The number of points of all outlines, at most 2^30.
+    /// Points of all outlines, at most 2^30.
     pub point_count: usize,
-    /// Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first,
-    /// never decreasing. NULL with outline_count 0 for a single outline of all points.
+    /// outline_count + 1 offsets of outlines into points, from 0, not decreasing. NULL with
+    /// outline_count 0: one outline of all points.
     pub offsets: *const u32,
-    /// The number of outlines, or 0.
+    /// Number of outlines.
     pub outline_count: usize,
-    /// In ascending order of their points, at most one for each; or NULL. Of points that are merged
-    /// the first one's holds.
+    /// Ascending by point, at most one for each; or NULL. The first of merged points counts.
     pub constraints: *const gusset_constraint,
-    /// How many.
+    /// Number of constraints.
     pub constraint_count: usize,
     /// 2 or 3.
     pub dimension: u32,
-    /// 1: from the last point of each outline back to its first one; a last point that repeats the
-    /// first does no harm. 0: open.
+    /// 1: each outline returns to its first point, which may be repeated at the end.
     pub closed: u32,
 }
 
-/// The curves of outlines. Opaque and immutable; it keeps nothing of the points.
+/// Curves through outlines.
 pub struct gusset_outline(pub(crate) Fit);
 
 handle! { gusset_outline }
@@ -85,64 +79,62 @@ impl gusset_outline {
     }
 }
 
-/// All curves in one. Pointers are valid until the outline is destroyed.
+/// Lent curves of all outlines.
 ///
-/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane
-/// outlines), and the ends starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier
-/// curve of its control points ends[s] to ends[s + 1], both included, counted from the curve's
-/// first one. A closed curve repeats its first control point at its end.
+/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, and the ends starts[2 k + 1]
+/// to starts[2 k + 3] - 1. Its segment s has the control points ends[s] to ends[s + 1], inclusive,
+/// counted from the curve's first. A closed curve repeats its first control point at the end.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_view {
-    /// sizeof(gusset_outline_view), set by the caller.
+    /// sizeof(gusset_outline_view).
     pub struct_size: usize,
-    /// The number of outlines.
+    /// Number of outlines.
     pub outline_count: usize,
-    /// The number of points of all outlines.
+    /// Points of all outlines.
     pub point_count: usize,
-    /// x, y, z of each control point.
+    /// x, y, z of each control point; z = 0 for plane outlines.
     pub controls: *const f64,
-    /// The number of control points.
+    /// Number of control points.
     pub control_count: usize,
-    /// The ends of the segments.
+    /// Ends of segments.
     pub ends: gusset_indices,
-    /// Two places for each curve, and two behind the last.
+    /// 2 outline_count + 2 offsets.
     pub starts: *const usize,
-    /// For each point the segment of its curve that it lies on.
+    /// Segment of each point, in its curve.
     pub segments: gusset_indices,
-    /// For each point its parameter there, 0 to 1.
+    /// Parameter of each point in its segment, 0 to 1.
     pub parameters: *const f64,
-    /// For each point what became of it: GUSSET_POINT_...
+    /// gusset_point_status of each point.
     pub statuses: *const u8,
 }
 
-/// The outcome of an outline. All lengths except `size` are relative to `size`.
+/// Outcome and accuracy of an outline. Lengths except `size` are relative to `size`.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_report {
-    /// sizeof(gusset_outline_report), set by the caller.
+    /// sizeof(gusset_outline_report).
     pub struct_size: usize,
-    /// The outcome of an outline.
+    /// Outcome of an outline.
     pub fit: gusset_fit_status,
-    /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
-    /// max_sweeps of the options.
+    /// Largest number of sweeps or iterations between corners, at most max_sweeps; 0 if none are
+    /// needed.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,
-    /// The longest side of the outline's box, in the unit of the points.
+    /// Longest side of the outline's box.
     pub size: f64,
-    /// The largest distance of a point from its place on the curve; merged points count as the one
-    /// that they repeat.
+    /// Largest distance of a point from the curve at its parameter; a merged point counts as its
+    /// original.
     pub max_residual: f64,
-    /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
+    /// Largest sine of the angle between tangents at a smooth joint.
     pub max_joint_sine: f64,
-    /// The largest difference of the curvatures on both sides of a joint by
-    /// GUSSET_JOINT_PARAMETER_G2, relative to the larger one, or to 1 / size where both are less; 0
-    /// for other joints.
+    /// GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the
+    /// larger, or to 1 / size if both are less. Else 0.
     pub max_curvature_gap: f64,
-    /// The farthest move of a control point in the last iteration.
+    /// Largest move of a control point in the last iteration.
     pub last_move: f64,
-    /// How many points have another status than GUSSET_POINT_OK.
+    /// Points with a status other than GUSSET_POINT_OK.
     pub not_ok_count: u32,
     /// 0.
     pub reserved: u32,
@@ -203,22 +195,17 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     Ok(Constraint { point, kind })
 }
 
-/// Finds the curves through the points of outlines: control points are sought such that each curve
-/// passes the points of its outline.
+/// Fits a curve through the points of each outline.
 ///
-/// A point that cannot be treated as asked is no failure: its status says so, and the curve passes
-/// it all the same if that is possible at all.
+/// If a demand at a point cannot be met, its status says so; the curve still passes the point if
+/// possible.
 ///
-/// @param outlines any number of them.
-/// @param options NULL for the defaults: smooth quadratic segments by the bisector, one control
-///     point for each point.
-/// @errors OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
-///     NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint whose point does not
-///     exist or is not behind the one before; the report has the constraint)
-/// @complexity Composite, blended and cubic curves take linear time; linear memory, none for each
-///     outline but for its result, and about 1,500 bytes a point of the largest outline with
-///     GUSSET_JOINT_PARAMETER_G2.
-/// @source Nadopta; the composite and blended readings are ours.
+/// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
+///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: its point does not exist or is out of
+///     order)
+/// @complexity O(points) for composite, blended and cubic curves. Memory of the result, and about
+///     1,500 bytes a point of the largest outline with GUSSET_JOINT_PARAMETER_G2.
+/// @source Nadopta.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_create(
@@ -234,13 +221,13 @@ pub unsafe extern "C" fn gusset_outline_create(
     })
 }
 
-/// Destroys what gusset_outline_create made; NULL is allowed.
+/// Frees curves of outlines.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
     handle::destroy(outline);
 }
 
-/// Lends the curves, valid until the outline is destroyed.
+/// Lends the curves.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -263,9 +250,8 @@ pub unsafe extern "C" fn gusset_outline_get_view(
     })
 }
 
-/// The account of outline `index`.
+/// Reports on one outline.
 ///
-/// @param index its number, from 0.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -293,9 +279,8 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     })
 }
 
-/// Copies the curve of outline `index`. gusset_curve_measure of the copy has girth, area and centre.
+/// Copies the curve of one outline, for example for gusset_curve_measure.
 ///
-/// @param index its number, from 0.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 #[unsafe(no_mangle)]
@@ -311,26 +296,25 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     })
 }
 
-/// Finds the section of each point with its two neighbours: the quadratic through the three whose
-/// control point lies on the guide of the method.
+/// Finds the section of each point: the quadratic through it and its neighbours with its control
+/// point on the method's guide.
 ///
-/// A tangent demanded at a point makes its section pass in that direction; one at the first or last
-/// point of an open outline is that of the neighbour's section there. Where it cannot be had, or
-/// the normal, the method (the bisector) takes its place, and the status says so.
+/// A tangent constraint sets the section's direction at its point; at the end of an open outline,
+/// the direction of the neighbour's section there. If it fails, the method applies; if the normal
+/// fails, the bisector. The status says so.
 ///
-/// @param outlines the outlines.
-/// @param options NULL for the defaults; method, alpha and solver are read, and by
-///     GUSSET_SOLVER_STEP tolerance and max_steps; all must be valid.
-/// @param controls receives x, y, z of each point's control point; the ends of open outlines, which
-///     have no section, have themselves. NULL: not wanted. Unspecified on failure.
-/// @param parameters receives the parameter of each point on its section; 0 and 1 at the ends of
-///     open outlines. NULL: not wanted. Unspecified on failure.
-/// @param statuses receives GUSSET_POINT_... of each point. NULL: not wanted. Unspecified on failure.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP, of all sections. NULL: not wanted.
+/// @param options method, alpha and solver are read; tolerance and max_steps with
+///     GUSSET_SOLVER_STEP. All must be valid.
+/// @param controls receives x, y, z of each section's control point; ends of open outlines receive
+///     their own point. May be NULL.
+/// @param parameters receives each point's parameter on its section; 0 and 1 at ends of open
+///     outlines. May be NULL.
+/// @param statuses receives the gusset_point_status of each point; may be NULL.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections; may be NULL.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
-/// @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
-///     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
+/// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the
+///     guide.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outlines_find_sections(

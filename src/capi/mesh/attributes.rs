@@ -1,5 +1,4 @@
-//! Attributes: Carries colours, normals, texture coordinates, skin weights, materials and numbers
-//! to results.
+//! Attributes: Transfers colours, normals, texture coordinates and other values to results.
 //!
 //! @source Means of directions after S. Buss and J. Fillmore (2001); charts across gaps are our
 //!     own.
@@ -19,7 +18,7 @@ use crate::mesh::merge::merge_map;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
-/// The type of values.
+/// Type of values.
 pub type gusset_value_type = u32;
 /// 32-bit floats.
 pub const GUSSET_VALUE_F32: gusset_value_type = 1;
@@ -32,28 +31,29 @@ pub const GUSSET_VALUE_U16: gusset_value_type = 4;
 /// 32-bit unsigned integers.
 pub const GUSSET_VALUE_U32: gusset_value_type = 5;
 
-/// How the values of several sources become one. An element with one source has its value, bit for
-/// bit.
+/// Rule that combines the values of several sources. An element with one source keeps its value bit
+/// for bit.
 pub type gusset_rule = u32;
-/// The weighted mean, as of colours; of integers rounded.
+/// Weighted mean, as for colours; integers are rounded.
 pub const GUSSET_RULE_LINEAR: gusset_rule = 0;
-/// Directions of three components, floats: the weighted mean on the sphere, of length 1. Those of
-/// faces that the operation turned over are turned, too.
+/// Directions of three floats: weighted mean on the sphere, of length 1. Directions of faces that
+/// the operation turned over are negated.
 pub const GUSSET_RULE_NORMAL: gusset_rule = 1;
-/// Weights of bones, at least 0: the weighted mean, of which the max_influences largest are kept,
-/// the first of equal ones, and made to have the sum 1, or of integers the largest number of the
-/// type.
+/// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are
+/// kept and scaled to the sum 1, or to the largest value of an integer type.
 pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_rule = 2;
-/// The value of the source that counts most, the first of equal ones, as of materials and numbers.
+/// Value of the source with the largest weight (the first of equals), as for materials.
 pub const GUSSET_RULE_NEAREST: gusset_rule = 3;
-/// Texture coordinates. At the corners of new faces they are the weighted mean where both sides are
-/// on one chart: on each rim as long as the old faces have the same values at its vertices, and
-/// across a gap where for most of the new faces the values beyond are nearer to where their own
-/// side's chart would go on than half of the way there and of their base. Elsewhere each new face
-/// goes on with the chart of the old face that it comes from, unfolded, and the charts meet in a
-/// seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the
-/// cut, or, where that is no repeat of the texture, as where the base's chart goes on: no face runs
-/// back over the chart. Of vertices and faces it is the weighted mean.
+/// Texture coordinates. For vertices and faces: the weighted mean. At corners of new faces:
+/// - The weighted mean where both sides are on one chart.
+/// - Elsewhere each new face continues the unfolded chart of its old face, up to a seam in the
+///   middle.
+/// - At the cut of a chart that closes on itself, values are shifted by the jump at the cut. If the
+///   jump is not a repeat of the texture, the face continues its own chart. No face runs back over
+///   the chart.
+/// - A rim is on one chart as long as old faces have equal values at common vertices. The sides of
+///   a gap are on one chart if most new faces agree: values from the far side deviate from the
+///   continued chart by less than half the distance to the old edge and its length combined.
 pub const GUSSET_RULE_TEXTURE: gusset_rule = 4;
 
 c_enum! {
@@ -73,63 +73,58 @@ c_enum! {
     }
 }
 
-/// What the values of elements are, and how they are mixed.
+/// Type of the values of elements, and the rule that combines them.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_channel {
-    /// sizeof(gusset_channel), set by the caller.
+    /// sizeof(gusset_channel).
     pub struct_size: usize,
-    /// The elements that have values.
+    /// Elements that have values.
     pub domain: gusset_domain,
-    /// Zero is no valid value.
+    /// Type of the values; 0 is not valid.
     pub value_type: gusset_value_type,
-    /// How many values an element has, 1 to 4096.
+    /// Number of values of an element, 1 to 4096.
     pub components: u32,
-    /// How the values of several sources become one. An element with one source has its
-    /// value, bit for bit.
+    /// Rule that combines the values of several sources.
     pub rule: gusset_rule,
-    /// With GUSSET_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
+    /// Number of weights that GUSSET_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0:
+    /// all.
     pub max_influences: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// The values of one input's elements.
+/// Values of the elements of one input.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Zeroable)]
 pub struct gusset_channel_values {
-    /// The components of each element at the start of every stride, at any alignment; NULL with count
-    /// 0 if the input has no such values: its elements have 0 then, and new ones the values of the
-    /// other sources.
+    /// Components of each element at the start of every stride, at any alignment. NULL with count
+    /// 0: the input lacks them; its elements get 0, and new elements the values of other sources.
     pub values: *const c_void,
-    /// The number of elements: of the input's vertices, corners or faces, all.
+    /// Number of vertices, corners or faces of the input.
     pub count: usize,
-    /// Bytes from one element to the next; 0 if they are packed.
+    /// Bytes from one element to the next; 0 if packed.
     pub stride: usize,
 }
 
 versioned! { gusset_channel: 32 reserved }
 fixed! { gusset_channel_values: 24 }
 
-/// Carries values of the inputs' elements over to the elements of a result.
+/// Transfers values from the elements of inputs to the elements of a result.
 ///
-/// Elements of one source have its bits; the rule says what becomes of several. An element without
-/// sources, or whose sources all lack the channel, has 0.
+/// Elements without sources, or whose sources all lack the values, get 0.
 ///
-/// @param channel what the values are.
-/// @param inputs the values of each input of the origins, in their order; at any alignment.
-/// @param input_count their number.
+/// @param inputs values of each input of the origins, in order, at any alignment.
 /// @param values receives the components of each element at the start of every stride, at any
-///     alignment; the bytes between are left alone. From its first byte to its last it must not
-///     overlap the inputs' values.
-/// @param count the number of elements that it has room for, at least those of the result.
-/// @param stride bytes from one element to the next; 0 for packed ones.
-/// @errors OUT_OF_RANGE (components, or value_type and components that the rule does not take; a
-///     negative skin weight, with the element and the input), NOT_FINITE (with the element and the
-///     input, but for GUSSET_RULE_NEAREST), COUNT_DIFFERS (another number of inputs than there are,
-///     or of values, with the input), BAD_STRIDE, BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE, linear in the
-///     corners of new faces; on the context's threads.
+///     alignment; bytes between do not change. Must not overlap the inputs' values.
+/// @param count room in elements, at least the elements of the result.
+/// @param stride bytes from one element to the next; 0 if packed.
+/// @errors OUT_OF_RANGE (components; value_type and components that the rule refuses; a negative
+///     skin weight, with element and input), NOT_FINITE (with element and input, except for
+///     GUSSET_RULE_NEAREST), COUNT_DIFFERS (of inputs, or of values, with the input), BAD_STRIDE,
+///     BUFFER_TOO_SMALL, OVERLAP
+/// @complexity O(sources and elements) on the context's threads; no memory, except for
+///     GUSSET_RULE_TEXTURE, linear in the corners of new faces.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_attributes_apply(
@@ -201,15 +196,13 @@ pub(crate) fn carry_over(
     Ok(apply(origins, &channel, &mut out, job)?)
 }
 
-/// Finds which vertices of a mesh are one: those with equal keys, as of the vertices that were split
-/// at seams of texture coordinates or normals, or those at equal positions, where -0 equals 0.
+/// Finds which vertices of a mesh are one, for the field merge of gusset_mesh_view.
 ///
-/// For each vertex it gives the smallest of those that it is one with, as the field merge of
-/// gusset_mesh_view takes it. Without keys, a vertex whose position is not finite is one with itself
-/// alone.
+/// Vertices with equal keys are one, as after splits at seams of texture coordinates or normals.
+/// Without keys, vertices at equal finite positions are one; -0 equals 0.
 ///
 /// @param keys one for each vertex, at any alignment; NULL: positions.
-/// @param merge room for as many numbers as the mesh has vertices; at any alignment.
+/// @param merge receives for each vertex the smallest vertex that it is one with; at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 #[unsafe(no_mangle)]

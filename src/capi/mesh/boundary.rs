@@ -1,5 +1,4 @@
-//! Boundary loops: Finds the free boundary loops of a mesh, in a stated direction, and reports
-//! everything unusual in them.
+//! Boundary loops: Finds the boundary loops of a mesh, and reports defects.
 //!
 //! @source Nesterenko, algorithm 1, as corrected.
 
@@ -13,43 +12,41 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::{Defect, NONE};
 use gusset_base::alloc;
 
-/// The treatment of edges with three or more faces.
+/// Treatment of edges with three or more faces.
 pub type gusset_non_manifold = u32;
-/// At an edge with three or more faces each face has a border of its own; loops run along it and
-/// are always closed.
+/// Each face at the edge has its own border there; loops along it are always closed.
 pub const GUSSET_NON_MANIFOLD_CUT: gusset_non_manifold = 0;
-/// Only edges with exactly one face belong to loops; one that meets an edge with more ends there,
-/// as an open chain.
+/// Only edges with exactly one face belong to loops. At other edges loops end, as open chains.
 pub const GUSSET_NON_MANIFOLD_STOP: gusset_non_manifold = 1;
 
-/// The part of the mesh that is checked.
+/// Part of the mesh that is checked.
 pub type gusset_survey = u32;
-/// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on
-/// the loops.
+/// Every edge: all defects are reported, and flagged on the loops.
 pub const GUSSET_SURVEY_WHOLE_MESH: gusset_survey = 0;
-/// As little is looked at as will give the loops, which is many times faster. Where the boundary
-/// itself is odd (open, touching itself, badly oriented, with three faces on an edge) the whole
-/// mesh is looked at after all. But what is away from the boundary is not reported, nor an edge
-/// with as many faces one way as the other, two or more each; loops are not cut there. The answer
-/// rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that
-/// was made to deceive may hide a boundary. For meshes from hostile hands take
-/// GUSSET_SURVEY_WHOLE_MESH.
+/// The boundary only, many times faster. The whole mesh is checked only if the boundary is open,
+/// touches itself, is not oriented or has edges with three faces.
+///
+/// Other defects are not reported. Edges with equally many faces in both directions, two or more,
+/// do not cut loops.
+///
+/// The search relies on hashes. It fails on ordinary meshes with a probability below 2^-64, but a
+/// malicious mesh may hide a boundary: for untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: gusset_survey = 1;
 
-/// Bits that describe a loop.
+/// Properties of a loop.
 /// @bits
 pub type gusset_loop_flags = u32;
-/// The chain does not close: it has one vertex more than it has edges.
+/// The loop is an open chain, with one vertex more than edges.
 pub const GUSSET_LOOP_OPEN: gusset_loop_flags = 1;
 /// The loop passes a vertex where the surface touches itself.
 pub const GUSSET_LOOP_BOW_TIE: gusset_loop_flags = 2;
-/// It was cut from a longer walk at a vertex that the walk passed twice.
+/// The loop was cut from a longer walk at a vertex that the walk passes twice.
 pub const GUSSET_LOOP_SPLIT: gusset_loop_flags = 4;
-/// It runs along, or ends at, an edge with three or more faces.
+/// The loop runs along, or ends at, an edge with three or more faces.
 pub const GUSSET_LOOP_NON_MANIFOLD: gusset_loop_flags = 8;
-/// The faces along it disagree in orientation.
+/// The faces along the loop disagree in orientation.
 pub const GUSSET_LOOP_NOT_ORIENTED: gusset_loop_flags = 16;
-/// It has an edge of length 0.
+/// The loop has an edge of length 0.
 pub const GUSSET_LOOP_ZERO_LENGTH: gusset_loop_flags = 32;
 
 /// The loop runs this edge against its face.
@@ -71,20 +68,20 @@ const _: () = assert!(
         && GUSSET_EDGE_ZERO_LENGTH == EdgeFlags::ZERO_LENGTH
 );
 
-/// The kind of a defect.
+/// Kind of a defect.
 pub type gusset_defect_kind = u32;
-/// A face (index) that repeats a vertex (other).
+/// A face (index) repeats a vertex (other).
 pub const GUSSET_DEFECT_DEGENERATE_FACE: gusset_defect_kind = 1;
-/// An edge whose two faces run it in the same direction: half-edges index and other.
+/// The two faces of an edge run it in the same direction: half-edges index and other.
 pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: gusset_defect_kind = 2;
-/// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
-/// half-edge is index.
+/// An edge has three or more half-edges: index is the first, count their number. A face may count
+/// twice.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: gusset_defect_kind = 3;
-/// A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at
-/// edges with three or more faces, whose own ends are therefore listed too where a loop passes them.
+/// The faces at a vertex (index) form more than one fan. Fans end at edges with three or more
+/// faces, whose ends are listed too where a loop passes them.
 pub const GUSSET_DEFECT_BOW_TIE: gusset_defect_kind = 4;
 
-/// The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+/// Boundary loops of a mesh. It does not refer to the mesh.
 pub struct gusset_boundary {
     boundary: Boundary,
     defects: Vec<gusset_defect>,
@@ -92,70 +89,70 @@ pub struct gusset_boundary {
 
 handle! { gusset_boundary }
 
-/// How loops are found; all zero is the default.
+/// Options of gusset_boundary_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_boundary_options {
-    /// sizeof(gusset_boundary_options), set by the caller.
+    /// sizeof(gusset_boundary_options).
     pub struct_size: usize,
-    /// The treatment of edges with three or more faces.
+    /// Treatment of edges with three or more faces.
     pub non_manifold: gusset_non_manifold,
-    /// The part of the mesh that is checked.
+    /// Part of the mesh that is checked.
     pub survey: gusset_survey,
 }
 
-/// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a
-/// closed loop back to vertices[0]. Pointers are valid until the boundary is destroyed.
+/// Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last edge of a
+/// loop to vertices[0].
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_loop_view {
-    /// sizeof(gusset_loop_view), set by the caller.
+    /// sizeof(gusset_loop_view).
     pub struct_size: usize,
-    /// The vertices in order, each once; a closed loop starts at its smallest half-edge.
+    /// Vertices, each once. A closed loop starts at its smallest half-edge.
     pub vertices: gusset_indices,
-    /// The half-edge (position in face_corners) that each edge is.
+    /// Half-edge (position in face_corners) of each edge.
     pub half_edges: gusset_indices,
-    /// The face that each edge borders.
+    /// Face beside each edge.
     pub faces: gusset_indices,
-    /// GUSSET_EDGE_... of each edge: as many as half_edges.
+    /// GUSSET_EDGE_... bits of each edge.
     pub edge_flags: *const u8,
-    /// The sum of the edges' lengths, in the unit of the positions.
+    /// Sum of the edge lengths.
     pub length: f64,
-    /// Bits; 0 for an ordinary closed loop.
+    /// Properties of the loop; 0 if ordinary and closed.
     pub flags: gusset_loop_flags,
-    /// The number of the walk that the loop was cut from.
+    /// Number of the walk that the loop was cut from.
     pub walk: u32,
 }
 
-/// Something wrong or unusual in a mesh.
+/// Defect of a mesh.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_defect {
-    /// The kind of a defect.
+    /// Kind of a defect.
     pub kind: gusset_defect_kind,
-    /// The face, half-edge or vertex.
+    /// Face, half-edge or vertex.
     pub index: u32,
-    /// The second element of the kinds that have one, else UINT32_MAX.
+    /// Second element, if kind has one; otherwise UINT32_MAX.
     pub other: u32,
-    /// How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+    /// Number of half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; otherwise 0.
     pub count: u32,
 }
 
-/// The loops of a boundary as a whole. Pointers are valid until the boundary is destroyed.
+/// Loop count and defects of a boundary.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_boundary_view {
-    /// sizeof(gusset_boundary_view), set by the caller.
+    /// sizeof(gusset_boundary_view).
     pub struct_size: usize,
-    /// The number of loops and open chains; 0 if the mesh is closed. gusset_boundary_get_loop lends each.
+    /// Number of loops and open chains; 0 if the mesh is closed.
     pub loop_count: usize,
-    /// The number of walks that the loops were cut from. Loops that touch at vertices count as one walk where the walk
-    /// round the boundary passes from one loop to the next.
+    /// Number of walks that loops were cut from. Loops that touch share a walk if it passes from
+    /// one to the other.
     pub walk_count: usize,
-    /// Degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and the bow-tie vertices on its
-    /// boundary. NULL if there are none.
+    /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on
+    /// its boundary.
     pub defects: *const gusset_defect,
-    /// The number of defects.
+    /// Number of defects.
     pub defect_count: usize,
 }
 
@@ -185,20 +182,22 @@ impl From<&Defect> for gusset_defect {
     }
 }
 
-/// Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
+/// Finds all boundary loops of a mesh: chains of edges with exactly one face.
 ///
-/// Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise
-/// from outside, the surface is on the left and the hole on the right of someone who walks along
-/// the loop on the outside. Every loop passes each of its vertices once: where the boundary touches
-/// itself it is cut into several loops. Loops come in the order of their smallest half-edges. Walks
-/// along edges with three or more faces alone are left out; a loop that is cut out of another walk
-/// may have no edge with exactly one face. A face of fewer than three sides of different ends has no
-/// border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places
-/// are no errors: see the flags of each loop, and the defects.
+/// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface
+/// is on the left and the hole on the right.
+/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have two
+///   vertices.
+/// - Loops are in the order of their smallest half-edges.
+/// - Walks along only edges with three or more faces are left out, except loops cut from other
+///   walks.
+/// - A face with fewer than three sides between different vertices lacks a border; its neighbours
+///   count as adjacent.
+/// - Defects are not errors.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, or O(H + B log B) for
-///     GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex;
+///     GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges; linear memory.
 /// @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round
 ///     each vertex.
 #[unsafe(no_mangle)]
@@ -219,13 +218,13 @@ pub unsafe extern "C" fn gusset_boundary_create(
     })
 }
 
-/// Destroys a boundary; NULL is allowed.
+/// Destroys a boundary.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary) {
     handle::destroy(boundary);
 }
 
-/// Lends the number of loops and all defects, valid until the boundary is destroyed.
+/// Lends the counts and defects of a boundary.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -243,9 +242,9 @@ pub unsafe extern "C" fn gusset_boundary_get_view(
     })
 }
 
-/// Lends loop number `index`, below loop_count of gusset_boundary_view.
+/// Lends one loop of a boundary.
 ///
-/// @param index its number, from 0.
+/// @param index below loop_count of gusset_boundary_view.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 #[unsafe(no_mangle)]

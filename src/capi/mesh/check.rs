@@ -1,4 +1,4 @@
-//! Checks: Reports everything wrong or unusual in a mesh.
+//! Checks: Reports the properties and defects of a mesh.
 //!
 //! @source Textbook topology of polygon meshes.
 
@@ -9,65 +9,63 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::check::{Check, check};
 
-/// Bits that describe a mesh.
+/// Properties of a mesh.
 /// @bits
 pub type gusset_mesh_flags = u32;
-/// There are edges, and every one has exactly two faces; degenerate faces have none.
+/// The mesh has edges, each with exactly two faces.
 pub const GUSSET_MESH_CLOSED: gusset_mesh_flags = 1;
-/// No non-manifold edge and no non-manifold vertex.
+/// No edge or vertex is non-manifold.
 pub const GUSSET_MESH_MANIFOLD: gusset_mesh_flags = 2;
-/// No edge whose two faces run it in the same direction.
+/// The two faces of each edge run it in opposite directions.
 pub const GUSSET_MESH_ORIENTED: gusset_mesh_flags = 4;
-/// Faces can be turned over so that it becomes oriented.
+/// The mesh is oriented, or becomes so if faces are turned over.
 pub const GUSSET_MESH_ORIENTABLE: gusset_mesh_flags = 8;
 
-/// What a check found. Opaque and immutable; it keeps nothing of the mesh.
+/// Findings of a check. It does not refer to the mesh.
 pub struct gusset_check(Check);
 
 handle! { gusset_check }
 
-/// Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are
-/// valid until the check is destroyed.
+/// Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces have no edges.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_check_view {
-    /// sizeof(gusset_check_view), set by the caller.
+    /// sizeof(gusset_check_view).
     pub struct_size: usize,
-    /// Vertices, unused ones too.
+    /// Vertices, including unused ones.
     pub vertex_count: u32,
-    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not
-    /// degenerate. Degenerate faces have no edges.
+    /// Distinct edges: pairs of different vertices, consecutive in a face.
     pub edge_count: u32,
     /// Faces.
     pub face_count: u32,
-    /// Pieces: faces that share an edge are in one.
+    /// Components: faces connected by shared edges.
     pub component_count: u32,
-    /// Walks round the boundary, fan by fan.
+    /// Walks along the boundary, as walk_count of gusset_boundary_view.
     pub boundary_walk_count: u32,
-    /// Bits.
+    /// Properties of a mesh.
     pub properties: gusset_mesh_flags,
-    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
+    /// Used vertices - edges + all faces: the Euler characteristic if no face is degenerate.
     pub euler: i64,
-    /// The number of handles of all components together; -1 if the mesh is not manifold or not
-    /// orientable, or has a degenerate face.
+    /// Handles of all components together. -1 if the mesh is not manifold or not orientable, or has
+    /// a degenerate face.
     pub genus: i64,
-    /// The half-edges of the edges with exactly one face.
+    /// Half-edges of edges with exactly one face.
     pub boundary_edges: gusset_indices,
-    /// The first half-edge of each edge with three or more faces.
+    /// First half-edge of each edge with three or more faces.
     pub non_manifold_edges: gusset_indices,
-    /// The ends of those edges, and the bow-ties.
+    /// Ends of non-manifold edges, and bow-ties.
     pub non_manifold_vertices: gusset_indices,
-    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
-    /// own ends are therefore among them, as a rule.
+    /// Vertices whose faces form more than one fan. Fans end at non-manifold edges, whose ends are
+    /// usually included.
     pub bow_ties: gusset_indices,
-    /// The first half-edge of each edge whose two faces run it in the same direction.
+    /// First half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: gusset_indices,
-    /// Faces with the same cycle of vertices, in either direction, as a face before them;
-    /// degenerate ones apart.
+    /// Faces with the same cycle of vertices, in either direction, as an earlier face; none
+    /// degenerate.
     pub duplicate_faces: gusset_indices,
     /// Faces that repeat a vertex.
     pub degenerate_faces: gusset_indices,
-    /// Faces without area that repeat none: their vector area is 0 up to rounding.
+    /// Other faces whose vector area is 0 up to rounding.
     pub zero_area_faces: gusset_indices,
     /// Vertices that no face uses.
     pub unused_vertices: gusset_indices,
@@ -75,12 +73,10 @@ pub struct gusset_check_view {
 
 versioned! { gusset_check_view: 192 }
 
-/// Checks a mesh.
-///
-/// What it finds is no error.
+/// Checks the topology of a mesh. Defects are not errors.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_create(
@@ -95,13 +91,13 @@ pub unsafe extern "C" fn gusset_check_create(
     })
 }
 
-/// Destroys a check; NULL is allowed.
+/// Destroys a check.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
     handle::destroy(check);
 }
 
-/// Lends what the check found.
+/// Lends the findings of a check.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

@@ -1,4 +1,4 @@
-//! Developments: Cuts surfaces open and lays them out in the plane with little distortion.
+//! Developments: Cuts surfaces open and flattens them with little distortion.
 //!
 //! @source W. Tutte (1963); B. Levy and others (2002); J. Erickson and K. Whittlesey (2005); M.
 //!     Ben-Chen and others (2008); M. Rabinovich and others (2017).
@@ -12,35 +12,34 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::develop::{Cuts, Distortion, Options, develop};
 
-/// The distortion that a development minimises.
+/// Distortion that a development minimises.
 pub type gusset_distortion = u32;
-/// Lengths and areas: stretch and compression count alike, by the symmetric Dirichlet energy.
+/// Lengths and areas, stretch and compression alike: the symmetric Dirichlet energy.
 pub const GUSSET_DISTORTION_SYMMETRIC: gusset_distortion = 0;
 /// Lengths: as rigid as possible.
 pub const GUSSET_DISTORTION_RIGID: gusset_distortion = 1;
-/// Angles: a least squares conformal map, which may stretch areas.
+/// Angles: the least-squares conformal map, which may stretch areas.
 pub const GUSSET_DISTORTION_CONFORMAL: gusset_distortion = 2;
 
-/// How a surface is developed; all zero is the default.
+/// Options of gusset_develop.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_develop_options {
-    /// sizeof(gusset_develop_options), set by the caller.
+    /// sizeof(gusset_develop_options).
     pub struct_size: usize,
-    /// Which distortion is least.
+    /// Distortion that a development minimises.
     pub distortion: gusset_distortion,
-    /// Darts at the most: cuts from the border of a chart to where its curvature is.
+    /// Largest number of darts: cuts from the border of a chart to where it is curved.
     pub max_darts: u32,
-    /// Vertices of the mesh, path after path, along which it is cut. Vertices that follow one
-    /// another are connected by the shortest path along edges; a path of one vertex cuts nothing.
+    /// Vertices of the paths to cut along, path after path. Consecutive vertices are connected by
+    /// the shortest path along edges. A path of one vertex cuts nothing.
     pub cuts: gusset_indices,
-    /// Where each path begins among them, and the end of the last; empty for one path of all.
+    /// Start of each path in cuts, and the end of the last. Empty: one path.
     pub cut_offsets: gusset_indices,
-    /// No more darts are made once no length changes by a larger factor; above 1, or 0: all darts
-    /// are made.
+    /// Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
     pub max_stretch: f64,
-    /// Steps of each descent at the most; 0: 200. A chart whose border would meet itself takes more
-    /// than one, and so does one as rigid as possible.
+    /// Largest number of steps of a descent. Charts whose border would meet itself, and
+    /// GUSSET_DISTORTION_RIGID, need several descents. 0: 200.
     pub max_iterations: u32,
     /// 0.
     pub reserved: u32,
@@ -64,36 +63,33 @@ impl gusset_develop_options {
     }
 }
 
-/// Lays a surface out in the plane with the least distortion: the pattern to cut it from.
+/// Flattens a surface with the least distortion, as a pattern to cut it from.
 ///
-/// The surface is cut along the paths given. What is no disc then, as a tube, a closed surface, one
-/// with holes or handles, is opened along short paths. Each connected component of the rest is a
-/// chart. One that can be unfolded about its edges, as cylinders, cones and tangent developables in
-/// plane strips can, keeps the length of every edge to 1e-10 of it (of 1e-3 mean edges, if it is
-/// shorter), before rounding: charts lie beside
-/// one another, and far from the origin places are rounded more. It may overlap itself; triangles
-/// without area may then be turned over by rounding. Any other chart descends to the least
-/// distortion; no triangle is turned over, and the border does not meet itself, so that the map is
-/// one to one. Where that ends the descent early, its finish is STALLED. Darts are made as long as
-/// they lower the distortion: each is a cut from the border to the vertex whose scale in a conformal
-/// map would be the worst.
-///
-/// The result is a flat mesh in the scalar type of the surface, with z = 0. It has the faces of the mesh in their
-/// order, each from its own first corner and all counterclockwise in the plane. Charts are turned so that the mean square of their borders'
-/// distances from the middle is greatest along x. A vertex on a cut becomes several; of merged
-/// vertices the smallest is meant. Edges of three or more faces, and those whose two faces disagree in
-/// orientation, are borders, and no cuts. Polygons are measured by triangles they are cut into; a
-/// triangle flatter than 1e-7 of its longest side, or smaller than 1e-7 of the mean edge, counts as
-/// that large. Conformal maps have the area of the surface.
-///
-/// Nets and sheets are developed by their meshes; see gusset_net_to_mesh and
-/// gusset_sheet_to_mesh.
+/// The surface is cut along the given paths. Components that are not discs are then opened along
+/// short paths. Each connected component of the rest is a chart. The result has the scalar type of
+/// the surface and z = 0; its faces keep their order and first corners, and are counter-clockwise.
+/// For nets and sheets, see gusset_net_to_mesh and gusset_sheet_to_mesh.
+/// - A chart that unfolds about its edges keeps their lengths: cylinders, cones, tangent
+///   developables in plane strips. The error is at most 1e-10 of the length, or of 1e-3 mean edges
+///   if more, before rounding, which grows with the distance from the origin. The chart may overlap
+///   itself, and rounding may turn over triangles without area.
+/// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned
+///   over, and the border does not meet itself. If this ends the descent early, finish is
+///   GUSSET_CHART_STALLED.
+/// - Darts are made while they lower the distortion, from the border to the vertex with the worst
+///   scale in a conformal map.
+/// - Each chart is turned so that its border has the greatest variance along x.
+/// - A vertex on a cut becomes several. Merged vertices count as the smallest.
+/// - Edges with three or more faces, or two that disagree in orientation, are borders, not cuts.
+/// - Polygons are measured by triangles. A triangle flatter than 1e-7 of its longest side, or
+///   smaller than 1e-7 of the mean edge, counts as that large.
+/// - A conformal map has the area of the surface.
 ///
 /// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets),
-///     INDEX_OUT_OF_RANGE (a vertex of a cut; the report's input is the cut, the index the place in
-///     it), CUT_NOT_CONNECTED (the same), REPEATED_CORNER (a face)
-/// @complexity O(H log H) for H half-edges if charts unfold; else, for each step of the descent and
-///     each dart, O(n^1.5) for n vertices of the chart. Memory O(n log n).
+///     INDEX_OUT_OF_RANGE (input of the report is the cut, index the place in it),
+///     CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
+/// @complexity O(H log H) for H half-edges if charts unfold; otherwise O(n^1.5) for n vertices of a
+///     chart, each step and each dart; memory O(n log n).
 /// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B.
 ///     Levy et al., Least squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal
 ///     homotopy and homology generators (2005), for the cuts that open; M. Ben-Chen et al.,
@@ -117,9 +113,9 @@ pub unsafe extern "C" fn gusset_develop(
     })
 }
 
-/// Lends the places in the plane, the places they come from, and the report on each chart, for results of gusset_develop.
+/// Lends the flat points, charts and cuts, for a result of gusset_develop.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

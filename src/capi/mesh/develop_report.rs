@@ -8,93 +8,91 @@ use crate::error::Error;
 use crate::job::Job;
 use gusset_base::alloc;
 
-/// How a chart was laid out.
+/// Outcome of the layout of a chart.
 pub type gusset_chart_finish = u32;
-/// By unfolding about edges: every edge has its length.
+/// Unfolded about edges: all edges keep their lengths.
 pub const GUSSET_CHART_EXACT: gusset_chart_finish = 0;
-/// By descent until nothing was gained.
+/// Descended until nothing was gained.
 pub const GUSSET_CHART_CONVERGED: gusset_chart_finish = 1;
-/// By descent, ended by the number of steps.
+/// Descended until max_iterations.
 pub const GUSSET_CHART_ITERATION_LIMIT: gusset_chart_finish = 2;
-/// The conformal map that was asked for.
+/// The requested conformal map.
 pub const GUSSET_CHART_CONFORMAL: gusset_chart_finish = 3;
-/// The conformal map folds or overlaps: the chart has the least symmetric distortion instead.
+/// The map with the least symmetric distortion, because the conformal map folds or overlaps.
 pub const GUSSET_CHART_NOT_CONFORMAL: gusset_chart_finish = 4;
-/// No map without folds was found: some triangles are turned over.
+/// Some triangles are turned over, because no map without folds was found.
 pub const GUSSET_CHART_FOLDED: gusset_chart_finish = 5;
-/// By descent until no step was possible that gains: the border would meet itself, or rounding hides
-/// it. Cuts or darts may help.
+/// Descended until no step gained: the border would meet itself, or rounding hides the gain. Cuts
+/// or darts may help.
 pub const GUSSET_CHART_STALLED: gusset_chart_finish = 6;
 
-/// The reason for a cut.
+/// Reason for a cut.
 pub type gusset_cut_kind = u32;
-/// On a path that was given.
+/// On a given path.
 pub const GUSSET_CUT_GIVEN: gusset_cut_kind = 0;
-/// To make a disc of a chart.
+/// To open a component to a disc.
 pub const GUSSET_CUT_OPENING: gusset_cut_kind = 1;
 /// For a dart.
 pub const GUSSET_CUT_DART: gusset_cut_kind = 2;
 
-/// A chart: a connected component of the development.
+/// Connected component of a development.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_chart {
-    /// Its first vertex among those of the result.
+    /// First vertex of the chart in the result. Its vertices are consecutive.
     pub first_vertex: u32,
-    /// How many follow one another.
+    /// Number of vertices.
     pub vertex_count: u32,
-    /// The number of its faces; see face_charts.
+    /// Number of faces.
     pub face_count: u32,
-    /// How it came about.
+    /// Outcome of the layout of a chart.
     pub finish: gusset_chart_finish,
-    /// Steps of all its descents.
+    /// Steps of all descents.
     pub iterations: u32,
-    /// Pairs of edges of its border that meet in the plane, neighbours apart; of EXACT charts those
-    /// that cross by more than 1e-8 of the root of the area. Only EXACT and FOLDED charts can have
-    /// some.
+    /// Pairs of border edges that meet in the plane, except neighbours. With GUSSET_CHART_EXACT,
+    /// only crossings by more than 1e-8 of the root of the area count. 0 unless finish is
+    /// GUSSET_CHART_EXACT or GUSSET_CHART_FOLDED.
     pub overlaps: u32,
-    /// Triangles that are turned over; 0 but for FOLDED.
+    /// Triangles that are turned over. 0 unless finish is GUSSET_CHART_FOLDED.
     pub folds: u32,
     /// 0.
     pub reserved: u32,
-    /// The symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 over both
-    /// singular values s of the map to the plane; 4 for an isometry, which has the least.
+    /// Symmetric Dirichlet energy: the mean over the area of s^2 + 1 / s^2, summed over both
+    /// singular values s of the map to the plane. The least is 4, for an isometry.
     pub energy: f64,
-    /// The largest factor by which a length grows.
+    /// Largest factor by which a length grows.
     pub max_stretch: f64,
-    /// The least.
+    /// Smallest factor by which a length grows.
     pub min_stretch: f64,
-    /// The area of the surface, in the squared unit of the positions.
+    /// Area of the surface.
     pub area: f64,
-    /// The area in the plane.
+    /// Area in the plane.
     pub flat_area: f64,
 }
 
-/// Where a surface lies in the plane. Pointers are valid until the result is destroyed.
+/// Points, charts and cuts of a development.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_develop_report {
-    /// sizeof(gusset_develop_report), set by the caller.
+    /// sizeof(gusset_develop_report).
     pub struct_size: usize,
-    /// x, y of each vertex in the plane, in the unit of the positions, in double precision whatever
-    /// their type.
+    /// x, y of each vertex in the plane, always in double precision.
     pub points: *const f64,
-    /// Of each vertex, that of the surface that it is; vertices on cuts are several.
+    /// Vertex of the surface for each vertex. Vertices on cuts repeat.
     pub vertex_map: gusset_indices,
-    /// Of each face its chart.
+    /// Chart of each face.
     pub face_charts: gusset_indices,
-    /// Of each face two numbers: the largest factor by which lengths in it grow, and the least.
+    /// Largest and smallest factor by which lengths grow, two numbers for each face.
     pub stretches: *const f64,
-    /// Charts, in the order of their first faces. They lie beside one another along x.
+    /// Charts in the order of their first faces, side by side along x.
     pub charts: *const gusset_chart,
-    /// How many.
+    /// Number of charts.
     pub chart_count: usize,
-    /// Edges of the surface that were cut, two vertices an edge; first those given, then those that
-    /// open, then darts.
+    /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
     pub cut_edges: gusset_indices,
-    /// Of each of them GUSSET_CUT_...
+    /// GUSSET_CUT_... of each cut edge.
     pub cut_kinds: gusset_indices,
-    /// The number of darts.
+    /// Number of darts.
     pub darts: u32,
     /// 0.
     pub reserved: u32,

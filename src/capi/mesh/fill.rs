@@ -20,94 +20,88 @@ use crate::mesh::MAX_ELEMENTS;
 use crate::repair::orient::Outward;
 use gusset_base::alloc;
 
-/// The loops that are not holes.
+/// Loops that are not holes.
 pub type gusset_fill_keep = u32;
 /// All loops are holes.
 pub const GUSSET_KEEP_NONE: gusset_fill_keep = 0;
-/// The longest loop is none: the outline of an open sheet.
+/// The longest loop (the first of equals), as the outline of a sheet.
 pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 1;
-/// Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the
-/// sheet: whose area vector points as that of their component, and is at least half as long as its
-/// area.
+/// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot
+/// product with their component's, and a length of at least half the component's area.
 pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 2;
 
-/// The loops that get one patch.
+/// Loops that share a patch.
 pub type gusset_fill_together = u32;
-/// Each loop gets a patch of its own.
+/// Each loop gets its own patch.
 pub const GUSSET_TOGETHER_APART: gusset_fill_together = 0;
-/// All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one
-/// plane, up to some 160 loops.
+/// All filled loops share one patch of genus 0. If they are not coplanar, the limit is about 160
+/// loops.
 pub const GUSSET_TOGETHER_ONE: gusset_fill_together = 1;
-/// Loops get one patch where that costs less, by the weight asked for, than patches of their own.
-/// Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
-/// gains most first: about 8 pairs for each loop and 256 in all, as the log says, and at most 16
-/// loops for a patch. By area alone the ends of a short tube cost less together, along the tube
-/// itself.
+/// Loops share a patch where it has less weight than separate patches.
+/// - Tried are pairs whose boxes overlap after each grows on all sides by half its diagonal, about
+///   8 for each loop and 256 in all (the log says if exceeded).
+/// - The pair with the largest relative gain comes first. A patch has at most 16 loops.
+/// - With GUSSET_WEIGHT_AREA, the ends of a short tube share a patch along the tube.
 pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 
-/// The new vertices of patches.
+/// New vertices of patches.
 pub type gusset_fill_refinement = u32;
 /// No new vertices.
 pub const GUSSET_REFINE_NONE: gusset_fill_refinement = 0;
-/// New vertices as dense as those round the hole.
+/// New vertices as dense as the vertices around the hole.
 pub const GUSSET_REFINE_RIM_DENSITY: gusset_fill_refinement = 1;
 
-/// How smoothly faired patches continue the old surface.
+/// Smoothness between faired patches and the old surface.
 pub type gusset_fill_continuity = u32;
-/// Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is
-/// least.
+/// Tangent continuity: fairing minimises the squared Laplacian.
 pub const GUSSET_CONTINUITY_C1: gusset_fill_continuity = 0;
-/// They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old
-/// faces round each rim have a say, and with them their noise.
+/// Curvature continuity: fairing minimises the squared gradient of the Laplacian. Two rings of old
+/// faces around each rim, with their noise, determine the curvature.
 pub const GUSSET_CONTINUITY_C2: gusset_fill_continuity = 1;
 
-/// How holes are filled; all zero is the default: triangles without new vertices, in every hole.
+/// Options of gusset_fill. Default: all holes, without new vertices.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_fill_options {
-    /// sizeof(gusset_fill_options), set by the caller.
+    /// sizeof(gusset_fill_options).
     pub struct_size: usize,
-    /// The weight that the triangulation of a rim minimises.
+    /// Weight that the triangulation of a hole minimises.
     pub weight: gusset_fill_weight,
-    /// The new vertices of patches.
+    /// New vertices of patches.
     pub refine: gusset_fill_refinement,
-    /// Read if new vertices are asked for; otherwise the log says that it is not.
+    /// Fairing of new vertices. Without new vertices it is ignored, and the log says so.
     pub fairing: gusset_fairing,
-    /// Which loops are no holes; read if all loops are asked for.
+    /// Loops that stay open. Read only if all loops are selected.
     pub keep: gusset_fill_keep,
-    /// Whether faces of patches that cut each other or old faces are looked for, and
-    /// avoided by less fairing, other weights and no new vertices (AUTO), only reported
-    /// (REPORT), or neither (IGNORE).
+    /// Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO
+    /// avoids them, REPORT reports them, IGNORE does not look for them.
     pub intersections: gusset_intersections,
-    /// 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
-    /// which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
-    /// which of them together says get one patch. 0 or 1.
+    /// If 1, fills and turns over nothing. The report says which loops would be filled, by which
+    /// weight and finish. It does not predict failed triangulations or shared patches.
     /// @flag
     pub plan_only: u32,
-    /// About how many new vertices a patch gets, at most about twice as many; where more would be
-    /// needed the triangles are larger. 0: 50,000, or four for each vertex of its rims if that is
-    /// more, and as many again for sharp angles there.
+    /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most
+    /// twofold. 0: 50,000, or 4 for each rim vertex if more, and as many again for sharp angles
+    /// there.
     pub max_new_vertices: u32,
-    /// Loops of more edges are left alone. 0 is no limit.
+    /// Most edges of a loop to fill. 0: no limit.
     pub max_edges: u32,
-    /// Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+    /// Largest length of a loop to fill, at least 0. 0: no limit.
     pub max_length: f64,
-    /// Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+    /// Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
     pub max_diameter: f64,
-    /// Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
+    /// Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
     pub max_area: f64,
-    /// What becomes of closed components of the result, patches and all.
+    /// Orientation of closed components of the result, patches included.
     pub outward: gusset_outward,
-    /// Which loops get one patch; read without groups.
+    /// Choice of loops that share a patch. Read only without groups.
     pub together: gusset_fill_together,
-    /// A number for each of the loops given, loop_count in all: those with the same number get one
-    /// patch, a surface of genus 0 between them, but for loops that are left for reasons of their
-    /// own. NULL: as together says. Needs loops.
+    /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch
+    /// of genus 0, without loops left open for their own reasons. NULL: see together.
     pub groups: *const u32,
-    /// How smoothly faired vertices go on the surface round the hole.
+    /// Smoothness between faired patches and the old surface.
     pub continuity: gusset_fill_continuity,
-    /// 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
-    /// 1.
+    /// If 1, creases of the old surface end at the rim.
     /// @flag
     pub ignore_creases: u32,
 }
@@ -182,44 +176,33 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
     alloc::try_collect((0..count).map(list)).map(Some)
 }
 
-/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round
-/// them.
+/// Fills holes of a mesh: closes boundary loops by triangles, oriented like the surrounding
+/// surface.
 ///
-/// Loops that cannot be filled are left, which is no error: the account of each says why.
+/// Loops that cannot be filled stay open; gusset_hole gives the reason. The result has the old
+/// vertices, with their bits, then the new ones; the old faces, then the new triangles, hole by
+/// hole.
+/// - No new edge joins two vertices of one old face: a closed result stays closed when its polygons
+///   are triangulated.
+/// - With the default weight or GUSSET_WEIGHT_AREA, a planar hole, even with islands, gets no
+///   overlapping triangles if its rims do not cross.
+/// - In a patch of one loop, creases of the old surface continue: matching pairs are joined, three
+///   or more meet in a new vertex. Without new vertices, only straight pairs are joined. Other
+///   creases end at the rim.
+/// - Loops of a shared patch stay open if two of them share a vertex or the search, which is not
+///   exhaustive, fails. GUSSET_TOGETHER_CHEAPEST gives them separate patches.
+/// - A patch that intersects itself or other faces, by an exact test, is retried with less fairing,
+///   other weights and no new vertices. The one with the fewest intersections is kept.
+/// - Faired vertices stay in the box of the rims, grown on all sides by half its diagonal.
 ///
-/// The result has the old vertices with their bits and indices, then the new ones; the old faces,
-/// which are turned over only if outward says so, then the new triangles, hole by hole. No new edge
-/// joins two vertices of one old face, so that a result that is closed stays so when its polygons are
-/// cut into triangles. A planar hole gets no overlaps by the default weight and by area, however
-/// concave it is, also one round islands, if its rims do not cross.
-///
-/// Creases of the old surface that end at a rim go on across the patch, by plain triangles where they
-/// are straight: joined in pairs, or three and more in a new vertex where they meet. A crease without
-/// a counterpart ends at the rim. Patches of several loops have none, and with ignore_creases none
-/// has.
-///
-/// Several loops get one patch where options.groups or options.together says so: a surface of genus 0
-/// between them. If none is found, by a search that is not complete, or two of the loops share a
-/// vertex, all of them are left; GUSSET_TOGETHER_CHEAPEST leaves such loops apart.
-///
-/// Faces of a patch that cut each other or old faces are looked for, exactly. Where there are any,
-/// less fairing, the other weights and no new vertices are tried, and what cuts least is taken; the
-/// view has the pairs that are left. No faired vertex leaves the box round its rims, larger on all
-/// sides by half its diagonal.
-///
-/// @param loops the vertices of each loop in order, in either direction, each consecutive pair (and
-///     the last with the first) an edge with exactly one face; loop_count of them. NULL with 0: all
-///     loops that the mesh has.
-/// @param loop_count see loops.
-/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in the loop, whose number is the
-///     report's input), NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
-/// @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
-///     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
-///     ear, O(n log n); linear memory. Several loops of n vertices in all: O(n log n) if they are
-///     few, O(n^3) if they are many. Besides O(H log d) for H half-edges and at most d edges at a
-///     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n
-///     faces near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops
-///     that touch at one vertex look at each other's edges there.
+/// @param loops vertices of each loop in order, in either direction. Consecutive vertices, and the
+///     last and the first, form an edge with exactly one face. NULL with loop_count 0: all loops.
+/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input of the report is the loop, index the
+///     place in it), NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
+/// @complexity O(n^3) time, 30 n^2 bytes for a loop of n <= 128 vertices. Otherwise linear memory:
+///     O(n), coarse to fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for
+///     many. Also O(H log d) for H half-edges, at most d at a vertex, O(m^1.5) for m new vertices
+///     of a hole, and O(n log n), at worst O(n^2), for intersections with n faces near holes.
 /// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -257,9 +240,9 @@ pub unsafe extern "C" fn gusset_fill(
     })
 }
 
-/// Lends the reports of the loops, for results of gusset_fill.
+/// Lends the report on each loop, for a result of gusset_fill.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

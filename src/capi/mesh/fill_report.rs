@@ -1,4 +1,4 @@
-//! Holes: reports: What filling did to each hole.
+//! Holes: reports: The outcome for each loop.
 
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::input::{Choice, lent};
@@ -7,119 +7,115 @@ use crate::error::Error;
 use crate::fill::{Filled, Finish, Hole, HoleStatus, Weight};
 use gusset_base::alloc;
 
-/// The weight that the triangulation of a rim minimises.
+/// Weight that the triangulation of a hole minimises.
 pub type gusset_fill_weight = u32;
-/// The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
-/// the rim's included, t being the angle between the normals on both sides, and over the triangles of
-/// the mean square of how far the surface that was there is likely to have been from them, as its
-/// tangent planes at the rim say, in units of 1 / 140 of its length. By area alone if it is planar.
+/// Best continuation of the surrounding surface: the area if the rim is planar, otherwise the sum
+/// of
+/// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
+/// - the mean squared distance of the triangles from the missing surface, estimated from the
+///   tangent planes at the rim, in units of 1/140 of its length.
 pub const GUSSET_WEIGHT_CONTINUATION: gusset_fill_weight = 0;
-/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
-/// of the angle between its faces.
+/// Sum of the areas and, over all edges, the rim included, squared length times 1 - cosine of the
+/// angle between the normals.
 pub const GUSSET_WEIGHT_AREA_AND_BEND: gusset_fill_weight = 1;
-/// The least largest angle between neighbouring faces, those beyond the rim included, and then the
-/// least area, as Liepa has it.
+/// Largest angle between neighbouring faces, old faces at the rim included; then the area.
 pub const GUSSET_WEIGHT_BEND_THEN_AREA: gusset_fill_weight = 2;
-/// The least area, exactly.
+/// Area, minimised exactly for a single loop of at most 128 vertices.
 pub const GUSSET_WEIGHT_AREA: gusset_fill_weight = 3;
 
-/// The vertices of a patch.
+/// Vertices of a patch.
 pub type gusset_patch_finish = u32;
-/// Triangles between the vertices of the rims.
+/// Rim vertices only.
 pub const GUSSET_PATCH_PLAIN: gusset_patch_finish = 0;
-/// With new vertices, where the plain triangles are, but for those beside creases that go on.
+/// New vertices on the plain triangles, except beside creases that continue.
 pub const GUSSET_PATCH_REFINED: gusset_patch_finish = 1;
-/// With new vertices, faired.
+/// New vertices, faired.
 pub const GUSSET_PATCH_FAIRED: gusset_patch_finish = 2;
 
-/// The outcome for one loop.
+/// Outcome for one loop.
 pub type gusset_hole_status = u32;
 /// Filled; with plan_only, to be filled.
 pub const GUSSET_HOLE_FILLED: gusset_hole_status = 0;
-/// Left: it is no hole, as keep has it.
+/// Left open: keep excludes it.
 pub const GUSSET_HOLE_KEPT: gusset_hole_status = 1;
-/// Left: it exceeds max_edges, max_length, max_diameter or max_area.
+/// Left open: it exceeds max_edges, max_length, max_diameter or max_area.
 pub const GUSSET_HOLE_TOO_LARGE: gusset_hole_status = 2;
-/// Left: an open chain.
+/// Left open: it is an open chain.
 pub const GUSSET_HOLE_OPEN: gusset_hole_status = 3;
-/// Left: it runs along an edge with three or more faces.
+/// Left open: it runs along an edge with three or more faces.
 pub const GUSSET_HOLE_NON_MANIFOLD: gusset_hole_status = 4;
-/// Left: the faces along it disagree in orientation.
+/// Left open: the faces along it disagree in orientation.
 pub const GUSSET_HOLE_NOT_ORIENTED: gusset_hole_status = 5;
-/// Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+/// Left open: a given loop has fewer than three vertices, or passes a vertex twice.
 pub const GUSSET_HOLE_NOT_SIMPLE: gusset_hole_status = 6;
-/// Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+/// Left open: an edge of a given loop does not have exactly one face, or belongs to an earlier
+/// loop.
 pub const GUSSET_HOLE_NOT_FREE: gusset_hole_status = 7;
-/// Left: every triangulation would have an edge between two vertices of one old face, which is an
-/// edge of the mesh or becomes one once its polygons are cut into triangles; or none was found that
-/// closes all loops together which are to get one patch, as where two of them share a vertex.
+/// Left open: every triangulation has an edge between two vertices of one old face, or no shared
+/// patch was found.
 pub const GUSSET_HOLE_NO_TRIANGULATION: gusset_hole_status = 8;
 
-/// The account of one loop.
+/// Report on one loop.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before
-    /// closed components were turned outwards, or, of a given loop that is not simple, free or
-    /// oriented, as given.
+    /// First vertex of the loop in rims, with the surface on the left before closed components were
+    /// turned outwards. A given loop that is not simple, free or oriented is as given.
     pub rim_first: usize,
-    /// How many they are.
+    /// Number of its vertices.
     pub rim_count: usize,
-    /// Its patch's first face in the result: the faces and the new vertices of a patch of several
-    /// loops are in the accounts of all of them.
+    /// First face of the patch in the result. Loops that share a patch have the same faces and
+    /// vertices.
     pub face_first: usize,
-    /// How many faces the patch has.
+    /// Number of its faces.
     pub face_count: usize,
-    /// The patch's first new vertex in the result.
+    /// First new vertex of the patch in the result.
     pub vertex_first: usize,
-    /// How many new vertices the patch has.
+    /// Number of these.
     pub vertex_count: usize,
-    /// The sum of its edges' lengths, in the unit of the positions.
+    /// Length of the loop.
     pub length: f64,
-    /// The diagonal of the box round it, along the axes.
+    /// Diagonal of the axis-aligned box of the loop.
     pub diameter: f64,
-    /// The area of the cone of triangles from its edges to their common centre: that of the hole if
-    /// it is planar and convex, more otherwise.
+    /// Area of the triangles from the edges of the loop to the mean of its vertices: the area of a
+    /// planar convex hole, more for others.
     pub area: f64,
-    /// The outcome for one loop.
+    /// Outcome for one loop.
     pub status: gusset_hole_status,
-    /// The weight that the patch's triangulation is best by: the one asked for, or one that
-    /// cuts less.
+    /// Weight of the triangulation: as requested, or one with fewer intersections.
     pub weight: gusset_fill_weight,
-    /// What the patch is made of: what was asked for, or less, which cuts less.
+    /// Finish of the patch: as requested, or simpler with fewer intersections.
     pub finish: gusset_patch_finish,
-    /// The number of the patch, from 0 on in the order of the faces; loops with the same number have
-    /// one patch. UINT32_MAX if it has none, as all have in a plan.
+    /// Number of the patch, from 0, in the order of faces; equal for loops that share it.
+    /// UINT32_MAX: no patch, always with plan_only.
     pub patch: u32,
 }
 
-/// The accounts of all loops. Pointers are valid until the result is destroyed.
+/// Reports on all loops.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_fill_report {
-    /// sizeof(gusset_fill_report), set by the caller.
+    /// sizeof(gusset_fill_report).
     pub struct_size: usize,
-    /// One for each loop: those given, in their order, or all that the mesh has, as
-    /// gusset_boundary_get_loop numbers them. NULL if there are none.
+    /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
     pub holes: *const gusset_hole,
-    /// How many.
+    /// Number of loops.
     pub hole_count: usize,
-    /// The vertices of all rims.
+    /// Vertices of all loops.
     pub rims: gusset_indices,
-    /// Of each new vertex, in their order, three vertices of its patch's rims.
+    /// Three rim vertices for each new vertex, in the order of the new vertices.
     pub parents: gusset_indices,
-    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
-    /// new vertices. They place it at the nearest point of the plain triangulation of the rims,
-    /// which it is itself if its patch was neither faired nor creased, or if the hole is flat.
+    /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest
+    /// point on the plain triangulation of the rims: the vertex itself if its patch is flat, or is
+    /// not faired and not creased.
     pub weights: *const f64,
-    /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
-    /// which is a new face's; ascending. What they share, a vertex or an edge, is no cut, nor are
-    /// vertices and edges at the same place; any other touch is. Exact.
+    /// Pairs of intersecting faces, ascending, the larger index first: a new face. Every contact
+    /// counts, decided exactly, except at shared or coincident vertices and edges.
     pub intersections: gusset_indices,
-    /// Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
-    /// Each keeps its first corner and has the others in reverse order.
+    /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the
+    /// others are reversed.
     pub turned_outwards: gusset_indices,
-    /// 1 if intersections were looked for, 0 if not.
+    /// 1 if intersections were looked for, otherwise 0.
     pub intersections_known: u32,
     /// 0.
     pub reserved: u32,

@@ -13,40 +13,38 @@ use crate::capi::status::gusset_status;
 use crate::repair::orient::{Options, Outward, orient};
 use gusset_base::alloc;
 
-/// How to orient; all zero is the default.
+/// Options of gusset_orient.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_orient_options {
-    /// sizeof(gusset_orient_options), set by the caller.
+    /// sizeof(gusset_orient_options).
     pub struct_size: usize,
-    /// The side that closed components of a result face.
+    /// Orientation of closed components.
     pub outward: gusset_outward,
     /// 0.
     pub reserved: u32,
 }
 
-/// What was turned, and what could not be oriented. Pointers are valid until the result is
-/// destroyed.
+/// Faces that were turned over, and components that cannot be oriented.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_orient_report {
-    /// sizeof(gusset_orient_report), set by the caller.
+    /// sizeof(gusset_orient_report).
     pub struct_size: usize,
-    /// Per face, 1 if it was turned over, else 0.
+    /// For each face, 1 if it was turned over, otherwise 0.
     pub turned: *const u8,
-    /// The number of faces.
+    /// Number of faces.
     pub face_count: usize,
-    /// The smallest face of each component that cannot be oriented, ascending. Such components stay
-    /// as they are.
+    /// Smallest face of each non-orientable component, ascending.
     pub one_sided_faces: gusset_indices,
-    /// For each of them, a half-edge of it at which two faces disagree when others agree.
+    /// For each non-orientable component, a half-edge at which its faces cannot agree.
     pub one_sided_half_edges: gusset_indices,
-    /// The number of faces turned over.
+    /// Number of faces turned over.
     pub turned_faces: u32,
-    /// Components: faces that hang together across edges of two faces. A degenerate face is one of
-    /// its own.
+    /// Number of components: faces connected across edges with two faces. A degenerate face is a
+    /// component.
     pub component_count: u32,
-    /// Closed components that face outwards now and, without GUSSET_OUTWARD_CLOSED, would not.
+    /// Number of closed components that face outwards only because of GUSSET_OUTWARD_CLOSED.
     pub inverted_components: u32,
     /// 0.
     pub reserved: u32,
@@ -54,16 +52,15 @@ pub struct gusset_orient_report {
 
 versioned! { gusset_orient_options: 16 reserved, gusset_orient_report: 72 }
 
-/// Turns faces over until faces that share an edge of two faces run it in opposite directions.
+/// Turns faces over until the two faces of each edge run it in opposite directions.
 ///
-/// In each component as few faces as possible are turned; where both sides are as many, its
-/// smallest face stays. Edges of three or more faces connect nothing. A component that cannot be
-/// oriented, such as a Moebius strip, stays as it is and is listed. A turned face keeps its first
-/// corner and has the others in reverse order; all else is as it was: vertices, positions, order of
-/// faces.
+/// In each component the fewest faces are turned; on a tie, its smallest face stays. Edges with
+/// three or more faces connect nothing. A non-orientable component, such as a Moebius strip, stays
+/// unchanged and is listed. A turned face keeps its first corner; the others are reversed. Vertices
+/// and the order of faces do not change.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient(
@@ -86,9 +83,9 @@ pub unsafe extern "C" fn gusset_orient(
     })
 }
 
-/// Lends the flags, lists and counts, for results of gusset_orient.
+/// Lends the flags, lists and counts, for a result of gusset_orient.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,5 +1,4 @@
-//! Origins: Names the elements of the inputs from which each vertex, corner and face of a result
-//! comes.
+//! Origins: Gives the source elements of each vertex, corner and face of a result.
 
 use crate::attributes::{Domain, Origins};
 use crate::capi::context::lend;
@@ -9,13 +8,13 @@ use crate::capi::input::{choice, lent};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status;
 
-/// Elements of meshes, and of what meshes are made from.
+/// Kind of element.
 pub type gusset_domain = u32;
-/// Vertices; the points of polylines, the nodes of a net or a sheet.
+/// Vertices, points of polylines, nodes of nets and sheets.
 pub const GUSSET_DOMAIN_VERTICES: gusset_domain = 0;
-/// Corners of faces, in the order of face_corners; the nodes of a net or a sheet.
+/// Corners of faces, in the order of face_corners; nodes of nets and sheets.
 pub const GUSSET_DOMAIN_CORNERS: gusset_domain = 1;
-/// Faces; the cells of a net or a sheet.
+/// Faces, cells of nets and sheets.
 pub const GUSSET_DOMAIN_FACES: gusset_domain = 2;
 
 c_enum! {
@@ -26,48 +25,44 @@ c_enum! {
     }
 }
 
-/// For each vertex, corner and face of a result, the elements of the inputs that it has its values
-/// from. Opaque and immutable; it keeps nothing of the result.
+/// Source elements of each vertex, corner and face of a result. It does not refer to the result.
 ///
-/// An element that was there before has itself, and a vertex that several became all of them in
-/// equal parts. A new vertex has the vertices of the rims round it, by where it would be on plain
-/// triangles between them without fairing, and one that was put on an edge the ends of the edge. A
-/// new face has the face across the nearest edge of the rims (the first one of those as near), and at
-/// its corners what old faces have there: those on its own side where it has an edge in common with
-/// them.
+/// - An old element has itself, a merged vertex all its vertices in equal parts.
+/// - A new vertex has the rim vertices around it, by its place on plain triangles between them,
+///   without fairing. A vertex put on an edge has the ends of the edge.
+/// - A new face has the face across the nearest rim edge (the first of equals). Its corners have
+///   the old corners there, on its own side if it shares an edge with old faces.
 pub struct gusset_origins(pub(crate) Origins);
 
 handle! { gusset_origins }
 
-/// The origins of the elements of one kind. Pointers are valid until the origins are destroyed.
+/// Origins of the elements of one domain.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_origins_view {
-    /// sizeof(gusset_origins_view), set by the caller.
+    /// sizeof(gusset_origins_view).
     pub struct_size: usize,
-    /// One more than there are elements: element k has the entries offsets[k] to
-    /// offsets[k + 1] - 1 of sources and weights; none if it comes from nothing.
+    /// Element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and weights, or none.
+    /// One entry more than elements.
     pub offsets: gusset_indices,
-    /// The sources, numbered through all inputs.
+    /// Sources, numbered through all inputs.
     pub sources: gusset_indices,
-    /// How much each source counts: more than 0, with the sum 1 for each element; as many as sources;
-    /// NULL without any.
+    /// Weight of each source, above 0, with sum 1 for each element.
     pub weights: *const f64,
-    /// One more than there are inputs: the elements of input i are the sources starts[i] to
-    /// starts[i + 1] - 1. The inputs are the meshes, pieces or polylines in their order, the one mesh,
-    /// net or sheet.
+    /// Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs
+    /// are the meshes, pieces or polylines in order, or the single mesh, net or sheet.
     pub starts: gusset_indices,
 }
 
 versioned! { gusset_origins_view: 64 }
 
-/// Destroys origins; NULL is allowed.
+/// Destroys origins.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_origins_destroy(origins: *mut gusset_origins) {
     handle::destroy(origins);
 }
 
-/// Lends the origins of the result's vertices, corners or faces, valid until they are destroyed.
+/// Lends the origins of the vertices, corners or faces of a result.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

@@ -10,64 +10,56 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::repair::sew::sew;
 
-/// What became of the old mesh. Lists are ascending; pointers are valid until the result is
-/// destroyed.
+/// Effects of sewing. Lists are ascending.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sew_report {
-    /// sizeof(gusset_sew_report), set by the caller.
+    /// sizeof(gusset_sew_report).
     pub struct_size: usize,
-    /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
     pub vertex_map: gusset_indices,
-    /// Per old face, the index in the result of the first face that it became; UINT32_MAX if it
-    /// was dropped.
+    /// Index in the result of the first part of each old face; UINT32_MAX if dropped.
     pub face_map: gusset_indices,
-    /// Per face of the result, the old face that it is, or is a part of; ascending.
+    /// Old face of each face of the result.
     pub face_origin: gusset_indices,
-    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
+    /// Old vertices that coincide with another, or lie inside a boundary edge, and were not sewn to
+    /// it.
     pub left_vertices: gusset_indices,
-    /// Vertices that became one with a smaller one.
+    /// Number of vertices merged into a smaller one.
     pub welded_vertices: u32,
-    /// Edges of two faces that were free edges, or parts of such.
+    /// Number of edges with two faces made from boundary edges or parts of them.
     pub sewn_edges: u32,
-    /// Points at which free edges were split.
+    /// Number of points at which boundary edges were split.
     pub splits: u32,
-    /// Old faces that were cut or gained corners.
+    /// Number of old faces that were cut or gained corners.
     pub split_faces: u32,
-    /// Old faces that were dropped.
+    /// Number of dropped old faces.
     pub dropped_faces: u32,
     /// 0.
     pub reserved: u32,
-    /// How far apart what lies together was allowed to be, short edges apart; 0 for equal
-    /// positions.
+    /// Largest distance at which elements coincide, except at short edges; 0 for equal positions.
     pub tolerance: f64,
 }
 
 versioned! { gusset_sew_report: 104 }
 
-/// Sews borders that lie on one another, also where their vertices do not match.
+/// Sews coincident borders, also where their vertices do not match.
+/// - Vertices are welded as by gusset_weld.
+/// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the
+///   edge is split if exactly two pieces coincide. Triangles with split edges are cut into
+///   triangles, none turned over; larger faces gain corners.
+/// - Borders are welded again.
+/// - A vertex lies inside an edge if it is within the tolerance of the edge and not of its ends.
+///   The edge must be longer than twice the tolerance; see gusset_weld_options for its default.
+/// - Splitting makes no edges with three or more faces and no degenerate faces.
+/// - The result has the old faces in order, or their parts in their places. Among merged vertices
+///   the smallest remains, with its position bits. New vertices have the position of an old one.
 ///
-/// Vertices are welded first, as by gusset_weld. Where a vertex of one border then lies
-/// inside a free edge of another (a T-junction), the edge is split there, if that makes pieces of
-/// which exactly two lie on one another; triangles with split edges are cut into triangles, none of
-/// them turned over, and larger faces gain corners. Then borders are welded again. So the result
-/// has no edge of three or more faces and no degenerate face that welding alone would not have
-/// made. Vertices that lie inside an edge which is not split there are listed as left, as are those
-/// that welding leaves.
-///
-/// A vertex lies inside an edge that is longer than twice the tolerance if it is within the
-/// tolerance of it and beyond that from both its ends. By default it is that of welding: see
-/// gusset_weld_options.
-///
-/// The result has the old faces in their order, and the parts of one in place of it, one after the
-/// other. Of vertices made one the smallest is left, and its position keeps its bits; new vertices
-/// have the position of an old one.
-///
-/// @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded
-///     before edges are split, and borders after it.
-/// @errors as gusset_weld, TOO_LARGE (the result has too many elements)
-/// @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside
-///     each edge; linear extra memory.
+/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before edges are split,
+///     borders afterwards.
+/// @errors as gusset_weld, TOO_LARGE (the result)
+/// @complexity O(H log H) for H half-edges, if valences are small and few vertices lie inside each
+///     edge; linear memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sew(
@@ -86,9 +78,9 @@ pub unsafe extern "C" fn gusset_sew(
     })
 }
 
-/// Lends the maps, lists and counts, for results of gusset_sew.
+/// Lends the maps, lists and counts, for a result of gusset_sew.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

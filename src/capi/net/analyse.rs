@@ -1,4 +1,4 @@
-//! Effects of a deformation: What a deformation glues, tears, folds and stretches.
+//! Effects of a deformation: New gluing, tears, folds and stretching.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::net::analyse::{Analysis, analyse, analyse_field};
 use gusset_base::alloc;
 
-/// What a deformation does to a net. Immutable; may be read from many threads.
+/// Effects of a deformation on a net.
 pub struct gusset_net_analysis {
     analysis: Analysis,
     contracted: Vec<u32>,
@@ -28,43 +28,39 @@ impl gusset_net_analysis {
     }
 }
 
-/// An analysis, lent: valid until gusset_net_analysis_destroy.
+/// Effects of a deformation. See gusset_net for indices.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_analysis_view {
-    /// sizeof(gusset_net_analysis_view), set by the caller.
+    /// sizeof(gusset_net_analysis_view).
     pub struct_size: usize,
-    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column
-    /// and row included), its new length divided by its old one; NaN if it had none, or an end is
-    /// missing.
+    /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
     pub links: *const f64,
     /// 2 * rows * columns.
     pub link_count: usize,
-    /// Of each cell, its new area divided by its old one; negative where the surface is folded over
-    /// or, if fields are analysed, space is mirrored; NaN if it had none, or is not there.
+    /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent.
+    /// Negative for folds or, with fields, negative determinants.
     pub cells: *const f64,
-    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL if nets are
-    /// compared.
+    /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
-    /// The links that have become a point and are not glued: see `links` of
-    /// gusset_glue_options.
+    /// Links that became a point and are not glued; see links of gusset_glue_options.
     pub contracted: *const u32,
-    /// Of each of them, what the star of its first node has become with all of them contracted: the
-    /// number of the local gluing, 0 to 17.
+    /// For each contracted link, the local gluing of its first node once all are contracted: 0 to
+    /// 17.
     pub stars: *const u32,
-    /// How many.
+    /// Number of contracted links.
     pub contracted_count: usize,
-    /// The glued links whose ends have come apart.
+    /// Glued links whose ends separated.
     pub torn: *const u32,
-    /// How many.
+    /// Number of torn links.
     pub torn_count: usize,
-    /// The cells that are turned the other way than most.
+    /// Cells oriented against the majority.
     pub folded: *const u32,
-    /// How many.
+    /// Number of folded cells.
     pub folded_count: usize,
-    /// 1 if nothing is newly glued, torn or folded: the paper's soft deformation; else it is hard.
+    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
     pub soft: u32,
     /// 0.
     pub reserved: u32,
@@ -72,40 +68,35 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
-/// The deformation that is analysed. All zeros: none.
+/// Deformation to analyse; the default is none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_analysis_options {
-    /// sizeof(gusset_net_analysis_options), set by the caller.
+    /// sizeof(gusset_net_analysis_options).
     pub struct_size: usize,
-    /// The net after the deformation, of the same size; NULL: what the fields make of the net.
+    /// Deformed net of the same size; NULL: fields deform the net.
     pub after: *const gusset_net,
-    /// The fields, as for gusset_net_deform; none beside `after`.
+    /// Fields, as for gusset_net_deform.
     pub fields: *const gusset_field,
-    /// The number of fields.
+    /// Number of fields; 0 beside after.
     pub field_count: usize,
-    /// The time, as for gusset_net_deform.
+    /// Time, as for gusset_net_deform.
     pub time: f64,
-    /// Lengths up to it, at least 0 and finite, are none.
+    /// Lengths up to this count as 0; at least 0 and finite.
     pub tolerance: f64,
 }
 
 versioned! { gusset_net_analysis_options: 48 }
 
-/// Compares a net after a deformation with what it was before: what is newly glued, torn, folded
-/// over, stretched.
+/// Finds what a deformation glues, tears, folds and stretches; the net stays unchanged.
 ///
-/// The net stays as it is. The deformation is another net, or what fields would do: then the analysis
-/// has the determinants of their Jacobian too.
-///
-/// @param net the net before the deformation; its gluing counts.
-/// @param options the deformation; NULL for none.
-/// @errors UNKNOWN_VALUE (fields beside `after`), OUT_OF_RANGE, SIDES_DIFFER (other sizes),
-///     CROSSING_CELL (with the cell (what is newly glued is no surface)), as gusset_net_deform
-/// @complexity O(nodes), 24 bytes a node. For fields O(nodes x fields), and 8 bytes a cell and a
-///     copy of the net besides.
-/// @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
-///     neither follows from gluing nor implies it.
+/// @param net the net before the deformation.
+/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing would join both
+///     diagonals of the cell), as gusset_net_deform
+/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), and memory for a copy of the
+///     net and 8 bytes a cell.
+/// @source Deryagin, soft and hard deformations. Links are measured: a zero of the Jacobian neither
+///     implies gluing nor follows from it.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_create(
@@ -131,7 +122,6 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
 
 /// Lends an analysis.
 ///
-/// @param view its struct_size set.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -161,7 +151,7 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
     })
 }
 
-/// Destroys an analysis; NULL is allowed.
+/// Destroys an analysis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
     handle::destroy(analysis);

@@ -1,4 +1,4 @@
-//! Rows and columns: Parts, symmetries and other layouts of nets.
+//! Rows and columns: Parts, symmetries and conversions of nets.
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
@@ -9,87 +9,86 @@ use crate::capi::net::{edit, gusset_net};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::{CopyOptions, Direction, Replication, Shape, Turn};
 
-/// A direction within a net.
+/// Direction within a net.
 pub type gusset_direction = u32;
-/// Along rows, from column to column.
+/// From column to column.
 pub const GUSSET_DIRECTION_RIGHT: gusset_direction = 0;
-/// Along columns, from row to row.
+/// From row to row.
 pub const GUSSET_DIRECTION_DOWN: gusset_direction = 1;
 
-/// Which rows, or columns, are replicated.
+/// Rows or columns replicated to enlarge a net.
 pub type gusset_replication = u32;
-/// All of them, as equally as it goes.
+/// All, as equally as possible.
 pub const GUSSET_REPLICATE_UNIFORM: gusset_replication = 0;
-/// The first one.
+/// The first.
 pub const GUSSET_REPLICATE_FIRST: gusset_replication = 1;
-/// The last one.
+/// The last.
 pub const GUSSET_REPLICATE_LAST: gusset_replication = 2;
-/// The one whose index is given.
+/// The one with the given index.
 pub const GUSSET_REPLICATE_AT: gusset_replication = 3;
-/// The first and the last one, if they are a point each, in equal shares; if one of them is, that
-/// one; else as UNIFORM.
+/// The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM.
 pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
-/// None: sizes that differ are refused. For gusset_concatenate_options only.
+/// Different sizes are an error; for gusset_concatenate_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;
 
-/// A symmetry of the rectangle of nodes. Nodes stay where they are in space, and so do normals.
+/// Symmetry of the rectangle of nodes. Positions and normals of nodes stay.
 pub type gusset_net_turn = u32;
-/// Rows and columns stay.
+/// No change.
 pub const GUSSET_NET_TURN_NONE: gusset_net_turn = 0;
-/// A quarter of a turn: the last column becomes the first row.
+/// Quarter turn: the last column becomes the first row.
 pub const GUSSET_NET_TURN_QUARTER: gusset_net_turn = 1;
-/// Half a turn: the last row and the last column come first.
+/// Half turn: rows and columns are reversed.
 pub const GUSSET_NET_TURN_HALF: gusset_net_turn = 2;
 /// Three quarters of a turn: the first column becomes the last row.
 pub const GUSSET_NET_TURN_THREE_QUARTERS: gusset_net_turn = 3;
-/// The last column comes first.
+/// Reverses the order of columns.
 pub const GUSSET_NET_TURN_FLIP_COLUMNS: gusset_net_turn = 4;
-/// The last row comes first.
+/// Reverses the order of rows.
 pub const GUSSET_NET_TURN_FLIP_ROWS: gusset_net_turn = 5;
-/// Rows and columns are exchanged.
+/// Exchanges rows and columns.
 pub const GUSSET_NET_TURN_TRANSPOSE: gusset_net_turn = 6;
-/// Rows and columns are exchanged, both backwards.
+/// Exchanges rows and columns, and reverses both.
 pub const GUSSET_NET_TURN_ANTITRANSPOSE: gusset_net_turn = 7;
 
-/// How a copy of a net differs from it. All zeros: not at all. A part is taken first; then it is
-/// made compact, enlarged, turned and converted.
+/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert.
+/// Defaults: no step.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_copy_options {
-    /// sizeof(gusset_net_copy_options), set by the caller.
+    /// sizeof(gusset_net_copy_options).
     pub struct_size: usize,
-    /// The first row of the part that is copied.
+    /// First row of the part.
     pub row_first: usize,
-    /// The number of rows of the part, at least 2; 0: all from row_first on.
+    /// Rows of the part, at least 2; 0: all from row_first on.
     pub row_count: usize,
-    /// The first column of the part.
+    /// First column of the part.
     pub column_first: usize,
-    /// The number of columns of the part, at least 2; 0: all from column_first on.
+    /// Columns of the part, at least 2; 0: all from column_first on.
     pub column_count: usize,
-    /// The number of rows of nodes after replication, no fewer than there are; 0: as many as there
-    /// are. Links between copies of a row are contracted, and the surface stays.
+    /// Rows after replication, at least the present number; 0: no replication. Links between copies
+    /// are contracted.
     pub rows: usize,
-    /// The number of columns of nodes, likewise.
+    /// Columns after replication, likewise.
     pub columns: usize,
-    /// 1: rows and columns that repeat the one before them are left out. The links between the two
-    /// are all contracted, and coordinates and links along them are equal. Two rows and two columns
-    /// stay, and so do those on which a bridge ends. 0 or 1.
+    /// 1: removes rows and columns that repeat the previous one. All links between both are
+    /// contracted; coordinates and links along them are equal. Two rows, two columns and the ends
+    /// of bridges stay.
     /// @flag
     pub compact: u32,
     /// For rows.
     pub row_replication: gusset_replication,
     /// For columns.
     pub column_replication: gusset_replication,
-    /// Read for GUSSET_REPLICATE_AT: the row.
+    /// Row to replicate.
     /// @when row_replication GUSSET_REPLICATE_AT
     pub row_index: u32,
-    /// Read for GUSSET_REPLICATE_AT: the column.
-    /// @when row_replication GUSSET_REPLICATE_AT
+    /// Column to replicate.
+    /// @when column_replication GUSSET_REPLICATE_AT
     pub column_index: u32,
-    /// The symmetry that rows and columns undergo.
+    /// Symmetry that is applied.
     pub turn: gusset_net_turn,
-    /// GUSSET_F32 or GUSSET_F64: the type of the coordinates. From double to float they are rounded,
-    /// and nodes whose coordinates are too large become missing. 0: the type of the net.
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become
+    /// missing.
     pub scalar: gusset_scalar,
     /// 0.
     pub reserved: u32,
@@ -147,20 +146,18 @@ impl gusset_net_copy_options {
     }
 }
 
-/// Makes a copy of a net, with its gluing and its bridges: of all of it or of a part, with more or
-/// fewer rows and columns, turned, or with coordinates of another type.
+/// Copies a net with its gluing and bridges: all or a part, compacted, enlarged, turned or
+/// converted.
 ///
-/// A copy that differs in nothing shares the memory of the net until one of the two is changed. A
-/// part keeps the links, runs of seams and bridges within it. It keeps links that lead back if it
-/// has all rows, or all columns. A part, a compact, a turned or a larger net keeps the bits of its
-/// coordinates.
+/// - An unchanged copy shares memory until either net changes.
+/// - A part keeps links, runs of seams and bridges inside it. Links back to the first row or column
+///   need a part with all rows or columns.
+/// - Without conversion, coordinates keep their bits.
 ///
-/// @param options NULL for a copy that differs in nothing.
-/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part beyond the net, fewer
-///     rows or columns than there are, an index beyond the net), CROSSING_CELL (only what is
-///     outside the part made opposite corners one), TOO_LARGE
-/// @complexity O(nodes) for each step; O(1) for a copy that differs in nothing, unless the net is
-///     in the caller's memory.
+/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part or index beyond the
+///     net, or fewer rows or columns than present), CROSSING_CELL (both diagonals of a cell are
+///     glued once gluing outside the part is lost), TOO_LARGE
+/// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
 /// @source Deryagin, "Reformatting".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -180,10 +177,9 @@ pub unsafe extern "C" fn gusset_net_copy_create(
     })
 }
 
-/// Makes missing every node of which a coordinate is `value`, the number that stands for what a
-/// scanner did not see.
+/// Makes nodes missing that have a coordinate equal to value.
 ///
-/// @param value the marker of missing data, compared exactly.
+/// @param value marker of missing data.
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,4 +1,4 @@
-//! Local gluings: How nodes and cells are glued at a place.
+//! Local gluings: How nodes and cells are glued.
 
 use crate::capi::context::{answer, create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
@@ -16,12 +16,12 @@ fn number(found: Option<GluingType>) -> gusset_gluing_type {
     found.map_or(GUSSET_TYPE_NONE, |kind| kind.number() as u32)
 }
 
-/// Writes for each node the smallest node that is the same point.
+/// Writes for each node the first node of its point.
 ///
-/// @param classes room for capacity numbers, of which rows * columns are written.
-/// @param capacity see classes.
-/// @param written receives that number. NULL and 0 ask for it.
-/// @errors BUFFER_TOO_SMALL (nothing is written but the number)
+/// @param classes room for capacity numbers, at least rows * columns; NULL and capacity 0 to count.
+/// @param capacity size of classes.
+/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @errors BUFFER_TOO_SMALL
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -42,15 +42,15 @@ pub unsafe extern "C" fn gusset_net_classes(
     })
 }
 
-/// The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
+/// Points of several glued nodes.
 pub struct gusset_net_groups(Groups);
 
 handle! { gusset_net_groups }
 
-/// Finds the points that are several nodes.
+/// Finds the points of several glued nodes.
 ///
-/// @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
-///     the glued nodes.
+/// @complexity O(rows + columns) if only sides are glued, else O(nodes); and a sort of the glued
+///     nodes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_create(
@@ -63,16 +63,15 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     })
 }
 
-/// The groups of a net, lent: valid until gusset_net_groups_destroy.
+/// Groups of glued nodes, in the order of their first nodes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_groups_view {
-    /// sizeof(gusset_net_groups_view), set by the caller.
+    /// sizeof(gusset_net_groups_view).
     pub struct_size: usize,
-    /// One more than the number of groups: group k is members[offsets[k]] up to
-    /// members[offsets[k + 1]], without the latter. Groups are in the order of their first nodes.
+    /// Group k is members[offsets[k]] to members[offsets[k + 1] - 1].
     pub offsets: gusset_indices,
-    /// The nodes of all groups, each group's in order.
+    /// Nodes of all groups, in order within each.
     pub members: gusset_indices,
 }
 
@@ -94,28 +93,27 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
     })
 }
 
-/// Destroys groups; NULL is allowed.
+/// Destroys groups.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_groups) {
     handle::destroy(groups);
 }
 
-/// The element that has a local gluing.
+/// Element that has a local gluing.
 pub type gusset_gluing_place = u32;
-/// A node; the gluing says which of its links are glued.
+/// Node with glued links.
 pub const GUSSET_GLUING_PLACE_NODE: gusset_gluing_place = 0;
-/// A cell; the gluing says which of its corners are one point.
+/// Cell with glued corners.
 pub const GUSSET_GLUING_PLACE_CELL: gusset_gluing_place = 1;
 
-/// Finds the local gluing at a node or of a cell.
+/// Finds the local gluing at a node or cell.
 ///
-/// @param place GUSSET_GLUING_PLACE_NODE or GUSSET_GLUING_PLACE_CELL.
-/// @param element the node, row * columns + column, or the cell, row * (columns - 1) + column.
-/// @param cyclic 0, or 1 to count links of a node that lead back to the first row or column too.
-/// @param found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL for a node; GUSSET_TYPE_NONE for a node without glued links and for a quad.
+/// @param element node or cell.
+/// @param cyclic 1: links of a node back to the first row or column count. 0 or 1.
+/// @param found receives the type; GUSSET_TYPE_NONE for a node without glued links and for a quad.
+///     A node has at most GUSSET_TYPE_ALL.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
-///     all.
+/// @complexity O(1) if only sides are glued, else O(nodes).
 /// @source Deryagin, Fig. 4.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -139,10 +137,8 @@ pub unsafe extern "C" fn gusset_net_classify(
 
 /// Counts the local gluings of a net by type.
 ///
-/// @param nodes receive 18 numbers each, how many nodes (without links that lead back) and how many
-///     cells have each type; NULL for what is not wanted.
-/// @param cells see nodes.
-/// @errors NULL_ARGUMENT (net)
+/// @param nodes receives 18 counts of nodes, as for cyclic 0; may be NULL.
+/// @param cells receives 18 counts of cells; may be NULL.
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -169,30 +165,27 @@ fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failur
     input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
 }
 
-/// A local gluing of a net: where it is, and what it is in the letters of the paper's Fig. 4.
+/// Local gluing of a net: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing_occurrence {
-    /// GUSSET_GLUING_PLACE_NODE: at the node `element`, a type n(a, b); GUSSET_GLUING_PLACE_CELL: of
-    /// the cell `element`, a type c(a, b).
+    /// Element that has a local gluing.
     pub place: gusset_gluing_place,
-    /// The node, row * columns + column, or the cell, row * (columns - 1) + column.
+    /// Node or cell.
     pub element: u32,
-    /// One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
+    /// Local gluing (Deryagin, Fig. 4).
     pub kind: gusset_gluing_type,
-    /// Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
-    /// for all; 1 for a diagonal.
+    /// At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a
+    /// diagonal.
     pub a: u32,
-    /// Of a node with two glued links, 1 if they are adjacent and 2 if they are opposite; of a cell
-    /// with two, how many of the other links lie between them, 0 or 1; 2 for a diagonal; UINT32_MAX
-    /// for types that have one letter.
+    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: number of
+    /// other links between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
     pub b: u32,
-    /// How many nodes the gluing makes one.
+    /// Number of nodes united.
     pub node_order: u32,
-    /// How many links it makes one; 1 if none.
+    /// Number of links united; 1 if none.
     pub link_order: u32,
-    /// How many nodes of the net are one point there: more than node_order where gluings meet, as
-    /// at a pole.
+    /// Number of nodes of the point; exceeds node_order where gluings meet, as at a pole.
     pub class_size: u32,
 }
 
@@ -213,15 +206,14 @@ impl From<&Occurrence> for gusset_gluing_occurrence {
     }
 }
 
-/// Writes all local gluings of a net with their types and orders: those at its nodes, in order, then
-/// those of its cells.
+/// Writes all local gluings of a net: at its nodes in order, then at its cells.
 ///
-/// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
-/// @param found room for capacity of them.
-/// @param capacity see found.
-/// @param written receives their number. NULL and 0 ask for it.
-/// @errors UNKNOWN_VALUE (cyclic), BUFFER_TOO_SMALL (nothing is written but the number)
-/// @complexity O(nodes); 4 bytes a node, and as much as is written.
+/// @param cyclic as for gusset_net_classify.
+/// @param found room for capacity gluings; NULL and capacity 0 to count.
+/// @param capacity size of found.
+/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @errors BUFFER_TOO_SMALL
+/// @complexity O(nodes); 4 bytes a node, and memory for the result.
 /// @source Deryagin, Fig. 4.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,4 +1,4 @@
-//! The quotient surface: The surface that a net becomes when glued nodes are one.
+//! The quotient surface: The surface of a net with glued nodes merged.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -8,92 +8,86 @@ use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::complex::Complex;
 
-/// Which cells count.
+/// Cells that count.
 pub type gusset_net_cells = u32;
-/// All.
+/// All cells.
 pub const GUSSET_NET_CELLS_ALL: gusset_net_cells = 0;
-/// Those whose four nodes have finite coordinates and that no hidden bridge has.
+/// Cells that are not absent; see gusset_net.
 pub const GUSSET_NET_CELLS_PRESENT: gusset_net_cells = 1;
 
-/// Bits that describe the surface of a net.
+/// Properties of the surface of a net.
 /// @bits
 pub type gusset_net_flags = u32;
-/// No edge has one face only.
+/// No boundary edges.
 pub const GUSSET_NET_CLOSED: gusset_net_flags = 1;
-/// A surface, with or without boundary: no wires, branches and pinches.
+/// Manifold, with or without boundary: no wires, branches, pinches.
 pub const GUSSET_NET_MANIFOLD: gusset_net_flags = 2;
-/// No edge that two faces run along the same way.
+/// Consistent orientation of faces.
 pub const GUSSET_NET_ORIENTED: gusset_net_flags = 4;
-/// Faces can be turned over so that there is none.
+/// Consistent after reversal of some faces.
 pub const GUSSET_NET_ORIENTABLE: gusset_net_flags = 8;
 
-/// The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the
-/// net.
+/// Quotient complex: the surface of a net with glued nodes merged.
 pub struct gusset_net_complex(Complex);
 
 handle! { gusset_net_complex }
 
-/// Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are
-/// given by their smallest nodes, edges as pairs of them, one pair after the other, in order.
-/// Pointers are valid until the complex is destroyed.
+/// Counts and defects of a complex. Vertices are given by their smallest nodes, edges as pairs;
+/// lists are sorted.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_complex_view {
-    /// sizeof(gusset_net_complex_view), set by the caller.
+    /// sizeof(gusset_net_complex_view).
     pub struct_size: usize,
     /// Vertices.
     pub vertex_count: u64,
-    /// Edges: pairs of vertices that links join.
+    /// Edges; links with equal ends are one edge.
     pub edge_count: u64,
-    /// Faces of four corners.
+    /// Quads.
     pub quad_count: u64,
-    /// Faces of three.
+    /// Triangles.
     pub triangle_count: u64,
-    /// Cells that have become an edge.
+    /// Cells reduced to an edge.
     pub digon_count: u64,
-    /// Cells that have become a point.
+    /// Cells reduced to a point.
     pub point_count: u64,
-    /// Cells that are folded along a diagonal to two edges.
+    /// Cells folded along a diagonal to two edges.
     pub fold_count: u64,
     /// Edges of one face.
     pub boundary_edge_count: u64,
-    /// Pieces that do not hang together.
+    /// Connected components.
     pub component_count: u64,
-    /// Vertices - edges + faces.
+    /// Euler characteristic, vertices - edges + faces.
     pub euler: i64,
-    /// Handles if it is orientable, else crosscaps, of all pieces together; -1 if it is no surface.
+    /// Handles, or crosscaps if not orientable, of all components together; -1 if not manifold.
     pub genus: i64,
-    /// GUSSET_NET_CLOSED, ..._MANIFOLD, ..._ORIENTED, ..._ORIENTABLE.
+    /// Properties of the surface of a net.
     pub properties: gusset_net_flags,
     /// 0.
     pub reserved: u32,
-    /// 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are
-    /// chains.
+    /// Chain k of boundary edges is boundary_nodes[offsets[k]] to boundary_nodes[offsets[k + 1] -
+    /// 1].
     pub boundary_offsets: gusset_indices,
-    /// The vertices of all chains, with the faces on the left; the last of a chain is followed by
-    /// its first.
+    /// Vertices of all chains, with faces on the left.
     pub boundary_nodes: gusset_indices,
-    /// For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its
-    /// last vertex is followed by none.
+    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
     pub boundary_open: gusset_indices,
-    /// Edges of no face.
+    /// Edges without faces.
     pub wires: gusset_indices,
-    /// Edges of three faces and more.
+    /// Edges of three or more faces.
     pub branches: gusset_indices,
-    /// Vertices whose faces are several fans that meet nowhere else.
+    /// Vertices whose faces form several fans that meet only there.
     pub pinches: gusset_indices,
-    /// Edges that two faces run along the same way.
+    /// Edges that two faces traverse in the same direction.
     pub conflicts: gusset_indices,
 }
 
 versioned! { gusset_net_complex_view: 216 }
 
-/// Finds out what surface a net is once glued nodes are one.
+/// Determines the surface of a net with glued nodes merged. Defects are not errors.
 ///
-/// What it finds is no error.
-///
-/// @errors TOO_LARGE (2^31 edges of one face)
-/// @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
+/// @errors TOO_LARGE (more than 2^31 boundary edges)
+/// @complexity O(nodes), and a sort of the elements at glued nodes; linear memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_create(
@@ -112,9 +106,8 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     })
 }
 
-/// Lends what is known of a complex.
+/// Lends the counts and defects of a complex.
 ///
-/// @param view receives it; struct_size is set by the caller.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -153,7 +146,7 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
     })
 }
 
-/// Destroys a complex; NULL is allowed.
+/// Destroys a complex.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_complex_destroy(quotient: *mut gusset_net_complex) {
     handle::destroy(quotient);

@@ -1,4 +1,4 @@
-//! Fields: Deforms and projects nets by chains of fields, fixed or in time.
+//! Fields: Deforms and projects nets by chains of fields, constant or keyed in time.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
@@ -12,106 +12,102 @@ use crate::net::field::*;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// What a field does, and what its values are. An axis and those that follow it: y and z after x, z
-/// and x after y, x and y after z.
+/// Kind of a deformation field. It gives the meaning of values.
+///
+/// - t is the strength: 0 changes nothing, 1 applies the whole map.
+/// - w is the coordinate on axis; u and v are the next two in the cycle x, y, z.
+/// - "Straight": each point moves by t times its displacement.
 pub type gusset_field_kind = u32;
-/// An affine map: values[0] to values[11], three rows of four. In part: that part of the straight
-/// way. Unlike gusset_net_transform it leaves the net's flag `reversed` alone where it mirrors.
+/// Affine map, straight: three rows of four numbers. It never changes the reversed flag of the net.
 pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
-/// Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the
-/// coordinate values[1] on. In part: by that part of the angle.
+/// Right-handed rotation about axis by the angle t values[0] (w - values[1]).
 pub const GUSSET_FIELD_TWIST: gusset_field_kind = 2;
-/// Distances from `axis` grow by values[0] times themselves for each unit along it from the
-/// coordinate values[1] on. In part: at that part of the rate.
+/// Scaling of u and v by 1 + t values[0] (w - values[1]).
 pub const GUSSET_FIELD_TAPER: gusset_field_kind = 3;
-/// Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an
-/// arc of the curvature values[0], towards the axis that follows; what lies beyond goes on
-/// straight. In part: with that part of the curvature.
+/// Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u. Axis
+/// continues straight beyond; values[2] may be infinite.
 pub const GUSSET_FIELD_BEND: gusset_field_kind = 4;
-/// The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of
-/// the rate.
+/// Adds t values[0] times the coordinate on other_axis to w.
 pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
-/// Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] >
-/// 0, straight from its centre, where it is not defined. In part: that part of the way.
+/// Central projection onto a sphere, straight: centre values[0..2], radius values[3] > 0. Undefined
+/// at the centre.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
-/// Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the
-/// second the height above a cylinder of the radius r = values[0] > 0: with the first u and the
-/// second v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part, t: rolled to the
-/// curvature t / r, so that a sheet of height 0 keeps all its lengths.
+/// Rolls space around a cylinder of radius r = values[0] > 0. Then u and v become (r + v) sin(u /
+/// r) and (r + v) cos(u / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 are
+/// kept.
 pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
-/// Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube)
-/// and values[1] > 0 (of the tube): of the two axes that follow, the first goes round the axis and
-/// the second round the tube; the axis itself becomes the height above the torus. In part, t: up to
-/// 1/2 the sheet rolls to a straight tube, to the curvature 2 t / values[1], and keeps all its
-/// lengths; then the tube bends to the curvature (2 t - 1) / values[0] of its middle, and the circles
-/// round it keep their lengths.
+/// Rolls space into a torus about axis: radius R = values[0] > 0, tube radius r = values[1] > 0.
+/// The coordinates u, v, w become the arc around axis, the arc around the tube, and the height
+/// above the torus.
+///
+/// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r, and keeps lengths.
+/// - t above 1/2: the tube bends to curvature (2 t - 1) / R, and its circles keep their lengths.
 pub const GUSSET_FIELD_TORUS_WRAP: gusset_field_kind = 8;
-/// Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x
-/// counts[2] control points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its
-/// place in the even grid, x running first, then y. Outside the box nothing moves. In part: that
-/// part of the way.
+/// Free-form deformation, straight, of the box from values[0..2] to values[3..5]; points outside
+/// stay. The box has a uniform grid of control points, 2 to 32 along each axis. The displacement of
+/// each is in offsets; x varies fastest, then y.
 pub const GUSSET_FIELD_LATTICE: gusset_field_kind = 9;
-/// A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate
-/// becomes 0. In part: that part of the straight way, as for the other projections.
+/// Projective map, straight: four rows of four numbers. Undefined where the fourth homogeneous
+/// coordinate becomes 0.
 pub const GUSSET_FIELD_PROJECTION: gusset_field_kind = 10;
-/// Onto the plane through values[0..2] with the normal values[3..5], along the direction
-/// values[6..8].
+/// Parallel projection, straight: onto the plane through values[0..2] with normal values[3..5],
+/// along values[6..8].
 pub const GUSSET_FIELD_PARALLEL: gusset_field_kind = 11;
-/// Onto the plane through values[3..5] with the normal values[6..8], along the lines through the
-/// eye values[0..2]. Not defined level with the eye.
+/// Central projection from the eye values[0..2], straight: onto the plane through values[3..5] with
+/// normal values[6..8]. Undefined in the parallel plane through the eye.
 pub const GUSSET_FIELD_PERSPECTIVE: gusset_field_kind = 12;
-/// Rolls space up to a cone about `axis`: of the two axes that follow, the first becomes the arc of
-/// the circle of the radius r = values[0] > 0 and the second the height above the cone; the axis
-/// itself, w, becomes the length along the generators, which lean towards the axis by values[1],
-/// from -pi / 2 to pi / 2: the apex is at w = r / sin(values[1]). In part, t: leaning by t values[1]
-/// and rolled to the curvature t / r; generators keep their lengths, and the circle at w becomes
-/// 1 - (t / r) w sin(t values[1]) times as long.
+/// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. The
+/// coordinates u, v, w become the arc of this circle, the height above the cone, and the length
+/// along generators. Generators lean towards axis by a = values[1], from -pi/2 to pi/2; the apex is
+/// at w = r / sin(a).
+///
+/// For t < 1, generators lean by t a, and the curvature is t / r. Generators keep their lengths.
+/// The circle at w becomes 1 - (t / r) w sin(t a) times as long.
 pub const GUSSET_FIELD_CONE_WRAP: gusset_field_kind = 13;
-/// Rolls space up to a sphere about `axis` of the radius r = values[0] > 0: of the two axes that
-/// follow, the first, from 0 to 2 pi r, goes round the equator, and the second, from -pi / 2 r to
-/// pi / 2 r, along the meridians; the axis itself becomes the height above the sphere. In part, t: up
-/// to 1/2 the sheet rolls to a tube, to the curvature 2 t / r, and keeps all its lengths; then the
-/// meridians bend to the curvature q / r, q = 2 t - 1, and keep their lengths, and the parallel at v
-/// becomes 1 - (1 - cos(q v / r)) / q times as long.
+/// Rolls space into a sphere about axis, of radius r = values[0] > 0. The coordinates u, v, w
+/// become the arc of the equator, the arc of the meridian, and the height above the sphere. The
+/// ranges 0 <= u <= 2 pi r and |v| <= pi r / 2 cover the sphere.
+///
+/// - t up to 1/2: a sheet rolls into a tube of curvature 2 t / r, and keeps lengths.
+/// - t above 1/2: meridians bend to curvature q / r, q = 2 t - 1, and keep their lengths. The
+///   parallel at v becomes 1 - (1 - cos(q v / r)) / q times as long.
 pub const GUSSET_FIELD_SPHERE_WRAP: gusset_field_kind = 14;
 
-/// How a strength goes from one key to the next.
+/// Interpolation of strengths between two keys.
 pub type gusset_easing = u32;
-/// Evenly.
+/// Linear in time.
 pub const GUSSET_EASING_LINEAR: gusset_easing = 0;
-/// Starting and ending at rest.
+/// Smoothstep, at rest at both keys.
 pub const GUSSET_EASING_SMOOTH: gusset_easing = 1;
-/// Stays until it jumps.
+/// Constant until the next key.
 pub const GUSSET_EASING_HOLD: gusset_easing = 2;
 
-/// A field of deformation: a map of space, of which a part is done.
+/// Deformation field.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_field {
-    /// sizeof(gusset_field), set by the caller; in an array the same for all.
+    /// sizeof(gusset_field), equal throughout an array.
     pub struct_size: usize,
-    /// What a field does, and what its values are. An axis and those that follow it: y and
-    /// z after x, z and x after y, x and y after z.
+    /// Kind of a deformation field.
     pub kind: gusset_field_kind,
-    /// For kinds that have one; else 0.
+    /// For kinds that name it; else 0.
     pub axis: gusset_axis,
-    /// For GUSSET_FIELD_SHEAR; else 0.
+    /// For GUSSET_FIELD_SHEAR, not equal to axis; else 0.
     pub other_axis: gusset_axis,
-    /// Between keys; one of GUSSET_EASING_...
+    /// Interpolation of strengths between two keys.
     pub easing: gusset_easing,
-    /// How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what
-    /// they say.
+    /// Strength t; it multiplies the strength of keys.
     pub strength: f64,
-    /// What the kind says; the rest is not read.
+    /// Finite numbers, as the kind says; the rest is not read.
     pub values: [f64; 16],
-    /// Pairs of time and strength, times increasing; before the first and after the last time the
-    /// strength is that there. NULL: the strength does not depend on the time.
+    /// Pairs of finite time and strength, with increasing times. Strength is constant before the
+    /// first key and after the last. NULL: it does not depend on time.
     pub keys: *const f64,
-    /// The number of pairs.
+    /// Number of pairs.
     pub key_count: usize,
-    /// For GUSSET_FIELD_LATTICE, three numbers for each control point; else NULL.
+    /// Three numbers for each control point of GUSSET_FIELD_LATTICE; else NULL.
     pub offsets: *const f64,
-    /// For GUSSET_FIELD_LATTICE; else 0.
+    /// Control points of GUSSET_FIELD_LATTICE along x, y and z; else 0.
     pub counts: [u32; 3],
     /// 0.
     pub reserved: u32,
@@ -197,22 +193,19 @@ impl gusset_field {
     }
 }
 
-/// Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping,
-/// animation and projection.
+/// Moves all nodes of a net by a chain of fields, in the given order.
 ///
-/// The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all,
-/// to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay
-/// missing. Fields that are defined everywhere are not watched for overflow: a node that they make
-/// too large for its type is infinite then, and missing. Whatever the error, no node is moved.
+/// - Computation is in double precision; coordinates are rounded once.
+/// - Fields of strength 0 change no bit.
+/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing.
+/// - If every field is defined everywhere, a node that overflows becomes missing.
 ///
-/// @param fields `count` of them.
-/// @param count see fields.
-/// @param time for fields with keys; a net is deformed from what it is now, so that animations
-///     deform a copy of the net at rest.
-/// @errors UNKNOWN_VALUE (kind, axis, easing), OUT_OF_RANGE (a value, strength or time),
-///     FIELD_UNDEFINED (with the node)
-/// @complexity O(nodes x fields), twice that if a field is not defined everywhere.
-/// @threads The same bits for any number of threads.
+/// @param fields the chain.
+/// @param count number of fields.
+/// @param time time of fields with keys. For animation, deform a copy of the net at rest.
+/// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (with the node: a partly
+///     undefined chain is undefined or overflows there)
+/// @complexity O(nodes x fields); twice that if a field is partly undefined.
 /// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -230,12 +223,12 @@ pub unsafe extern "C" fn gusset_net_deform(
     })
 }
 
-/// Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
-/// stay together, nodes without a normal stay.
+/// Moves every node of a net along its normal. Glued nodes stay together; nodes without a normal
+/// stay.
 ///
-/// @param distance a length of either sign, finite.
-/// @errors OUT_OF_RANGE (distance)
-/// @complexity O(nodes), and as much memory as the coordinates take.
+/// @param distance a finite length of either sign.
+/// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (the first node that would overflow)
+/// @complexity O(nodes); memory of the size of the coordinates.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_displace(

@@ -12,40 +12,39 @@ use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
 use gusset_base::alloc;
 use std::ptr;
 
-/// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k *
-/// column_step_a) and node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to
-/// count - 1.
+/// Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a, column_a
+/// + k * column_step_a).
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_seam {
-    /// Row of the first node of run A.
+    /// Row of the first node of A.
     pub row_a: u32,
-    /// Its column.
+    /// Column of the first node of A.
     pub column_a: u32,
-    /// Rows from each node to the next.
+    /// Rows from node to node.
     pub row_step_a: i32,
-    /// Columns from each node to the next.
+    /// Columns from node to node.
     pub column_step_a: i32,
-    /// The same for run B.
+    /// As for A.
     pub row_b: u32,
-    /// The same for run B.
+    /// As for A.
     pub column_b: u32,
-    /// The same for run B.
+    /// As for A.
     pub row_step_b: i32,
-    /// The same for run B.
+    /// As for A.
     pub column_step_b: i32,
-    /// The number of nodes of each; at least 1, and 1 if all steps are 0.
+    /// Number of nodes, at least 1; 1 if all steps are 0.
     pub count: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// What becomes of the sides of a net: a sum of these.
+/// Gluing of sides.
 /// @bits
 pub type gusset_sides = u32;
-/// Every row is closed: its last node is its first one again.
+/// Each row is closed: its last node is its first.
 pub const GUSSET_SIDES_ROWS_CLOSED: gusset_sides = 1;
-/// Every column is closed.
+/// Each column is closed.
 pub const GUSSET_SIDES_COLUMNS_CLOSED: gusset_sides = 2;
 /// The first row is one point.
 pub const GUSSET_SIDES_POLE_TOP: gusset_sides = 4;
@@ -55,36 +54,34 @@ pub const GUSSET_SIDES_POLE_BOTTOM: gusset_sides = 8;
 pub const GUSSET_SIDES_POLE_LEFT: gusset_sides = 16;
 /// The last column is one point.
 pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
-/// Open on all sides.
+/// All sides are open.
 pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
-/// Rows closed; the first and the last row are rims.
+/// Rows are closed.
 pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
-/// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and
-/// pyramids with their caps.
+/// Rows are closed, the first and last are poles: spheres, and cylinders or cones with caps.
 pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
-/// All four sides are one point: a disc whose rim is drawn together.
+/// All four sides are one point.
 pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
-/// Rows and columns closed.
+/// Rows and columns are closed.
 pub const GUSSET_SIDES_TORUS: gusset_sides = 3;
 
-/// What is glued to what. All zeros: nothing.
+/// Gluing of a net. Default: nothing is glued.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_gluing {
-    /// sizeof(gusset_net_gluing), set by the caller.
+    /// sizeof(gusset_net_gluing).
     pub struct_size: usize,
-    /// The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for
-    /// others. Row 2i has the horizontal links of the nodes of row i, each to the next node and the
-    /// last one to the first; row 2i + 1 the vertical ones, those of the last row to the first row.
-    /// NULL: sides says it all.
+    /// Characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link, else 0. Row
+    /// 2i has the horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides gives all
+    /// links.
     pub matrix: *const u8,
-    /// Runs of nodes glued to runs of nodes, besides.
+    /// Additional seams.
     pub seams: *const gusset_seam,
-    /// How many.
+    /// Number of seams.
     pub seam_count: usize,
-    /// What becomes of the sides; 0 with a matrix.
+    /// Sides; 0 with a matrix.
     pub sides: gusset_sides,
-    /// 1: faces are to be taken the other way round.
+    /// 1: faces have the opposite orientation.
     pub reversed: u32,
 }
 
@@ -171,11 +168,9 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job
         .with_reversed(flag(gluing.reversed, "reversed")?))
 }
 
-/// Glues a net otherwise; positions stay what they are.
+/// Replaces the gluing of a net; positions stay.
 ///
-/// On failure the net is as it was.
-///
-/// @param gluing NULL for a sheet; it replaces what was glued.
+/// @param gluing NULL: nothing is glued.
 /// @errors as gusset_net_create
 /// @complexity O(nodes + pairs of seams).
 #[unsafe(no_mangle)]
@@ -188,37 +183,33 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     reglue(context, net, |net, job| topology(net.shape(), gluing, job))
 }
 
-/// How a net is glued, in its one form, and how many parts that has.
+/// Gluing of a net in normal form: sides replace links, and links replace seams, where possible.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_gluing_report {
-    /// sizeof(gusset_net_gluing_report), set by the caller.
+    /// sizeof(gusset_net_gluing_report).
     pub struct_size: usize,
-    /// The bytes of the characteristic matrix: 2 * rows * columns.
+    /// Bytes of the characteristic matrix: 2 * rows * columns.
     pub matrix_size: usize,
-    /// The number of seams.
+    /// Number of seams.
     pub seam_count: usize,
-    /// The number of bridges.
+    /// Number of bridges.
     pub bridge_count: usize,
-    /// The sides if they say all about the links of the net, else UINT32_MAX: then the matrix does.
+    /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
     pub sides: gusset_sides,
-    /// 1 if faces are taken the other way round.
+    /// 1: faces have the opposite orientation.
     pub reversed: u32,
 }
 
 versioned! { gusset_net_gluing_report: 40 }
 
-/// Tells how a net is glued, and writes its characteristic matrix and its seams.
+/// Describes the gluing of a net, and writes its characteristic matrix and seams.
 ///
-/// A buffer that is NULL, with capacity 0, is not wanted; the report has the sizes that both need. On
-/// failure the report is cleared, and the buffers may be written in part.
-///
-/// @param matrix room for matrix_capacity bytes, of which report->matrix_size are written as
-///     gusset_net_gluing has them.
-/// @param matrix_capacity see matrix.
-/// @param seams room for seam_capacity seams, of which report->seam_count are written.
-/// @param seam_capacity see seams.
-/// @param report its struct_size set.
+/// @param matrix room for matrix_capacity bytes, as in gusset_net_gluing; NULL and capacity 0 to
+///     skip.
+/// @param matrix_capacity at least matrix_size of the report.
+/// @param seams room for seam_capacity seams; NULL and capacity 0 to skip.
+/// @param seam_capacity at least seam_count of the report.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
 #[unsafe(no_mangle)]

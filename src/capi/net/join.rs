@@ -1,4 +1,4 @@
-//! Bridges: Joins nets to one, and takes them apart again.
+//! Bridges: Joins nets into one, and splits them again.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{c_enum, versioned};
@@ -13,98 +13,93 @@ use crate::net::{BridgeKind, BridgeMode, BridgeProperties, JoinOptions, MAX_NODE
 use gusset_base::alloc;
 use std::ptr;
 
-/// What is done with the cells between two nets that were joined.
+/// Treatment of the cells of a bridge.
 pub type gusset_bridge_mode = u32;
-/// They are cells like others.
+/// Ordinary cells.
 pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
-/// They are not there.
+/// Absent cells.
 pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
-/// The two sides coincide, to a tolerance, and are one: the links between them are contracted.
-/// Nodes stay where they are; where they coincide not quite, `snap` of gusset_glue_options makes
-/// them equal.
+/// The two sides, coincident within a tolerance, become one. Positions stay; snap of
+/// gusset_glue_options makes them equal.
 pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
 
-/// What a bridge looks like.
+/// Form of a bridge.
 pub type gusset_bridge_kind = u32;
-/// A band between open sides.
+/// Band between open sides.
 pub const GUSSET_BRIDGE_RIBBON: gusset_bridge_kind = 0;
-/// A band between closed sides, which is closed itself.
+/// Closed band between closed sides.
 pub const GUSSET_BRIDGE_TUBE: gusset_bridge_kind = 1;
-/// One edge between sides that are a point each.
+/// Edge between sides that are a point each.
 pub const GUSSET_BRIDGE_THREAD: gusset_bridge_kind = 2;
 
-/// The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units:
-/// of length that of the coordinates, of force any one that all have.
+/// Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force.
+/// Lines run across the bridge along links.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge_properties {
-    /// At least 0: the force in each line of links across a thread or a ribbon, and the force per
-    /// length in the film of a tube.
+    /// Force in each line of a thread or ribbon, force per length in a tube's film; at least 0.
     pub tension: f64,
-    /// At least 0: the force that doubles the length of a line of links across.
+    /// Force that doubles the length of a line; at least 0.
     pub elasticity: f64,
-    /// At least 0, against bending: force times squared length, for each line of links across;
-    /// infinity: rigid.
+    /// Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid.
     pub stiffness: f64,
-    /// The host's own.
+    /// Number for the caller's use.
     pub user: u64,
 }
 
-/// How nets are joined. All zeros: each right of the one before, the smaller ones enlarged
-/// uniformly, bridges kept.
+/// Options of gusset_net_concatenate_create. Default: nets from left to right, enlarged uniformly,
+/// bridges kept.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_concatenate_options {
-    /// sizeof(gusset_concatenate_options), set by the caller.
+    /// sizeof(gusset_concatenate_options).
     pub struct_size: usize,
-    /// How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
+    /// For welding: largest distance of coincident nodes, at least 0.
     pub tolerance: f64,
-    /// Given to every new bridge.
+    /// Properties of every new bridge.
     pub properties: gusset_bridge_properties,
-    /// Where each net lies from the one before.
+    /// Direction from each net to the next.
     pub direction: gusset_direction,
-    /// GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+    /// Treatment of the cells of a bridge.
     pub mode: gusset_bridge_mode,
-    /// How nets with fewer nodes along the side are enlarged.
+    /// Enlargement of nets with fewer nodes along the side.
     pub equalise: gusset_replication,
-    /// Read for GUSSET_REPLICATE_AT: the row or column.
+    /// Row or column to replicate.
     /// @when equalise GUSSET_REPLICATE_AT
     pub equalise_index: u32,
-    /// Each net but the first is turned by so many places along its side, which is closed then.
+    /// Rotation of each net except the first along its closed side, in nodes.
     pub twist: u32,
-    /// 1: nets whose faces are taken the other way round than those of the first are flipped along
-    /// the side; 0: refused.
+    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
     /// @flag
     pub turn: u32,
-    /// How many rows or columns of nodes of its own each new bridge has, evenly on straight lines
-    /// between the two sides; 0 for GUSSET_BRIDGE_WELD.
+    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for
+    /// GUSSET_BRIDGE_WELD.
     pub rows: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// A bridge of a net.
+/// Bridge: the cells between two joined nets.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge {
-    /// sizeof(gusset_bridge), set by the caller.
+    /// sizeof(gusset_bridge).
     pub struct_size: usize,
-    /// What the host gave it.
+    /// Properties that the caller gave.
     pub properties: gusset_bridge_properties,
-    /// Where the second net lies.
+    /// Direction from the first net to the second.
     pub direction: gusset_direction,
-    /// The first column (RIGHT) or row (DOWN) of the second net.
+    /// First column (RIGHT) or row (DOWN) of the second net.
     pub at: u32,
-    /// The first node along the side: a row (RIGHT) or column (DOWN).
+    /// First node along the side: a row (RIGHT) or column (DOWN).
     pub start: u32,
-    /// One past the last one.
+    /// One past the last node along the side.
     pub end: u32,
-    /// GUSSET_BRIDGE_RIBBON, GUSSET_BRIDGE_TUBE or GUSSET_BRIDGE_THREAD.
+    /// Form of a bridge.
     pub kind: gusset_bridge_kind,
-    /// GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+    /// Treatment of the cells of a bridge.
     pub mode: gusset_bridge_mode,
-    /// The rows (DOWN) or columns of its own, which lie before `at`: the side of the first net is
-    /// at - rows - 1.
+    /// Inner rows (DOWN) or columns, before at. The first net ends at at - rows - 1.
     pub rows: u32,
     /// 0.
     pub reserved: u32,
@@ -147,21 +142,20 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
     alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }
 
-/// Joins nets side by side to one, in one pass.
+/// Joins nets side by side into one.
 ///
-/// Each net keeps what it is glued to: links that led back across the direction become seams. Its
-/// bridges are kept; each net but the first gets a new one, between it and the one before, behind
-/// its own. All can be undone: see gusset_net_split_create.
+/// Each net keeps its gluing and bridges; links that close it along the direction become seams. A
+/// new bridge joins consecutive nets; its index follows the second net's bridges.
+/// gusset_net_split_create is the inverse.
 ///
-/// @param nets net_count handles, at least one, of one scalar type; the same one may come several
-///     times.
-/// @param net_count see nets.
+/// @param nets at least one net, of one scalar type; repetition is allowed.
+/// @param net_count number of nets.
 /// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
-///     (sizes that are not to be equalised; or sides to be welded that are apart: the report has
-///     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side; rows of
-///     bridges that are to be welded), CROSSING_CELL, TOO_LARGE
-/// @complexity O(nodes of the result); memory for it, and once more for nets that are enlarged,
-///     turned or flipped.
+///     (sizes with GUSSET_REPLICATE_REFUSE; welded sides apart, with place and distance),
+///     OUT_OF_RANGE (tolerance, twist of an open side, rows of a welded bridge), CROSSING_CELL,
+///     TOO_LARGE
+/// @complexity O(nodes of the result); memory also for copies of nets that are enlarged, rotated or
+///     flipped.
 /// @source Deryagin, "Concatenation".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -178,17 +172,15 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     })
 }
 
-/// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
-/// they were joined, unless they were changed since; copies that were made to equalise sizes, and
-/// the rows of the bridge, are removed.
+/// Splits a net at a bridge that runs from side to side, and removes the bridge.
 ///
-/// Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
-/// reverse order of joining. What is glued across the bridge is cut.
+/// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes
+/// are removed. In a net joined repeatedly, split the last bridge first. Gluing across the bridge
+/// is lost.
 ///
-/// @param bridge its number, counted from 0.
-/// @param second receives the other, likewise.
-/// @errors OVERLAP (first and second are the same place), NO_SUCH_ELEMENT (no such bridge, or it is
-///     within a part of the net only), CROSSING_CELL
+/// @param bridge index of the bridge.
+/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also if the bridge does not
+///     run from side to side), CROSSING_CELL
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -213,10 +205,10 @@ pub unsafe extern "C" fn gusset_net_split_create(
     })
 }
 
-/// A bridge of a net.
+/// Describes a bridge of a net.
 ///
-/// @param index its number, below bridge_count of gusset_net_gluing_report.
-/// @param bridge its struct_size set.
+/// @param index below bridge_count of gusset_net_gluing_report.
+/// @param bridge receives the struct; set its struct_size.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -245,17 +237,14 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
     })
 }
 
-/// Does something else with the cells of a bridge, and gives it other properties. A bridge that has
-/// rows of its own cannot be welded: OUT_OF_RANGE.
+/// Changes the mode and properties of a bridge.
 ///
-/// @param index of the bridge, below bridge_count of gusset_net_gluing_report.
-/// @param mode GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
-/// @param tolerance how far nodes that are welded may be apart, at least 0.
-/// @param properties NULL leaves them.
-/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE, SIDES_DIFFER (with the place and the distance),
-///     CROSSING_CELL (the net is then as it was)
-/// @complexity O(nodes) if welding begins or ends, or if the net is shared with a copy or a scene;
-///     else O(1).
+/// @param index as for gusset_net_get_bridge.
+/// @param tolerance for welding: largest distance of coincident nodes, at least 0.
+/// @param properties new properties; NULL keeps the old ones.
+/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows),
+///     SIDES_DIFFER (with place and distance), CROSSING_CELL
+/// @complexity O(nodes) if welding begins or ends, or if the net shares memory; else O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_bridge(

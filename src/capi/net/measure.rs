@@ -7,63 +7,60 @@ use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
-/// The parts of gusset_net_measure_report that are computed: a sum of these.
+/// Measures to compute.
 /// @bits
 pub type gusset_net_measures = u32;
 /// area, volume, area_vector, low and high.
 pub const GUSSET_NET_MEASURES_EXTENT: gusset_net_measures = 1;
-/// bilinear_area and bilinear_error; about ten times the work.
+/// bilinear_area and bilinear_error; about ten times the cost.
 pub const GUSSET_NET_MEASURES_BILINEAR: gusset_net_measures = 2;
-/// body_volume, centroid and inertia; about ten times the work.
+/// body_volume, centroid and inertia; about ten times the cost.
 pub const GUSSET_NET_MEASURES_BODY: gusset_net_measures = 4;
 
-/// The measures of a net; 0 for those that are not asked for.
+/// Measures of a net; 0 unless requested.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_net_measure_report {
-    /// sizeof(gusset_net_measure_report), set by the caller.
+    /// sizeof(gusset_net_measure_report).
     pub struct_size: usize,
-    /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones; for
-    /// others see bilinear_area.
+    /// Sum of |(c - a) x (d - b)| / 2 for cells a, b, c, d; exact if planar.
     pub area: f64,
-    /// What the net encloses, if it is closed and has two sides; positive if the normals look
-    /// outwards. For open ones: of the cone to the first node.
+    /// Volume enclosed by a closed two-sided net, positive if normals point outwards. For an open
+    /// net: volume of the cone to the first node.
     pub volume: f64,
-    /// The sum of the cells' area vectors; 0 for closed nets.
+    /// Sum of the cells' area vectors; 0 for closed nets.
     pub area_vector: [f64; 3],
-    /// The smallest coordinates of the nodes that are there; infinite if there are none.
+    /// Smallest coordinates of the present nodes; infinite if all are missing.
     pub low: [f64; 3],
-    /// The largest.
+    /// Largest coordinates, likewise.
     pub high: [f64; 3],
-    /// The area of the bilinear patches of all cells, to rounding: on cells that are not plane more
-    /// than `area`. A patch that is folded over itself counts with all its sheets.
+    /// Area of the cells' bilinear patches, up to rounding; exceeds area if cells are not planar.
+    /// All layers of a folded patch count.
     pub bilinear_area: f64,
-    /// A bound of the error of bilinear_area.
+    /// Bound of the error of bilinear_area.
     pub bilinear_error: f64,
-    /// The volume of the body, of density 1, that a closed net encloses; negative if the normals look
-    /// inwards.
+    /// Volume of the body that a closed net encloses; negative if normals point inwards.
     pub body_volume: f64,
-    /// The centre of mass of the body; NaN if its volume is 0.
+    /// Centre of mass of the body; NaN if its volume is 0.
     pub centroid: [f64; 3],
-    /// The tensor of inertia of the body about its centroid, row after row: on the diagonal the
-    /// integrals of y^2 + z^2 and so on, beside it those of -x y and so on.
+    /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2
+    /// and so on; else of -x y and so on.
     pub inertia: [f64; 9],
 }
 
-/// How plane the cells of a net are.
+/// Planarity of the cells of a net.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_planarity_report {
-    /// sizeof(gusset_net_planarity_report), set by the caller.
+    /// sizeof(gusset_net_planarity_report).
     pub struct_size: usize,
-    /// The largest distance of corners from the plane between them, as a part of the longer
-    /// diagonal; 0 if there are no cells.
+    /// Largest deviation of a cell; 0 without cells.
     pub worst: f64,
-    /// Its cell; 2^64 - 1 if there are no cells.
+    /// Its cell; 2^64 - 1 without cells.
     pub worst_cell: u64,
-    /// The mean; NaN if there are no cells.
+    /// Mean deviation; NaN without cells.
     pub mean: f64,
-    /// How many cells are above the tolerance.
+    /// Number of cells above the tolerance.
     pub above: u64,
 }
 
@@ -72,17 +69,12 @@ versioned! {
     gusset_net_planarity_report: 40,
 }
 
-/// Measures a net: areas, volumes, box, centroid, inertia.
+/// Measures areas, volume, bounding box, centroid and inertia of a net.
 ///
-/// Cells that touch a missing node or belong to a hidden bridge are not there. Volumes, centroid and
-/// inertia are exact but for rounding for the bilinear patches of the cells (divergence theorem).
-/// Where squares or cubes of coordinates overflow, beyond about 1e77, results are infinite or NaN.
+/// Absent cells do not count. Volumes, centroid and inertia are exact for bilinear cells, up to
+/// rounding. If squares or cubes of coordinates overflow (about 1e77), results are infinite or NaN.
 ///
-/// @param measures only these are computed.
-/// @param report its struct_size set.
-/// @errors UNKNOWN_VALUE (measures)
-/// @complexity O(nodes), no memory.
-/// @threads From any thread; the same bits for any number of threads.
+/// @complexity O(nodes); no memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_measure(
@@ -118,17 +110,17 @@ pub unsafe extern "C" fn gusset_net_measure(
     })
 }
 
-/// Tells how plane the cells of a net are: whether it can be clad with plane quads.
+/// Measures the planarity of the cells of a net.
 ///
-/// @param tolerance at least 0, for the count in the report.
-/// @param cells a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its corners
-///     are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
-///     triangles and less, NaN for cells that are not there.
-/// @param capacity its size; NULL and 0 if it is not wanted.
-/// @param written receives the number of cells.
-/// @param report its struct_size set.
+/// The deviation of a cell is the distance of its corners from their mean plane, divided by the
+/// longer diagonal. It is 0 for triangles and less, NaN for absent cells.
+///
+/// @param tolerance at least 0, for above in the report.
+/// @param cells room for capacity deviations, one a cell; NULL and capacity 0 to skip.
+/// @param capacity size of cells.
+/// @param written receives the number of cells, also with BUFFER_TOO_SMALL.
 /// @errors BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance)
-/// @complexity O(nodes), 8 bytes a cell.
+/// @complexity O(nodes); 8 bytes a cell.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_planarity(

@@ -1,4 +1,4 @@
-//! Meshes and heights: Nets to meshes and back, and nets of height fields.
+//! Meshes and heights: Converts nets to meshes and back, and heights to nets.
 
 use crate::capi::context::{create, create_and_tell, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -18,137 +18,130 @@ use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 use std::ptr;
 
-/// What the faces of the mesh of a net are.
+/// Faces of a net's mesh.
 pub type gusset_net_faces = u32;
-/// Quads, and triangles where a side of a cell is one point.
+/// Quads, and triangles where one side of a cell is a point.
 pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
-/// Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there
-/// is already, the other one.
+/// Triangles, cut by the shorter diagonal, or by the other one if that edge exists already.
 pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
-/// Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
+/// Triangles, cut from (i, j) to (i + 1, j + 1), with the same exception.
 pub const GUSSET_NET_TRIANGLES_FIXED: gusset_net_faces = 2;
 
-/// How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only
-/// vertices that something uses.
+/// Options of gusset_net_to_mesh.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_mesh_options {
-    /// sizeof(gusset_net_mesh_options), set by the caller.
+    /// sizeof(gusset_net_mesh_options).
     pub struct_size: usize,
-    /// GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER or GUSSET_NET_TRIANGLES_FIXED.
+    /// Faces of a net's mesh.
     pub faces: gusset_net_faces,
-    /// 1: a vertex for each node, and nothing is glued. 0 or 1.
+    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
     /// @flag
     pub no_weld: u32,
-    /// 1: finite vertices that nothing uses are kept. 0 or 1.
+    /// 1: keeps finite vertices without faces and wires.
     /// @flag
     pub keep_unused: u32,
-    /// 1: a cell of which just one corner is missing becomes a triangle. 0 or 1.
+    /// 1: a cell with exactly one missing corner becomes a triangle.
     /// @flag
     pub fill_corners: u32,
-    /// 1: texture coordinates are wanted. 0 or 1.
+    /// 1: computes texture coordinates.
     /// @flag
     pub texture: u32,
     /// 0.
     pub reserved: u32,
-    /// Faces with an edge of more than so many times the median length of edges are left out: in a
-    /// range image those that lead from one surface to another behind it, for which 4 is a good
-    /// value. Above 0; 0 for no limit.
+    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range
+    /// images, 4 removes faces across depth jumps.
     pub max_edge_ratio: f64,
 }
 
-/// What became what when a net became a mesh. Pointers are valid until the result is destroyed.
+/// Maps between a net and its mesh.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_mesh_report {
-    /// sizeof(gusset_net_mesh_report), set by the caller.
+    /// sizeof(gusset_net_mesh_report).
     pub struct_size: usize,
-    /// For each node its vertex, or UINT32_MAX.
+    /// Vertex of each node, or UINT32_MAX.
     pub vertex_of_node: gusset_indices,
-    /// For each vertex the first of its nodes.
+    /// First node of each vertex.
     pub node_of_vertex: gusset_indices,
-    /// For each face its cell: cell (i, j) is i * (columns - 1) + j.
+    /// Cell of each face.
     pub cell_of_face: gusset_indices,
-    /// Edges without faces, two vertices each: threads, and whatever else is left of cells whose
-    /// opposite sides are glued.
+    /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
     pub wires: gusset_indices,
-    /// For each corner of the mesh its pair of texture coordinates; empty unless they were asked
-    /// for.
+    /// Texture coordinates of each corner of the mesh; empty unless requested.
     pub texture_corners: gusset_indices,
-    /// Pairs u, v from 0 to 1: column and row. A vertex on a seam has one on each side of it.
+    /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
     pub texture_coordinates: *const f64,
-    /// The number of pairs.
+    /// Number of pairs.
     pub texture_count: usize,
 }
 
-/// Heights over a grid, at any alignment.
+/// Heights over a regular grid.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_heights {
-    /// sizeof(gusset_heights), set by the caller.
+    /// sizeof(gusset_heights).
     pub struct_size: usize,
-    /// The number of rows, at least 2.
+    /// Number of rows, at least 2.
     pub rows: usize,
-    /// The number of columns, at least 2.
+    /// Number of columns, at least 2.
     pub columns: usize,
-    /// Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN
-    /// and infinities are missing.
+    /// Heights of type scalar, contiguous in rows, at any alignment. NaN and infinity mark missing
+    /// nodes.
     pub values: *const c_void,
-    /// Bytes from row to row; 0 for rows without gaps.
+    /// Bytes from row to row; 0: rows without gaps.
     pub row_stride: usize,
-    /// x from column to column and y from row to row; finite and not 0, negative where rows run
-    /// against y.
+    /// x from column to column, y from row to row; finite, not 0, of either sign.
     pub spacing: [f64; 2],
-    /// Where the first node is if its height is 0.
+    /// Position of node (0, 0) at height 0.
     pub origin: [f64; 3],
-    /// Read if has_no_data is 1: the number that stands for a missing height.
+    /// Height that marks a missing node; read if has_no_data is 1.
     pub no_data: f64,
     /// 0 or 1.
     pub has_no_data: u32,
-    /// GUSSET_F32 or GUSSET_F64: of the values, and of the net.
+    /// Type of the heights and of the net.
     pub scalar: gusset_scalar,
 }
 
-/// The cells of a net that is sought in a mesh.
+/// Cells of a grid in a mesh.
 pub type gusset_grid_cells = u32;
-/// Quads, with triangles at poles.
+/// Quads, and triangles at poles.
 pub const GUSSET_GRID_QUADS: gusset_grid_cells = 0;
-/// Triangles only, two for each cell.
+/// Two triangles for each cell.
 pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
 
-/// How a net is found in a mesh; all zero is the default.
+/// Options of gusset_net_from_mesh_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_grid_options {
-    /// sizeof(gusset_net_grid_options), set by the caller.
+    /// sizeof(gusset_net_grid_options).
     pub struct_size: usize,
-    /// The cells of a net that is sought in a mesh.
+    /// Cells of a grid in a mesh.
     pub cells: gusset_grid_cells,
-    /// 1: only the component of one face is a grid; 0: the mesh must be one grid. Read for GUSSET_GRID_QUADS.
+    /// 1: only the component of face must be a grid; 0: the whole mesh.
     /// @when cells GUSSET_GRID_QUADS
     /// @flag
     pub has_face: u32,
-    /// Read if has_face is 1: a face of the component.
+    /// Face of the component.
     /// @when has_face 1
-    /// @flag
     pub face: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
+/// Correspondence between a net and its mesh.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_grid_view {
-    /// sizeof(gusset_net_grid_view), set by the caller.
+    /// sizeof(gusset_net_grid_view).
     pub struct_size: usize,
-    /// For each node its vertex.
+    /// Vertex of each node.
     pub vertex_of_node: gusset_indices,
-    /// For each cell its face.
+    /// Face of each cell; for GUSSET_GRID_TRIANGLES, the first of its two.
     pub face_of_cell: gusset_indices,
 }
 
-/// The places of a net in the mesh that it was found in. Opaque and immutable; it keeps nothing of the mesh.
+/// Correspondence between a net and the mesh it was found in.
 pub struct gusset_net_grid {
     vertex_of_node: Vec<u32>,
     face_of_cell: Vec<u32>,
@@ -184,12 +177,10 @@ impl gusset_net_mesh_options {
 
 /// Makes the mesh of a net.
 ///
-/// Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so
-/// that closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh
-/// without faces is no failure. The grid of a range image becomes the mesh of what was seen by
-/// triangles, fill_corners and max_edge_ratio.
+/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; a
+/// mesh without faces is not an error. Faces have the orientation of the net.
 ///
-/// @errors OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more)
+/// @errors OUT_OF_RANGE (max_edge_ratio), TOO_LARGE (2^32 - 1 corners or more)
 /// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -205,9 +196,9 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
     })
 }
 
-/// Lends the maps between the net and its mesh, for results of gusset_net_to_mesh.
+/// Lends the maps between a net and its mesh, for a result of gusset_net_to_mesh.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (a result of another operation)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -261,13 +252,13 @@ where
     Ok(net_of_heights(&heights, job)?)
 }
 
-/// Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin
-/// + height.
+/// Makes a net from heights over a grid: node (i, j) is at origin + (j spacing[0], i spacing[1],
+/// height).
 ///
-/// Missing heights become missing nodes; faces are counter-clockwise from above, whichever way rows
-/// and columns run.
+/// Missing heights become missing nodes. Faces are counter-clockwise from above, for any sign of
+/// spacing.
 ///
-/// @param heights the heights.
+/// @param heights the grid.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
@@ -286,25 +277,24 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     })
 }
 
-/// Finds rows and columns in a mesh, and makes the net of its vertices.
+/// Finds rows and columns in a mesh, and makes the net of its vertices, bit for bit.
 ///
-/// Quads form a rectangle, which may be closed round, with fans of triangles round a pole at its first
-/// and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+/// The quads form a rectangle, possibly closed in either direction. Fans of triangles around poles
+/// may adjoin its first and last row. Rows follow the only closed direction, or else the first edge
+/// of the first quad.
 ///
-/// With GUSSET_GRID_TRIANGLES each quad is cut in two along either diagonal. Vertices and their bits are kept.
-/// For each cell the grid lends the first of its two triangles. Where several pairings of the triangles
-/// make a grid, as if all diagonals run one way, the same mesh always gives the same one. On a torus that
-/// pairing may close with a shift, so that rows and columns differ from those it was made from. Tubes
-/// and tori whose diagonals run without any rule may be refused, and so are fans of fewer than six
-/// triangles at the pole of an open sheet; at least one row of quads is needed.
+/// With GUSSET_GRID_TRIANGLES, one diagonal of either direction cuts each quad.
 ///
-/// @param mesh see gusset_mesh_view.
-/// @param options NULL for the defaults: quads, and the whole mesh is one grid.
-/// @param grid receives where the net was found, for gusset_net_grid_destroy; NULL on failure. May
-///     be NULL.
-/// @errors NO_GRID (with a face that shows it)
-/// @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets of triangles
-///     whose poles do not show by their degrees some attempts of that.
+/// - If several pairings of triangles form a grid, the choice is deterministic. On a torus, it may
+///   close with a shift, unlike the original rows and columns.
+/// - Tubes and tori with irregular diagonals may be refused.
+/// - Poles of open sheets with fewer than six triangles may be refused.
+/// - At least one row of quads is required.
+///
+/// @param grid receives the correspondence of net and mesh; may be NULL.
+/// @errors NO_GRID (a face that violates the grid)
+/// @complexity O(H log d) for H half-edges and valence d. Closed triangle meshes without distinct
+///     poles take several attempts.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_from_mesh_create(
@@ -336,13 +326,13 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
     })
 }
 
-/// Destroys a grid; NULL is allowed.
+/// Destroys a grid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
     handle::destroy(grid);
 }
 
-/// Lends where the net was found.
+/// Lends a grid.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

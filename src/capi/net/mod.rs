@@ -1,4 +1,4 @@
-//! Nets: Regular nets of quads: the handle and its coordinates.
+//! Nets: Regular nets of quads with coordinates.
 //!
 //! @source Deryagin, tetragonal regular networks; functions beyond the paper are our own.
 
@@ -39,31 +39,31 @@ use std::ffi::c_void;
 pub use net_handle::gusset_net;
 pub(crate) use net_handle::{edit, read};
 
-/// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
-/// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
-/// is three numbers; matrices kept by columns have a row_stride of one number and a column_stride
-/// of a column. Normals are those of columns and then rows: opposite to those of a sheet of the
-/// same nodes.
+/// Coordinate matrices. Number (i, j) of each begins i * row_stride + j * column_stride bytes after
+/// the first. Layouts may be interleaved or column-major.
+///
+/// Normals follow the cross product of increasing column and increasing row; the normals of a sheet
+/// of surface.h are opposite.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
-    /// sizeof(gusset_net_view), set by the caller.
+    /// sizeof(gusset_net_view).
     pub struct_size: usize,
-    /// The number of rows of nodes, H; at least 2.
+    /// Rows of nodes, at least 2.
     pub rows: usize,
-    /// The number of columns, W; at least 2. rows * columns is at most 2^31 - 1.
+    /// Columns of nodes, at least 2; rows * columns is at most 2^31 - 1.
     pub columns: usize,
-    /// X.
+    /// First coordinates.
     pub x: *mut c_void,
-    /// Y.
+    /// Second coordinates.
     pub y: *mut c_void,
-    /// Z.
+    /// Third coordinates.
     pub z: *mut c_void,
-    /// Bytes from row to row; 0 for rows without gaps.
+    /// Bytes from row to row; 0: rows without gaps.
     pub row_stride: usize,
-    /// Bytes from number to number in a row; 0 for numbers without gaps.
+    /// Bytes from number to number in a row; 0: no gaps.
     pub column_stride: usize,
-    /// The type of coordinates.
+    /// Type of coordinates.
     pub scalar: gusset_scalar,
     /// 0.
     pub reserved: u32,
@@ -71,11 +71,11 @@ pub struct gusset_net_view {
 
 versioned! { gusset_net_view: 72 reserved }
 
-/// Where the coordinates of a net are.
+/// Memory of a net's coordinates.
 pub type gusset_net_memory = u32;
-/// In memory of the library's: the caller's are copied.
+/// Copied to the library's memory.
 pub const GUSSET_NET_MEMORY_COPY: gusset_net_memory = 0;
-/// In the caller's memory.
+/// The caller's memory, which changes with the net.
 pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 
 /// How the caller's matrices lie: bytes from row to row, from number to number, and all that one
@@ -188,21 +188,18 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
     }
 }
 
-/// Makes a net of the caller's coordinates: of a copy of them, or in the caller's own memory.
+/// Makes a net from coordinates.
 ///
-/// A net in the caller's memory changes the caller's coordinates with its own.
+/// - GUSSET_NET_MEMORY_COPY: they may have any alignment.
+/// - GUSSET_NET_MEMORY_BORROW: they are aligned, without gaps in rows. row_stride is a multiple of
+///   the scalar's size. Matrices must not overlap, and stay valid until the net is destroyed.
 ///
-/// @param view the coordinates, rows x columns numbers each; any numbers: a node with one that is
-///     NaN or infinite is missing. For GUSSET_NET_MEMORY_COPY they have any alignment. For
-///     GUSSET_NET_MEMORY_BORROW they are aligned to their scalar type, without gaps in rows,
-///     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
-///     and unmoved until the net is destroyed.
-/// @param gluing NULL for a sheet.
-/// @param memory GUSSET_NET_MEMORY_COPY or GUSSET_NET_MEMORY_BORROW.
+/// @param view the coordinates.
+/// @param gluing NULL: nothing is glued.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
 ///     BAD_SEAM (with the seam), CROSSING_CELL (with the cell)
-/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node for a copy, and 1/4 where sides do
-///     not say it all. In the caller's memory O(1) without a matrix and seams.
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give
+///     the gluing. Borrowed: O(1) without matrix and seams.
 /// @source Deryagin, "Model of the tetragonal regular network".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -248,7 +245,7 @@ fn read_view(view: *const gusset_net_view) -> Result<(gusset_net_view, Shape), F
     Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
 }
 
-/// Destroys a net; NULL is allowed.
+/// Destroys a net.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
     handle::destroy(net);
@@ -274,10 +271,8 @@ fn lend(net: &Net<'_>) -> gusset_net_view {
     })
 }
 
-/// Lends size and coordinates to be read only, as copies may share them, valid until the net is
-/// changed or destroyed.
+/// Lends the size and coordinates of a net, for reading only.
 ///
-/// @param view its struct_size set.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -285,12 +280,11 @@ pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut 
     lend!(net, view, |net| lend(net.net()))
 }
 
-/// Lends the coordinates to be written, valid until the next call with this net.
+/// Lends the coordinates of a net for writing, until the next call with this net.
 ///
-/// Nodes that are glued must be kept equal: see `snap` of gusset_glue_options. Memory shared with a
-/// copy or a scene is copied first.
+/// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied
+/// first.
 ///
-/// @errors as gusset_net_get_view
 /// @complexity O(1), or O(nodes) if memory is copied.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -316,11 +310,9 @@ pub unsafe extern "C" fn gusset_net_edit(
 
 /// Copies the coordinates of a net to the caller's matrices.
 ///
-/// Bytes between the numbers stay as they are.
-///
-/// @param view where they go, of the net's rows and columns, in any layout and of either scalar
-///     type: double to float is rounded.
-/// @errors SIDES_DIFFER (other rows or columns), BAD_STRIDE
+/// @param view matrices of the net's size, with any layout and scalar type. Conversion to float
+///     rounds. Bytes in gaps stay.
+/// @errors SIDES_DIFFER (another size), BAD_STRIDE
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,4 +1,4 @@
-//! The handle of a net: Opaque; nets are the handles that functions change.
+//! The handle of a net: Indices of nodes, cells and links.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::handle::{self, handle};
@@ -7,9 +7,13 @@ use crate::job::Job;
 use crate::net::{Net, Topology};
 use std::sync::Arc;
 
-/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take
-/// it as const may run at the same time in many threads; those that change it need it for
-/// themselves.
+/// Net: a matrix of nodes with coordinates, and its gluing.
+///
+/// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
+/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column. The last node
+///   links to the first.
+/// - A node with a NaN or infinite coordinate is missing. Absent cells have a missing corner or
+///   belong to a hidden bridge.
 pub struct gusset_net(Arc<Net<'static>>);
 
 handle! { gusset_net }

@@ -40,22 +40,19 @@ fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Resu
 
 /// Computes the unit normal of every node of a net.
 ///
-/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the
-/// other way for nets that are reversed. Nodes that are glued get the same bits, poles and seams
-/// their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are
-/// there decide.
+/// Normals follow the cross product of increasing column and increasing row; reversed nets have
+/// opposite normals. All cells at a glued point give its nodes one normal, equal in bits. Absent
+/// cells do not count.
 ///
-/// @param x receives the first coordinates of the normals, float or double as the net's are, rows x
-///     columns numbers, row after row without gaps, aligned; the three buffers are apart from each
-///     other and from the net's own.
-/// @param y receives the second ones.
-/// @param z receives the third ones.
-/// @param capacity the numbers that each has room for.
-/// @param missing_count receives the number of nodes that have no normal and get zeros: missing
-///     ones, and those whose cells have no area or cancel out; may be NULL.
-/// @errors BUFFER_TOO_SMALL, OVERLAP, CANCELLED (the buffers are filled in part)
-/// @complexity O(nodes); a bit a node, and memory for the glued nodes.
-/// @threads From any thread; the same bits for any number of threads.
+/// @param x receives first coordinates: rows x columns aligned numbers of the net's scalar type.
+///     Buffers must not overlap each other or the net.
+/// @param y receives the second coordinates.
+/// @param z receives the third coordinates.
+/// @param capacity size of each buffer, in numbers.
+/// @param missing_count receives the number of nodes without a normal, which get zeros; may be
+///     NULL. They are missing, or the areas of their cells vanish or cancel.
+/// @errors BUFFER_TOO_SMALL, OVERLAP
+/// @complexity O(nodes); one bit a node, and memory for glued nodes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_normals(

@@ -1,4 +1,4 @@
-//! Planar cells: Moves nodes as little as possible until cells are planar.
+//! Planar cells: Moves nodes until all cells are planar.
 
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
@@ -9,70 +9,63 @@ use crate::error::Error;
 use crate::net::planarise::{PlanariseOptions, planarise};
 use gusset_base::alloc;
 
-/// How gusset_net_planarise works. All zeros: the defaults.
+/// Options of gusset_net_planarise.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_planarise_options {
-    /// sizeof(gusset_planarise_options), set by the caller.
+    /// sizeof(gusset_planarise_options).
     pub struct_size: usize,
-    /// The distance of corners from their plane that is plane enough, as a part of the diagonal of
-    /// the net's box; 0: 1e-10, or 4e-7 for coordinates of float.
+    /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0:
+    /// 1e-10, or 4e-7 for float.
     pub tolerance: f64,
-    /// A byte for each node, 1 for one that stays with those glued to it and 0 for others; NULL:
+    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL:
     /// all may move.
     pub fixed: *const u8,
-    /// The number of bytes: rows * columns; 0 with NULL.
+    /// Number of bytes: rows * columns; 0 with NULL.
     pub fixed_count: usize,
-    /// The largest number of steps; 0: 100.
+    /// Largest number of steps; 0: 100.
     pub max_iterations: u32,
-    /// 1: vertices on the boundary of the surface stay.
+    /// 1: boundary vertices of the surface stay.
     /// @flag
     pub keep_boundary: u32,
 }
 
-/// What gusset_net_planarise has done.
+/// Result of gusset_net_planarise.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_planarise_report {
-    /// sizeof(gusset_planarise_report), set by the caller.
+    /// sizeof(gusset_planarise_report).
     pub struct_size: usize,
-    /// The diagonal of the net's box, before.
+    /// Initial diagonal of the bounding box.
     pub size: f64,
-    /// The distance that is plane enough: the tolerance times the size.
+    /// Absolute tolerance: relative tolerance times size.
     pub tolerance: f64,
-    /// The largest distance of the corners of a cell from the plane that lies evenly between them,
-    /// before.
+    /// Largest initial distance of corners from their mean plane.
     pub deviation_before: f64,
-    /// The same of the net as it is now.
+    /// Largest final distance.
     pub deviation_after: f64,
-    /// The largest displacement of a point.
+    /// Largest displacement of a point.
     pub max_displacement: f64,
-    /// The root of the mean square of the displacements of all points of cells of four corners.
+    /// Root mean square displacement of all points of quads.
     pub rms_displacement: f64,
-    /// The cell of deviation_after; 2^64 - 1 without cells of four corners.
+    /// Cell with deviation_after; 2^64 - 1 without quads.
     pub worst_cell: u64,
-    /// The steps that were taken; 0 if all cells were plane, and then no bit has changed.
+    /// Number of steps; 0 if all cells were planar, and no bit changed.
     pub iterations: u32,
-    /// 1 if deviation_after is within the tolerance; else 0, and the net is as near as the steps
-    /// came.
+    /// 1: deviation_after is within the tolerance; 0: approximate result.
     pub converged: u32,
 }
 
 versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 
-/// Moves the nodes of a net as little as possible, in the sum of squares, so that all cells are
-/// plane: facing by plane tiles.
+/// Moves the nodes of a net until all cells are planar, with locally least squared displacement.
 ///
-/// Glued nodes stay one point. Cells of three corners and less, hidden ones and those with missing
-/// nodes do not count. The result is a local least: no plane net near it is nearer to the given
-/// one, but for the accuracy of the steps.
+/// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
+/// Failure to converge is not an error.
 ///
-/// @param report receives what was done, its struct_size set; that the steps did not converge is no
-///     error.
-/// @errors OUT_OF_RANGE (tolerance), UNKNOWN_VALUE (keep_boundary, a byte of fixed), SIZE_OVERFLOW
-///     (fixed_count is too small, the net is then unchanged)
-/// @complexity For each step O(n^1.5) operations and O(n log n) memory for n cells.
-/// @threads One thread; the same bits always.
+/// @errors OUT_OF_RANGE (tolerance), SIZE_OVERFLOW (fixed_count too small)
+/// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
+/// @threads It uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -9,84 +9,79 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::primitive::{Primitive, Request};
 
-/// A shape.
+/// Standard shape, the measures that it reads, the least rows x columns.
 pub type gusset_net_shape = u32;
-/// A rectangle in the plane z = 0: size[0], size[1].
+/// Rectangle at z = 0: size[0], size[1].
 pub const GUSSET_NET_PLANE: gusset_net_shape = 0;
-/// A sphere with two poles: radius. At least 3 rows and 4 columns.
+/// Sphere with two poles: radius. From 3 x 4 nodes.
 pub const GUSSET_NET_SPHERE: gusset_net_shape = 1;
-/// A sphere that is a disc whose rim is drawn together: radius. At least 3 rows and columns.
+/// Sphere from a disc, its rim one point: radius. From 3 x 3 nodes.
 pub const GUSSET_NET_ONE_POLE_SPHERE: gusset_net_shape = 2;
-/// A cylinder without caps: radius, height. At least 4 columns.
+/// Cylinder without caps: radius, height. At least 4 columns.
 pub const GUSSET_NET_TUBE: gusset_net_shape = 3;
-/// A cylinder with caps: radius, height. At least 4 rows and columns.
+/// Cylinder with caps: radius, height. From 4 x 4 nodes.
 pub const GUSSET_NET_CYLINDER: gusset_net_shape = 4;
-/// A prism over a regular polygon: sides, radius (of the circle through its corners), height. At
-/// least 4 rows, and a column more than sides.
+/// Regular prism: sides, radius (circumscribed), height. At least 4 rows and sides + 1 columns.
 pub const GUSSET_NET_PRISM: gusset_net_shape = 5;
-/// A cone with its base: radius, height. At least 3 rows and 4 columns.
+/// Cone with base: radius, height. From 3 x 4 nodes.
 pub const GUSSET_NET_CONE: gusset_net_shape = 6;
-/// A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than
-/// sides.
+/// Regular pyramid: sides, radius (circumscribed), height. At least 3 rows and sides + 1 columns.
 pub const GUSSET_NET_PYRAMID: gusset_net_shape = 7;
-/// A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a
-/// row.
+/// Profile revolved about z: profile, profile_count. At least 4 columns; each point makes a row.
 pub const GUSSET_NET_LATHE: gusset_net_shape = 8;
-/// A torus: radius, minor_radius (of the tube, the smaller). At least 4 rows and columns.
+/// Torus: radius, minor_radius (of the tube, smaller). From 4 x 4 nodes.
 pub const GUSSET_NET_TORUS: gusset_net_shape = 9;
-/// A box: size, cells, box_kind. Rows and columns are as the cells say.
+/// Box: size, cells (which give rows and columns), box_kind.
 pub const GUSSET_NET_BOX: gusset_net_shape = 10;
-/// A Moebius strip: radius (of its middle line), size[0] (its width). At least 4 columns.
+/// Moebius strip: radius (of the middle line), size[0] (width). At least 4 columns.
 pub const GUSSET_NET_MOEBIUS: gusset_net_shape = 11;
-/// A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius.
-/// At least 4 rows and columns.
+/// Klein bottle with figure-eight section: radius, minor_radius. From 4 x 4 nodes.
 pub const GUSSET_NET_KLEIN: gusset_net_shape = 12;
-/// A projective plane, Boy's surface: radius (a scale). At least 4 rows and columns.
+/// Projective plane as Boy's surface: radius (scale). From 4 x 4 nodes.
 pub const GUSSET_NET_PROJECTIVE_PLANE: gusset_net_shape = 13;
-/// Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At
-/// least 3 rows, and 5, 7, ... columns.
+/// Two sheets joined along their rim: size[0], size[1], height (thickness). At least 3 rows; 5, 7,
+/// ... columns.
 pub const GUSSET_NET_PILLOW: gusset_net_shape = 14;
 
-/// How the two caps of a box are covered.
+/// Layout of the caps of a box.
 pub type gusset_box_kind = u32;
-/// Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and
-/// no seams are needed.
+/// Each cap closes along a slit. All faces are unit quads; no seams.
 pub const GUSSET_NET_BOX_SLIT: gusset_box_kind = 0;
-/// The paper's crosswise unwrapping. All faces are unit quads; two seams.
+/// Crosswise unwrapping. All faces are unit quads; two seams.
 pub const GUSSET_NET_BOX_CROSS: gusset_box_kind = 1;
-/// Concentric rings: fewest nodes, and triangles along the diagonals of the caps.
+/// Concentric rings, with the fewest nodes, and triangles along the diagonals.
 pub const GUSSET_NET_BOX_CONCENTRIC: gusset_box_kind = 2;
 
-/// A net that is wanted. Measures that the shape does not name are not read.
+/// Standard shape and its measures.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_primitive {
-    /// sizeof(gusset_net_primitive), set by the caller.
+    /// sizeof(gusset_net_primitive).
     pub struct_size: usize,
-    /// One of GUSSET_NET_PLANE to GUSSET_NET_PILLOW.
+    /// Standard shape, the measures that it reads, the least rows x columns.
     pub shape: gusset_net_shape,
-    /// The type of coordinates.
+    /// Type of coordinates.
     pub scalar: gusset_scalar,
-    /// Rows of nodes; 0 for 33. Not read for boxes and lathes.
+    /// Rows of nodes; 0: 33. Boxes and lathes ignore it.
     pub rows: usize,
-    /// Columns of nodes; 0 for 65. Not read for boxes.
+    /// Columns of nodes; 0: 65. Boxes ignore it.
     pub columns: usize,
-    /// See the shapes; above 0, in the unit of the coordinates.
+    /// Above 0.
     pub radius: f64,
-    /// See the shapes; above 0.
+    /// Above 0.
     pub minor_radius: f64,
-    /// See the shapes; above 0, along z.
+    /// Height along z, above 0.
     pub height: f64,
-    /// See the shapes; above 0, along x, y and z.
+    /// Sizes along x, y and z, above 0.
     pub size: [f64; 3],
-    /// Distance from the axis, at least 0, and height of each point, from below to above, at any
-    /// alignment. A row on the axis is a pole; a profile that ends where it begins makes a ring.
+    /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment.
+    /// Points on the axis are poles. A closed profile makes a ring.
     pub profile: *const f64,
-    /// The number of points, twice as many numbers; at least 2.
+    /// Number of points, at least 2.
     pub profile_count: usize,
     /// Lateral faces of a prism or pyramid, at least 3.
     pub sides: u32,
-    /// How the two caps of a box are covered.
+    /// Layout of the caps of a box.
     pub box_kind: gusset_box_kind,
     /// Cells of a box along x, y and z, at least 1 each.
     pub cells: [u32; 3],
@@ -126,15 +121,14 @@ impl gusset_net_primitive {
     }
 }
 
-/// Makes a net of a standard shape, centred at the origin, its axis along z.
+/// Makes a net of a standard shape, centred at the origin, with axis z.
 ///
-/// Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise
-/// seen from outside.
+/// Glued nodes have equal bits. Closed surfaces have outward normals.
 ///
-/// @param primitive what is wanted.
-/// @errors OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows,
-///     columns, sides or cells), TOO_LARGE
-/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 for boxes.
+/// @param primitive the shape.
+/// @errors OUT_OF_RANGE (a measure not positive or beyond the scalar type, too few elements),
+///     TOO_LARGE
+/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
 /// @source Deryagin, "Closures of nets".
 #[unsafe(no_mangle)]
 #[must_use]

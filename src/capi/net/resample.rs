@@ -1,4 +1,4 @@
-//! Resolutions: Resampled and decimated nets, and levels of detail.
+//! Resolutions: Resamples and decimates nets; levels of detail.
 
 use crate::capi::context::{create, create_and_tell, guard_change, gusset_context};
 use crate::capi::glue::c_enum;
@@ -11,31 +11,30 @@ use crate::job::Job;
 use crate::net::resample::{Interpolation, decimate, pyramid, resample};
 use gusset_base::alloc;
 
-/// How positions between nodes are found.
+/// Interpolation of positions between nodes.
 pub type gusset_interpolation = u32;
-/// On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across
-/// seams too.
+/// Catmull-Rom splines, with continuous tangents also across seams.
 pub const GUSSET_INTERPOLATION_BICUBIC: gusset_interpolation = 0;
-/// On the bilinear patches of the cells.
+/// Bilinear patches of the cells.
 pub const GUSSET_INTERPOLATION_BILINEAR: gusset_interpolation = 1;
 
-/// No pyramid has more levels.
+/// Largest number of levels of a pyramid.
 pub const GUSSET_PYRAMID_LEVELS: usize = 32;
 
 c_enum! {
     interpolation: Interpolation { GUSSET_INTERPOLATION_BICUBIC => Bicubic, GUSSET_INTERPOLATION_BILINEAR => Bilinear }
 }
 
-/// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of
-/// another; first and last ones stay, and new nodes that fall on old ones have their bits.
+/// Makes a net of rows x columns nodes, spread evenly over a net.
 ///
-/// @param net glued along whole sides only, without bridges; the new one is glued in the same way,
-///     glued nodes have equal bits.
-/// @param rows of the result, at least 2.
-/// @param columns of the result, at least 2.
+/// First and last rows and columns stay. A new node on an old node has its bits. The gluing stays;
+/// glued nodes have equal bits.
+///
+/// @param net a net without bridges, glued along whole sides only.
+/// @param rows rows of the result, at least 2.
+/// @param columns columns of the result, at least 2.
 /// @errors NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
-/// @complexity O(nodes of both).
-/// @threads From any thread; the same bits for any number of threads.
+/// @complexity O(nodes of both nets).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_resample_create(
@@ -52,16 +51,15 @@ pub unsafe extern "C" fn gusset_net_resample_create(
     })
 }
 
-/// Makes a net of the rows and columns of another that matter most: rows, and then columns, are
-/// left out, always the one whose loss costs least, as long as the tolerance allows.
+/// Removes rows, then columns, of a net within a tolerance; each time the one that causes the least
+/// deviation.
 ///
-/// @param net glued along whole sides only, without bridges.
-/// @param tolerance at least 0, may be infinite; nodes are at most half of it away from the
-///     segments that replace their columns, and as much from those that replace their rows.
-/// @param rows receive the indices of what was kept, as many as the new net has; each has room for
-///     as many as the old net has; NULL if not wanted.
-/// @param columns see rows.
-/// @param deviation receives what was reached; may be NULL.
+/// @param net a net without bridges, glued along whole sides only.
+/// @param tolerance at least 0, may be infinite. Nodes are within half of it of the segments that
+///     replace their columns, and likewise for rows.
+/// @param rows receives indices of kept rows, with room for all rows of net; may be NULL.
+/// @param columns likewise for columns.
+/// @param deviation receives the largest deviation; may be NULL.
 /// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
 #[unsafe(no_mangle)]
@@ -95,18 +93,17 @@ fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), 
     Ok(())
 }
 
-/// Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the
-/// others every second row and column of the one before, bit for bit.
+/// Makes levels of detail: nets of 2^k + 1 rows and columns, finest first.
 ///
-/// @param net glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the
-///     first level is a copy, else it is resampled to the next sizes.
-/// @param interpolation as for gusset_net_resample_create.
-/// @param levels receives the nets, each for gusset_net_destroy; all NULL on failure.
-/// @param capacity how many it has room for; GUSSET_PYRAMID_LEVELS is always enough.
-/// @param count receives how many there are, also with BUFFER_TOO_SMALL, which capacity 0 gives
-///     too.
+/// The first level is a copy if it has such a size, else resampled to the next larger size. Each
+/// further level has every second row and column of the previous one, bit for bit.
+///
+/// @param net a net without bridges, glued along whole sides only.
+/// @param levels room for capacity handles.
+/// @param capacity size of levels; GUSSET_PYRAMID_LEVELS always suffices.
+/// @param count receives the count, also with BUFFER_TOO_SMALL (as for capacity 0).
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
-/// @complexity O(nodes), memory for 4/3 of the first.
+/// @complexity O(nodes); memory for 4/3 of the first level.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_pyramid_create(

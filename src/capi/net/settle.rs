@@ -8,62 +8,58 @@ use crate::capi::status::gusset_status;
 use crate::net::settle::{SettleOptions, settle};
 use gusset_base::alloc;
 
-/// How gusset_net_settle works. All zeros: the defaults.
+/// Options of gusset_net_settle.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_settle_options {
-    /// sizeof(gusset_settle_options), set by the caller.
+    /// sizeof(gusset_settle_options).
     pub struct_size: usize,
-    /// The displacement below which a step is the last, as a part of the diagonal of the net's box;
-    /// 0: 1e-12.
+    /// Largest displacement of the last step, relative to the diagonal of the bounding box; 0:
+    /// 1e-12.
     pub tolerance: f64,
-    /// Rest lengths as a multiple of those in the reference, above 0; 0: 1.
+    /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     pub rest_ratio: f64,
-    /// The net at rest, of the same size, which gives rest lengths and the shape of rigid bridges;
-    /// NULL: the net as it is given.
+    /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
     pub reference: *const gusset_net,
-    /// A byte for each part, the nets between the bridges that run from side to side, in their
-    /// order: 1 for one that moves, as a rigid body, and 0 for one that is held; NULL: all are
-    /// held.
+    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it.
+    /// NULL holds all.
     pub free: *const u8,
-    /// The number of bytes: bridges + 1 at least; 0 with NULL.
+    /// Number of bytes, at least the number of parts; 0 with NULL.
     pub free_count: usize,
-    /// The largest number of steps; 0: 1000.
+    /// Largest number of steps; 0: 1000.
     pub max_iterations: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// What gusset_net_settle has done. Energies are force times length, in the units of the properties
-/// and the coordinates.
+/// Result of gusset_net_settle. Energies are forces times lengths, in the caller's units.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_settle_report {
-    /// sizeof(gusset_settle_report), set by the caller.
+    /// sizeof(gusset_settle_report).
     pub struct_size: usize,
-    /// The energy before, rigid bridges in their shape.
+    /// Initial energy, rigid bridges in shape.
     pub energy_before: f64,
-    /// The energy of tension now.
+    /// Final energy of tension.
     pub tension_energy: f64,
-    /// The energy of springs now.
+    /// Final energy of elasticity.
     pub elastic_energy: f64,
-    /// The energy of bending now.
+    /// Final energy of bending.
     pub bending_energy: f64,
-    /// The largest force on an inner point or a free body now.
+    /// Largest final force on an inner point or free body.
     pub residual_force: f64,
-    /// The largest displacement of a point.
+    /// Largest displacement of a point.
     pub max_displacement: f64,
-    /// The steps that were taken.
+    /// Number of steps.
     pub iterations: u32,
-    /// The bridges from side to side that have a force.
+    /// Counted bridges with forces.
     pub settled: u32,
-    /// Those without: hidden or welded ones, and those whose properties are all 0; their nodes
-    /// stay.
+    /// Counted bridges without forces: hidden, welded, or with properties 0. Their nodes stay.
     pub idle: u32,
-    /// The films that have collapsed: to less than a millionth of their area in places.
+    /// Films with a cell below a millionth of the initial mean cell area.
     pub collapsed: u32,
-    /// 1 if the last step was within the tolerance, or too small to lower the energy, and no film
-    /// has collapsed; else 0, and the net is as near as the steps came.
+    /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the
+    /// energy. 0: approximate result.
     pub converged: u32,
     /// 0.
     pub reserved: u32,
@@ -71,27 +67,26 @@ pub struct gusset_settle_report {
 
 versioned! { gusset_settle_options: 56 reserved, gusset_settle_report: 80 }
 
-/// Moves the nodes of bridges that are their own, and parts that are free, to the equilibrium of
-/// the bridges' properties.
+/// Moves inner nodes of bridges, and free parts, to the equilibrium of the bridges' properties.
 ///
-/// The sum of these energies becomes least, for each line of links across a bridge: tension times
-/// its length, its nodes becoming evenly spaced, or in a tube times the area of the film;
-/// elasticity / 2 (l - r)^2 / r for each link of length l and rest length r; stiffness / 2 h^3
-/// times the squared second differences, h being the mean rest length, lines leaving parts in the
-/// direction of these. A bridge of infinite stiffness and both its sides are one body. Bridges
-/// within a part do not count, nor do those across the direction of the last. If of parts that
-/// bridges join none is held, the first is. What is found is a local minimum, and the energy never
-/// grows on the way.
+/// Only bridges from side to side count, in the direction of the last of these. A bridge of
+/// infinite stiffness forms a rigid body with its two sides. If bridges connect parts without a
+/// held one, the first is held. Failure to converge is not an error.
 ///
-/// @param report receives what was done, its struct_size set; that the steps did not converge is no
-///     error.
-/// @errors UNKNOWN_VALUE (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER
-///     (the reference has another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is
-///     negative, NaN or infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another,
-///     the net is then unchanged)
-/// @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and
-///     O(nodes).
-/// @threads One thread; the same bits always.
+/// The result is a local minimum of the sum of energies; no step increases the sum. Energies for
+/// each line across a bridge:
+///
+/// - tension times its length, with nodes becoming evenly spaced. In a tube: tension times the
+///   film's area.
+/// - elasticity / 2 (l - r)^2 / r for each link of length l and rest length r.
+/// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts
+///   in the parts' direction.
+///
+/// @errors SIZE_OVERFLOW (free_count too small), SIDES_DIFFER (reference of another size),
+///     OUT_OF_RANGE (tolerance, rest_ratio; a negative, NaN or infinite property, with the bridge),
+///     NO_SUCH_ELEMENT (overlapping bridges)
+/// @complexity O(nodes), and for each step O(n^1.5) time and O(n log n) memory for n inner nodes.
+/// @threads It uses one thread.
 /// @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
 #[unsafe(no_mangle)]
 #[must_use]

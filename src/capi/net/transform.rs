@@ -8,43 +8,42 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::net::transform::{Affine, Axis, Sense, transform};
 use glam::DVec3;
 
-/// An axis of coordinates: 0 is x, 1 is y, 2 is z.
+/// Coordinate axis.
 pub type gusset_axis = u32;
-/// The abscissa.
+/// x.
 pub const GUSSET_AXIS_X: gusset_axis = 0;
-/// The ordinate.
+/// y.
 pub const GUSSET_AXIS_Y: gusset_axis = 1;
-/// The applicate.
+/// z.
 pub const GUSSET_AXIS_Z: gusset_axis = 2;
 
-/// What an operation does.
+/// Kind of an affine map. It gives the meaning of values.
 pub type gusset_operation_kind = u32;
-/// Moves by the vector values[0] to values[2].
+/// Translation by values[0..2].
 pub const GUSSET_OPERATION_TRANSLATE: gusset_operation_kind = 1;
-/// Turns about the axis with the direction values[0] to values[2], of any length but 0, by
-/// values[3] radians, by the right hand; the axis passes through the point values[4] to values[6].
+/// Right-handed rotation by values[3] about the axis through values[4..6] with direction
+/// values[0..2], not 0.
 pub const GUSSET_OPERATION_ROTATE: gusset_operation_kind = 2;
-/// The same by the left hand, as Deryagin's formula is printed.
+/// Left-handed rotation, as Deryagin's formula is printed.
 pub const GUSSET_OPERATION_ROTATE_AS_PRINTED: gusset_operation_kind = 3;
-/// Scales about the origin: values[0] is the ratio of new distance to old.
+/// Scaling about the origin by the factor values[0].
 pub const GUSSET_OPERATION_SCALE: gusset_operation_kind = 4;
-/// Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance
-/// to old.
+/// Scaling of distances from axis by the factor values[0].
 pub const GUSSET_OPERATION_COMPRESS: gusset_operation_kind = 5;
-/// Scales x, y and z by values[0], values[1] and values[2].
+/// Scaling of x, y and z by values[0], values[1] and values[2].
 pub const GUSSET_OPERATION_STRETCH: gusset_operation_kind = 6;
-/// Any affine map: three rows of four numbers, the fourth of each the displacement.
+/// Affine map: three rows of four numbers; the fourth is the displacement.
 pub const GUSSET_OPERATION_MATRIX: gusset_operation_kind = 7;
 
-/// A spatial operation.
+/// Affine map.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_operation {
-    /// What an operation does.
+    /// Kind of an affine map.
     pub kind: gusset_operation_kind,
-    /// For GUSSET_OPERATION_COMPRESS; else 0.
+    /// Axis of GUSSET_OPERATION_COMPRESS; else 0.
     pub axis: gusset_axis,
-    /// What the kind says; the rest is not read.
+    /// Numbers, as the kind says; the rest is not read.
     pub values: [f64; 12],
 }
 
@@ -90,22 +89,18 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
     })
 }
 
-/// Moves all nodes of a net by operations, the first one first, composed to one matrix and applied
-/// in one pass, in place.
+/// Moves all nodes of a net by a chain of affine maps, composed in the given order into one matrix.
 ///
-/// The arithmetic is that of the net's scalar type; nodes that are glued and have equal bits keep
-/// them equal; missing nodes stay missing (and may lose coordinates that were finite). If the
-/// operations together mirror (odd numbers of reflections) the surface would be turned inside out:
-/// the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is heard
-/// before the first node is moved; whatever the error, none is moved.
+/// - Computation uses the net's scalar type.
+/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing; their finite
+///   coordinates may change.
+/// - A mirroring chain changes the reversed flag of the net, so that faces keep looking outwards.
 ///
-/// @param operations `count` of them, at any alignment; 0 for none.
-/// @param count see operations.
-/// @errors UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length
-///     0, a product that overflows), FIELD_UNDEFINED (with the first node that would overflow),
-///     OUT_OF_MEMORY (a net that shares its memory)
-/// @complexity O(nodes), no memory.
-/// @threads The same bits for any number of threads.
+/// @param operations the maps, at any alignment.
+/// @param count number of operations; may be 0.
+/// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product),
+///     FIELD_UNDEFINED (the first node that would overflow)
+/// @complexity O(nodes); no memory.
 /// @source Deryagin, T, R, S, C.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,4 +1,4 @@
-//! Validation: Whether coordinates agree with the gluing.
+//! Validation: Checks coordinates against the gluing.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
@@ -9,51 +9,50 @@ use crate::capi::status::gusset_status;
 use crate::net::{Finding, FindingKind};
 use gusset_base::alloc;
 
-/// What is found.
+/// Kind of a finding.
 pub type gusset_net_finding_kind = u32;
-/// A violation: the ends of contracted link `element` are apart, or one of them is missing.
+/// Violation: the ends of contracted link element are apart, or one is missing.
 pub const GUSSET_NET_FINDING_LINK_APART: gusset_net_finding_kind = 0;
-/// A violation: two nodes that seam `element` glues are apart, or one of them is missing.
+/// Violation: two nodes glued by seam element are apart, or one is missing.
 pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
-/// A warning: the ends of link `element`, between neighbours, are one point by way of others, and
-/// it is not contracted itself: see `saturate` of gusset_glue_options.
+/// Warning: the ends of link element are one point, but it is not contracted; see saturate of
+/// gusset_glue_options.
 pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
-/// A warning: the ends of link `element` lie on each other and are not glued.
+/// Warning: the ends of link element coincide without being glued.
 pub const GUSSET_NET_FINDING_ZERO_LENGTH: gusset_net_finding_kind = 3;
-/// A warning: link `element` closes a row or column of fewer than four nodes, which has no inside
-/// then.
+/// Warning: link element closes a row or column of fewer than four nodes, which encloses nothing.
 pub const GUSSET_NET_FINDING_FEW_NODES: gusset_net_finding_kind = 4;
 
-/// One finding.
+/// Finding of a validation.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_finding {
-    /// What is found.
+    /// Kind of a finding.
     pub kind: gusset_net_finding_kind,
-    /// The link, or the number of the seam.
+    /// Link, or index of the seam.
     pub element: u32,
     /// The two nodes.
     pub nodes: [u32; 2],
-    /// How far they are apart; NaN if one is missing.
+    /// Distance of the nodes; NaN if one is missing.
     pub distance: f64,
 }
 
-/// What a validation found. Opaque and immutable; it keeps nothing of the net.
+/// Findings of a validation.
 pub struct gusset_net_validation(Vec<gusset_net_finding>);
 
 handle! { gusset_net_validation }
 
-/// All findings: violations first, then warnings, each kind in the order of its elements.
+/// Findings: violations, then warnings, sorted by kind and element.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_validation_view {
-    /// sizeof(gusset_net_validation_view), set by the caller.
+    /// sizeof(gusset_net_validation_view).
     pub struct_size: usize,
-    /// The findings, valid until the validation is destroyed; NULL if there are none.
+    /// The findings.
     pub findings: *const gusset_net_finding,
-    /// How many.
+    /// Number of findings.
     pub count: usize,
-    /// How many of them are violations; they come first.
+    /// Number of violations.
     pub violation_count: usize,
 }
 
@@ -70,14 +69,11 @@ c_enum! {
     }
 }
 
-/// Checks that glued nodes lie together, and looks for what is suspicious.
+/// Checks that glued nodes coincide, and warns of suspicious gluing. Findings are not errors. Two
+/// missing nodes coincide.
 ///
-/// What it finds is no error.
-///
-/// Two missing nodes are no violation.
-///
-/// @param tolerance how far two nodes may be apart, at least 0; for 0 their coordinates must be
-///     equal (0 and -0 are).
+/// @param tolerance largest distance of coincident nodes, at least 0; 0: equal coordinates (0
+///     equals -0).
 /// @errors OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes), and a sort of the findings.
 /// @source Deryagin, "Non-spatial operations".
@@ -119,7 +115,7 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
     })
 }
 
-/// Destroys a validation; NULL is allowed.
+/// Destroys a validation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
     handle::destroy(validation);

@@ -1,4 +1,5 @@
-//! Regions of cells: Masks of cells: chains, diameters, cells and nodes.
+//! Regions of cells: Chains, diameters, cells and nodes of masks. Input arrays may have any
+//! alignment.
 //!
 //! @source Leus.
 
@@ -17,17 +18,16 @@ use crate::surface::reference::{CellMask, Diameters, Lattice, chain, euler_chara
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_mask_report {
-    /// sizeof(gusset_mask_report), set by the caller.
+    /// sizeof(gusset_mask_report).
     pub struct_size: usize,
-    /// How many cells it has.
+    /// Number of cells.
     pub cells: u64,
-    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no
-    /// cells, 2^64 - 1 if the region is in several parts.
+    /// Most cells in a shortest chain between two cells; 0 without cells, 2^64 - 1 if disconnected.
     pub integer_diameter: u64,
-    /// Vertices less edges plus cells: 1 for a region in one part without holes.
+    /// Euler characteristic, vertices - edges + cells: 1 for a connected region without holes.
     pub euler: i64,
-    /// No two points of the region are farther apart: the integer diameter times the greatest
-    /// Euclidean diameter of its cells; infinite if the region is in several parts.
+    /// Bound of the distance between two points: integer_diameter times the greatest Euclidean
+    /// diameter of a cell. Infinite if disconnected.
     pub diameter: f64,
 }
 
@@ -48,21 +48,20 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
     Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
 }
 
-/// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in
-/// common, across corners too.
+/// Finds a shortest chain of cells in a region; consecutive cells share a node.
 ///
-/// The sum of their diameters bounds the distance between points of from and of to.
+/// The sum of their diameters bounds the distance between points of the first and the last cell.
 ///
-/// @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
-///     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
-/// @param count the words, at least as many as the cells need.
-/// @param from row and column of a cell of the region, two numbers, at any alignment.
-/// @param to the same of the other cell.
-/// @param cells receives row and column of each cell of the chain, from and to included, two
-///     numbers each; NULL with capacity 0 to ask for the size.
-/// @param capacity how many cells it has room for.
-/// @param written receives the number of cells, the integer length; 0 if there is no chain.
-/// @errors SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT (with the cell), BUFFER_TOO_SMALL
+/// @param words the region, one bit for each cell. Cell (i, j) is bit k % 64 of word k / 64, where
+///     k = i * columns + j. NULL with count 0: all cells.
+/// @param count words, at least those that the cells need.
+/// @param from row and column of a cell of the region.
+/// @param to row and column of a cell of the region.
+/// @param cells receives row and column of each cell, from and to included. NULL with capacity 0:
+///     only the size.
+/// @param capacity in cells.
+/// @param written receives the number of cells; 0 if no chain exists.
+/// @errors SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
 #[unsafe(no_mangle)]
@@ -87,13 +86,10 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     })
 }
 
-/// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
-/// Euler characteristic.
+/// Measures the integer diameter, a diameter bound and the Euler characteristic of a region.
 ///
-/// @param words the region, as for gusset_sheet_mask_chain.
-/// @param count the region, as for gusset_sheet_mask_chain.
-/// @param report struct_size set by the caller; all else is overwritten.
-/// @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
+/// @param words as for gusset_sheet_mask_chain.
+/// @complexity O(cells) for compact regions, at worst O(cells^2).
 /// @source Leus, eqs. (4) to (6).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -120,18 +116,17 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     })
 }
 
-/// Lists the cells or the nodes of a mask, row after row. Its nodes are the corners of its cells, each
-/// once; lines that close the sheet count as the first ones.
+/// Lists the cells or nodes of a region, row after row.
 ///
-/// @param words the mask, as for gusset_sheet_mask_chain.
-/// @param count the mask, as for gusset_sheet_mask_chain.
-/// @param domain faces are the cells, vertices and corners the nodes.
-/// @param elements receives row and column of each, two numbers each; NULL with capacity 0 to ask
-///     for the size.
-/// @param capacity how many elements it has room for.
+/// Each node is listed once; a closing line counts as the first line.
+///
+/// @param words as for gusset_sheet_mask_chain.
+/// @param domain faces: cells; vertices or corners: nodes.
+/// @param elements receives row and column of each element. NULL with capacity 0: only the size.
+/// @param capacity in elements.
 /// @param written receives the number of elements.
 /// @errors SIZE_OVERFLOW (too few words), BUFFER_TOO_SMALL
-/// @complexity O(cells / 64), and the cells of the mask; O(nodes) for nodes.
+/// @complexity O(cells / 64 + cells listed); O(nodes) for nodes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask_elements(

@@ -1,5 +1,4 @@
-//! The search of the paper: The search by the logical scale as printed, corrected: a documented
-//! reference.
+//! The search of the paper: Leus's search by the logical scale, with corrections.
 //!
 //! @source Leus.
 
@@ -23,82 +22,82 @@ use crate::surface::reference::{
 use crate::surface::{Place, Sheet};
 use glam::DVec3;
 
-/// The object from which distances or angles are measured.
+/// Object of a search.
 pub type gusset_reference_object = u32;
 /// The point.
 pub const GUSSET_REFERENCE_POINT: gusset_reference_object = 0;
-/// The plane through the point, across the direction.
+/// The plane through `point` with the normal `direction`.
 pub const GUSSET_REFERENCE_PLANE: gusset_reference_object = 1;
-/// The line through the point, along the direction.
+/// The line through `point` along `direction`.
 pub const GUSSET_REFERENCE_LINE: gusset_reference_object = 2;
-/// The segment from the point to the point and the direction.
+/// The segment from `point` to `point` + `direction`.
 pub const GUSSET_REFERENCE_SEGMENT: gusset_reference_object = 3;
-/// Normals at an angle to the direction; distances are deviations from the angle, in radians.
+/// Normals at `angle` to `direction`. Distances are deviations from the angle, in radians.
 pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
 
 /// The curve.
 pub const GUSSET_REFERENCE_CURVE: gusset_reference_object = 5;
 /// The surface.
 pub const GUSSET_REFERENCE_SURFACE: gusset_reference_object = 6;
-/// The ray from the point along the direction.
+/// The ray from `point` along `direction`.
 pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 
-/// The task of the paper's search, and its method.
+/// Task and method of Leus's search.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_task {
-    /// sizeof(gusset_reference_task), set by the caller.
+    /// sizeof(gusset_reference_task).
     pub struct_size: usize,
-    /// The object from which distances or angles are measured.
+    /// Object of a search.
     pub object: gusset_reference_object,
-    /// 0: cells that may have something within `within`. 1: cells that may have the nearest.
+    /// 0: cells that may have a point within `within`; 1: cells that may have the nearest point.
     pub find_nearest: u32,
-    /// A point of the object; not read for angles.
+    /// x, y, z; not read for angles.
     pub point: [f64; 3],
-    /// Its direction, of any length but 0; not read for points.
+    /// x, y, z, not 0; not read for points.
     pub direction: [f64; 3],
-    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells;
-    /// not read for the nearest.
+    /// Distance, at least 0; INFINITY: all cells. Not read if find_nearest is 1.
     pub within: f64,
-    /// For GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
+    /// For GUSSET_REFERENCE_ANGLE: 0 to pi.
     pub angle: f64,
-    /// For GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
-    /// paper's K d, see gusset_sheet_measure; 0: cones of normals instead, which are
-    /// tighter.
+    /// For GUSSET_REFERENCE_ANGLE: a bound of the principal curvatures of the sheet (see
+    /// gusset_sheet_measure); 0: cones of normals, which are tighter.
     pub curvature: f64,
-    /// For GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
+    /// For GUSSET_REFERENCE_ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
-    /// 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+    /// Bound of blocks. 1: sum of the greatest bound of each ring of cells; 0: integer diameter
+    /// times the greatest.
     pub by_rings: u32,
-    /// 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+    /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     pub by_rows: u32,
-    /// 1: lines of nodes that a block covers from side to side are not left out at once.
+    /// 0: removes lines of cells at an edge that an excluded block covers from side to side; 1:
+    /// keeps them.
     pub keep_lines: u32,
-    /// For GUSSET_REFERENCE_CURVE: the curve; else not read.
+    /// For GUSSET_REFERENCE_CURVE.
     pub curve: *const gusset_curve,
-    /// For GUSSET_REFERENCE_SURFACE: the surface; else not read.
+    /// For GUSSET_REFERENCE_SURFACE.
     pub surface: *const gusset_surface,
 }
 
-/// A report on the search.
+/// Result and work of a search.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_report {
-    /// sizeof(gusset_reference_report), set by the caller.
+    /// sizeof(gusset_reference_report).
     pub struct_size: usize,
-    /// How many cells are left.
+    /// Cells that remain.
     pub cells: u64,
-    /// How many nodes were looked at.
+    /// Nodes evaluated.
     pub evaluations: u64,
-    /// How many blocks of cells were excluded.
+    /// Blocks of cells excluded.
     pub blocks: u64,
-    /// How many lines of cells were left out at once.
+    /// Lines of cells removed.
     pub dropped: u64,
-    /// The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+    /// Least distance of the evaluated nodes; of all nodes if find_nearest is 1.
     pub min_distance: f64,
-    /// The row of that node.
+    /// Row of the node at min_distance.
     pub row: u32,
-    /// Its column.
+    /// Column of the node at min_distance.
     pub column: u32,
 }
 
@@ -170,22 +169,18 @@ impl gusset_reference_task {
     }
 }
 
-/// The paper's search with its logical scale, corrected: which cells of a sheet may have a point
-/// within a distance of an object, or the nearest one, or a normal at an angle.
+/// Finds the cells of a sheet that may satisfy a task, by Leus's search with its logical scale.
 ///
-/// None that has is missing. It is the documented reference and looks at many nodes; a surface
-/// (gusset_surface_create) answers the same and more from its index, much faster.
+/// No qualifying cell is missing. gusset_surface answers faster.
 ///
-/// @param task what is looked for.
-/// @param words receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with
-///     capacity 0 for the size and the report alone; all words are 0 on failure.
-/// @param capacity how many words it has room for.
+/// @param words receives one bit for each cell, as for gusset_sheet_mask_chain; 0 after an error.
+///     NULL with capacity 0: only the size and the report.
+/// @param capacity in words.
 /// @param written receives the number of words.
-/// @param report what was done; its struct_size set by the caller; may be NULL.
-/// @errors UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not finite, no direction, a
-///     negative distance, an angle outside 0 to pi), BUFFER_TOO_SMALL
-/// @complexity O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
-///     at for the search.
+/// @param report may be NULL.
+/// @errors OUT_OF_RANGE (non-finite values, zero direction, negative distance, angle outside 0 to
+///     pi), BUFFER_TOO_SMALL
+/// @complexity O(cells), parallel, for bounds; O(cells / 64 + nodes evaluated) for the search.
 /// @source Leus; docs/errata.md lists its errata.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -234,26 +229,20 @@ fn mask(
     })
 }
 
-/// The same search over a curve's own points, with the lengths of its arcs for diameters: which
-/// arcs may have a point within a distance of an object, or the nearest one, or a tangent at an
-/// angle.
+/// Finds the arcs of a curve that may satisfy a task.
 ///
-/// Each segment is divided into as many arcs of equal length in the parameter; the cells of the mask
-/// are the arcs in the order of the curve, its nodes their ends. No arc that has what is looked for
-/// is missing.
+/// Each segment is divided into `parts` arcs of equal parameter length, numbered along the curve.
+/// No qualifying arc is missing. GUSSET_REFERENCE_ANGLE refers to tangents, and unsigned_normals
+/// admits both directions; curvature and keep_lines are not read.
 ///
-/// @param parts arcs of each segment, at least 1; 2^30 of all at most.
-/// @param task what is looked for; angles are those of tangents, for which curvature and lines are
-///     not read, and unsigned_normals counts tangents of either direction.
-/// @param words receives a bit for each arc: that of arc k is bit k % 64 of word k / 64; NULL with
-///     capacity 0 for the size and the report alone; all words are 0 on failure.
-/// @param capacity how many words it has room for.
+/// @param parts arcs of each segment, at least 1; at most 2^30 arcs in all.
+/// @param words receives one bit for each arc: arc k is bit k % 64 of word k / 64; 0 after an
+///     error. NULL with capacity 0: only the size and the report.
+/// @param capacity in words.
 /// @param written receives the number of words.
-/// @param report what was done: columns are points of the curve, rows 0; its struct_size set by the
-///     caller; may be NULL.
+/// @param report row is 0, column is the point of the curve; may be NULL.
 /// @errors as gusset_sheet_reference_mask, EMPTY_CURVE, OUT_OF_RANGE (parts), TOO_LARGE
-/// @complexity O(arcs degree^2) for the lengths; O(arcs / 64) and the nodes looked at for the
-///     search.
+/// @complexity O(arcs degree^2) for lengths; O(arcs / 64 + nodes evaluated) for the search.
 /// @source Leus, the last paragraph.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -272,19 +261,16 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
     })
 }
 
-/// The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of
-/// the normals at the cell's corners, cut the lines of the net; cubics through four crossings each
-/// have tangents that span the tangent plane.
+/// Approximates normals at places by Leus's sections, to third order in the size of cells.
 ///
-/// They are of third order in the size of cells; the exact normals of the surface are had from a surface.
+/// Two orthogonal planes parallel to the mean normal of the cell's corners cut the lines of the
+/// net. In each, a cubic through four crossings gives a tangent. gusset_surface_evaluate returns
+/// exact normals.
 ///
-/// @param places count places of the sheet, whose own number is not read, at any alignment; u and v
-///     0 to 1.
-/// @param count see places.
-/// @param normals receives x, y, z of each; 0 where there is none, and everywhere on failure.
-/// @errors UNKNOWN_VALUE (reserved), NO_SUCH_ELEMENT (with the first place that the sheet does not
-///     have: no such cell, parameters that are not 0 to 1)
-/// @complexity Bounded work for each.
+/// @param places their sheet is not read; u and v are 0 to 1.
+/// @param normals receives x, y, z for each place; 0 if undefined or after an error.
+/// @errors NO_SUCH_ELEMENT (place: the cell does not exist, or a parameter is outside 0 to 1)
+/// @complexity O(1) a place.
 /// @source Leus, fig. 1.
 #[unsafe(no_mangle)]
 #[must_use]

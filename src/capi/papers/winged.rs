@@ -1,4 +1,4 @@
-//! Winged-edge tables: The tables of the paper, and the loops found in them.
+//! Winged-edge tables: Baumgart's tables of a mesh, and boundary loops found in them.
 //!
 //! @source Nesterenko, equations 1 to 3, after Baumgart.
 
@@ -12,22 +12,21 @@ use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
 use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, WingedFaces, faces, free_loops};
 
-/// The direction in which faces are read.
+/// Orientation of faces in a mesh.
 pub type gusset_winding = u32;
-/// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables
-/// take them backwards.
+/// Counter-clockwise seen from outside; the tables reverse them.
 pub const GUSSET_FACES_COUNTER_CLOCKWISE: gusset_winding = 0;
-/// Faces are stored clockwise seen from outside, as Baumgart has it.
+/// Clockwise seen from outside, as Baumgart has it.
 pub const GUSSET_FACES_CLOCKWISE: gusset_winding = 1;
 
-/// Bits that describe an edge of a table.
+/// Marks of an edge.
 /// @bits
 pub type gusset_winged_flags = u32;
-/// One of several records of an edge with three or more faces; each has one face.
+/// A record of an edge with three or more faces; it has one of them.
 pub const GUSSET_WINGED_NON_MANIFOLD: gusset_winged_flags = 1;
-/// One of two records of an edge whose faces run it in the same direction; each has one face.
+/// A record of an edge that two faces traverse in the same direction; it has one of them.
 pub const GUSSET_WINGED_NOT_ORIENTED: gusset_winged_flags = 2;
-/// M = N, or the edge belongs to a face of fewer than three proper edges.
+/// M = N, or a face of the edge has fewer than three proper edges.
 pub const GUSSET_WINGED_DEGENERATE: gusset_winged_flags = 4;
 
 const _: () = assert!(
@@ -36,7 +35,7 @@ const _: () = assert!(
         && GUSSET_WINGED_DEGENERATE == EdgeMarks::DEGENERATE
 );
 
-/// The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+/// Winged-edge tables of a mesh.
 pub struct gusset_winged {
     tables: WingedEdges,
     loops: FreeLoops,
@@ -44,85 +43,83 @@ pub struct gusset_winged {
 
 handle! { gusset_winged }
 
-/// The faces of a winged-edge table. Opaque and immutable; it keeps nothing of the table.
+/// Faces of a winged-edge table.
 pub struct gusset_winged_faces(WingedFaces);
 
 handle! { gusset_winged_faces }
 
-/// How tables are made, and read; all zero is the default.
+/// Options of winged-edge tables.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_options {
-    /// sizeof(gusset_winged_options), set by the caller.
+    /// sizeof(gusset_winged_options).
     pub struct_size: usize,
-    /// The direction in which faces are read.
+    /// Orientation of faces in a mesh.
     pub winding: gusset_winding,
     /// 0.
     pub reserved: u32,
 }
 
-/// One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen
-/// from outside.
+/// An edge in Baumgart's notation; UINT32_MAX is NULL. Faces are clockwise seen from outside.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_edge {
-    /// The vertex M, where it starts.
+    /// Start vertex M.
     pub m: u32,
-    /// The vertex N, where it ends.
+    /// End vertex N.
     pub n: u32,
-    /// In R, the edge after this one; it leaves N.
+    /// Next edge in R, at N.
     pub b: u32,
-    /// In L, the edge before this one; it arrives at N.
+    /// Previous edge in L, at N.
     pub c: u32,
-    /// In R, the edge before this one; it arrives at M.
+    /// Previous edge in R, at M.
     pub d: u32,
-    /// In L, the edge after this one; it leaves M.
+    /// Next edge in L, at M.
     pub e: u32,
-    /// The face L: it runs N to M.
+    /// Face L, which traverses the edge from N to M.
     pub left: u32,
-    /// The face R: it runs M to N.
+    /// Face R, which traverses the edge from M to N.
     pub right: u32,
-    /// Bits; 0 for an ordinary edge.
+    /// Marks of an edge.
     pub marks: gusset_winged_flags,
 }
 
-/// The tables. Pointers are valid until the handle is destroyed.
+/// Lent tables.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_view {
-    /// sizeof(gusset_winged_view), set by the caller.
+    /// sizeof(gusset_winged_view).
     pub struct_size: usize,
-    /// The edges in the order of their first half-edges; M is the vertex where that half-edge
-    /// starts.
+    /// Edges, ordered by their first half-edges, which start at M.
     pub edges: *const gusset_winged_edge,
-    /// How many.
+    /// Number of edges.
     pub edge_count: usize,
-    /// Per half-edge (position in face_corners), its edge.
+    /// Edge of each half-edge (position in face_corners).
     pub edge_of_half_edge: gusset_indices,
-    /// Per face, its first edge.
+    /// First edge of each face.
     pub edge_of_face: gusset_indices,
-    /// Per vertex, an edge at it, or UINT32_MAX.
+    /// An edge at each vertex, or UINT32_MAX.
     pub edge_of_vertex: gusset_indices,
-    /// The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop,
-    /// surface on the left.
+    /// Vertices of all boundary loops, loop after loop, surface on the left. Exactly one of L and R
+    /// of a boundary edge is NULL.
     pub loop_vertices: gusset_indices,
-    /// The edges along them; edge i starts at vertex i.
+    /// Edges of the loops; edge i starts at vertex i.
     pub loop_edges: gusset_indices,
-    /// Where each loop starts in both; one entry more than there are loops.
+    /// loops + 1 offsets into both arrays.
     pub loop_offsets: gusset_indices,
 }
 
-/// The faces of a table. Pointers are valid until the handle is destroyed.
+/// Lent faces.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_faces_view {
-    /// sizeof(gusset_winged_faces_view), set by the caller.
+    /// sizeof(gusset_winged_faces_view).
     pub struct_size: usize,
-    /// For face_offsets of a gusset_mesh_view: one entry more than there are faces.
+    /// faces + 1 offsets, as in gusset_mesh_view.
     pub face_offsets: gusset_indices,
-    /// For face_corners: the vertices of each face in order.
+    /// Vertices of the faces in order, as in gusset_mesh_view.
     pub face_corners: gusset_indices,
-    /// Per corner, the edge that leaves it.
+    /// Edge that leaves each corner.
     pub edge_of_half_edge: gusset_indices,
 }
 
@@ -130,17 +127,18 @@ versioned! { gusset_winged_options: 16 reserved, gusset_winged_view: 120, gusset
 laid_out_like! { gusset_winged_edge: WingedEdge { m, n, b, c, d, e, left, right, marks } }
 c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise, GUSSET_FACES_CLOCKWISE => Clockwise } }
 
-/// Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
+/// Makes the winged-edge tables of a mesh, and finds its boundary loops by Nesterenko's algorithm
+/// 1.
 ///
-/// An edge with three or more faces, or with two that run it in the same direction, becomes several
-/// marked records of one face each. The mesh of a stitch keeps the edge numbers of its first mesh:
-/// only NULL sides along the rim are filled.
+/// An edge with three or more faces, or two in the same direction, becomes several marked records
+/// of one face each. A stitched mesh keeps the edge numbers of its first mesh. The loops are those
+/// of gusset_boundary_create, except that an edge with inconsistent faces is a boundary on both
+/// sides.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
-/// @source Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R
-///     is NULL", as the text has it; the loops are those of gusset_boundary_create, except that an
-///     edge whose faces disagree has a border on both sides.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
+/// @source Nesterenko, equations 1-3 and algorithm 1; criterion 3 as "exactly one of L, R is NULL",
+///     as the text has it.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_create(
@@ -159,7 +157,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     })
 }
 
-/// Destroys tables; NULL is allowed.
+/// Frees tables.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
     handle::destroy(winged);
@@ -187,23 +185,20 @@ pub unsafe extern "C" fn gusset_winged_get_view(
     })
 }
 
-/// Reads the faces off a winged-edge table: the way back from gusset_winged_create to a polygon
-/// mesh, whose positions the caller has.
+/// Reads the faces of a winged-edge table, and checks the records against each other.
 ///
-/// The records are held against each other and nothing is put right: each face must be one cycle of
-/// three sides or more from wing to wing, wings and faces exist, and a side without a face has no
-/// wings. The marks are not read. From the edges and edge_of_face of gusset_winged_create come the
-/// faces that it was given, corner for corner.
+/// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist.
+/// A side without a face must have no wings. Marks are not read. Edges and edge_of_face of
+/// gusset_winged_create give back its faces corner for corner.
 ///
-/// @param edges the records, edge_count of them, packed.
-/// @param edge_count see edges; 0 is a table without faces.
-/// @param vertex_count how many vertices there are; those of edges are below it.
-/// @param first_edges per face the edge at which it begins, of two such places the one where it
-///     runs M to N; NULL: the one of the smallest number.
-/// @param options the winding of the faces to be made; NULL for the defaults.
-/// @errors BAD_WINGS (with the edge), FACE_TOO_SMALL (a number below the largest that no side has,
-///     too), OUT_OF_RANGE (not one first edge for each face), TOO_LARGE
-/// @complexity Linear time and memory.
+/// @param edges packed.
+/// @param edge_count 0: no faces.
+/// @param vertex_count exceeds every vertex of an edge.
+/// @param first_edges for each face, the edge where it begins. If both sides belong to the face, it
+///     begins from M to N. NULL: the lowest edge.
+/// @errors BAD_WINGS (edge), FACE_TOO_SMALL (also a face number that no side has), OUT_OF_RANGE
+///     (not one first edge for each face), TOO_LARGE
+/// @complexity O(edges) time and memory.
 /// @source Nesterenko, equation 2, read backwards.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -225,7 +220,7 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
     })
 }
 
-/// Destroys faces; NULL is allowed.
+/// Frees faces.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_faces_destroy(faces: *mut gusset_winged_faces) {
     handle::destroy(faces);

@@ -1,4 +1,4 @@
-//! Visible nets of a scene: Where each net of a scene is in the world, and all of them as one net.
+//! Visible nets of a scene: Lists instances, and joins their nets into one.
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::fixed;
@@ -12,18 +12,17 @@ use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 
-/// One way to an entry from an entry in no group.
+/// Instance: one path from a top-level entry to an entry.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_scene_instance {
-    /// Into the space of the scene.
+    /// Map into the space of the scene.
     pub world: gusset_transform,
     /// The entry.
     pub entry: u32,
-    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in
-    /// none.
+    /// Instance of the enclosing group; UINT32_MAX at top level.
     pub parent: u32,
-    /// 1 unless it or a group on the way is hidden.
+    /// 1 unless the entry or an enclosing group is hidden.
     pub visible: u32,
     /// 0.
     pub reserved: u32,
@@ -31,13 +30,12 @@ pub struct gusset_scene_instance {
 
 fixed! { gusset_scene_instance: 112 }
 
-/// All instances and where they are: each behind the group that it is in, children in order.
+/// Writes all instances: each after its group, children in order.
 ///
-/// @param instances room for capacity of them, or NULL with capacity 0 to ask for their number.
-/// @param capacity see instances.
-/// @param written receives it.
-/// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
-///     before any is looked at)
+/// @param instances room for capacity instances; NULL and capacity 0 to count.
+/// @param capacity size of instances.
+/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -61,14 +59,14 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     })
 }
 
-/// Joins the nets of all visible instances, where they are in the space of the scene, to one.
+/// Joins all visible nets into one, in the space of the scene.
 ///
-/// Nets under transforms that mirror are flipped where the others would be opposed to them, as if
-/// options said turn. gusset_scene_unflatten_create is the inverse.
+/// Mirrored nets are flipped if necessary: turn counts as 1. gusset_scene_unflatten_create is the
+/// inverse.
 ///
-/// @param options NULL for each net below the one before, with hidden bridges.
-/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), as
-///     gusset_net_concatenate_create
+/// @param options NULL: nets from top to bottom, with hidden bridges.
+/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or too many nodes),
+///     as gusset_net_concatenate_create
 /// @complexity O(entries + instances + nodes).
 /// @source Deryagin, scenes as "a single whole".
 #[unsafe(no_mangle)]
@@ -89,13 +87,11 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
     })
 }
 
-/// A scene of the nets between the bridges of a direction that run from side to side and were made
-/// last, all at once: the inverse of gusset_scene_flatten_create, in one group (entry 0).
+/// Splits a net at the last-made bridges of a direction from side to side. The parts form one
+/// group, entry 0.
 ///
-/// Nets come back as they are in the space of the flat one, bit for bit; copies that were made to
-/// equalise sizes are removed.
+/// Parts keep their bits in the space of net; copies that equalised sizes are removed.
 ///
-/// @param direction that of the bridges.
 /// @errors CROSSING_CELL
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]

@@ -16,53 +16,51 @@ use crate::net::Net;
 use crate::net::scene::{Content, EntryChanges, Scene};
 use std::sync::Arc;
 
-/// What an entry of a scene is.
+/// Kind of a scene entry.
 pub type gusset_scene_entry_kind = u32;
 
-/// A net.
+/// Net.
 pub const GUSSET_SCENE_NET: gusset_scene_entry_kind = 0;
 
-/// A group of entries.
+/// Group of entries.
 pub const GUSSET_SCENE_GROUP: gusset_scene_entry_kind = 1;
 
-/// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
-/// indices, which are never given twice. Functions that take it as const may run at the same time
-/// in many threads; those that change it need it for themselves.
+/// Scene: nets in nested groups. An entry may belong to several groups. Indices are never reused.
 pub struct gusset_scene(pub(crate) Scene);
 
 handle! { gusset_scene }
 
-/// An entry of a scene.
+/// Entry of a scene.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_scene_entry_report {
-    /// sizeof(gusset_scene_entry_report), set by the caller.
+    /// sizeof(gusset_scene_entry_report).
     pub struct_size: usize,
-    /// Into the space of the groups that it is in.
+    /// Map into the space of its groups.
     pub transform: gusset_transform,
-    /// The number of entries in a group; 0 for a net.
+    /// Entries in a group; 0 for a net.
     pub child_count: usize,
-    /// GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
+    /// Kind of a scene entry.
     pub kind: gusset_scene_entry_kind,
-    /// 1 if it is shown; a group that it is in may hide it all the same.
+    /// 1: shown, unless an enclosing group is hidden.
     pub visible: u32,
 }
 
-/// How much is in a scene.
+/// Size of a scene. A top-level entry is outside all groups.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_scene_report {
-    /// sizeof(gusset_scene_report), set by the caller.
+    /// sizeof(gusset_scene_report).
     pub struct_size: usize,
-    /// Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
+    /// Instances, each a path from a top-level entry; at most UINT64_MAX.
     pub instances: u64,
-    /// Instances of nets alone.
+    /// Instances that are nets.
     pub net_instances: u64,
     /// Entries that are nets.
     pub nets: u32,
     /// Entries that are groups.
     pub groups: u32,
-    /// The longest way from an entry in no group: 1 if no group has entries, 0 for an empty scene.
+    /// Length of the longest path, in entries; 0 for an empty scene.
     pub levels: u32,
     /// 0.
     pub reserved: u32,
@@ -96,20 +94,18 @@ pub unsafe extern "C" fn gusset_scene_create(
     create(context, scene, "scene", |_| Ok(gusset_scene(Scene::new())))
 }
 
-/// Destroys a scene; NULL is allowed.
+/// Destroys a scene.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
     handle::destroy(scene);
 }
 
-/// Adds a net as it is now, or an empty group, in no group yet.
+/// Adds a net, as it is now, or an empty group as a top-level entry.
 ///
-/// Later changes of the handle of the net do not change the scene.
-///
-/// @param net the net; NULL for a group.
+/// @param net the net; NULL adds a group.
 /// @param entry receives its index.
 /// @errors TOO_LARGE
-/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @complexity O(1); O(nodes) for a net in the caller's memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add(
@@ -130,13 +126,13 @@ pub unsafe extern "C" fn gusset_scene_add(
     })
 }
 
-/// Puts an entry into a group, behind what is in it; again, if it is in it already.
+/// Appends an entry to a group. An entry may occur in it repeatedly.
 ///
-/// @param group the index of the group.
-/// @param child the index of the entry.
+/// @param group the group.
+/// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE
-/// @complexity O(1) for an entry without children or a group in no group; at most O(entries below
-///     the one or above the other, whichever are fewer).
+/// @complexity O(1) for a child without children or a top-level group, else O(fewer of the entries
+///     below child and above group).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_child(
@@ -148,11 +144,11 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     guard_change(context, |job| Ok(changed(scene, job)?.add_child(group, child)?))
 }
 
-/// Takes an entry out of a group: the first one, if it is in it several times.
+/// Removes the first occurrence of an entry from a group.
 ///
-/// @param group the index of the group.
-/// @param child the index of the entry.
-/// @errors NO_SUCH_ELEMENT (if it is not in the group)
+/// @param group the group.
+/// @param child the entry.
+/// @errors NO_SUCH_ELEMENT (also if child is not in the group)
 /// @complexity O(children of the group + groups of the child).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -165,9 +161,9 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     guard_change(context, |job| Ok(changed(scene, job)?.remove_child(group, child)?))
 }
 
-/// Removes an entry from the scene and from all groups; what was in a group stays.
+/// Removes an entry from the scene and its groups; its children stay.
 ///
-/// @param entry its index.
+/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(children of its groups + groups of its children).
 #[unsafe(no_mangle)]
@@ -180,28 +176,26 @@ pub unsafe extern "C" fn gusset_scene_remove(
     guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
 }
 
-/// A change of the visibility of an entry.
+/// Change of visibility.
 pub type gusset_visibility = u32;
-/// None.
+/// No change.
 pub const GUSSET_VISIBILITY_KEEP: gusset_visibility = 0;
-/// To visible.
+/// Shows the entry.
 pub const GUSSET_VISIBILITY_SHOW: gusset_visibility = 1;
-/// To hidden, with all that is in the entry.
+/// Hides the entry with all its children.
 pub const GUSSET_VISIBILITY_HIDE: gusset_visibility = 2;
 
-/// The changes of an entry of a scene. All zeros: none.
+/// Changes of an entry. Default: none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_scene_changes {
-    /// sizeof(gusset_scene_changes), set by the caller.
+    /// sizeof(gusset_scene_changes).
     pub struct_size: usize,
-    /// The net that replaces the one of the entry, as it is now; NULL: it stays. The entry keeps its
-    /// index, its groups and its transform.
+    /// New net, as it is now; NULL: no change.
     pub net: *const gusset_net,
-    /// The place of the entry in the space of the groups that it is in, twelve finite numbers; NULL:
-    /// it stays.
+    /// New map into the space of its groups, finite; NULL: no change.
     pub transform: *const gusset_transform,
-    /// A change of the visibility of an entry.
+    /// Change of visibility.
     pub visibility: gusset_visibility,
     /// 0.
     pub reserved: u32,
@@ -209,15 +203,12 @@ pub struct gusset_scene_changes {
 
 versioned! { gusset_scene_changes: 32 reserved }
 
-/// Changes an entry: its net, its transform, its visibility.
+/// Changes the net, transform or visibility of an entry.
 ///
-/// On failure the entry is as it was.
-///
-/// @param entry its index.
-/// @param changes what changes.
-/// @errors UNKNOWN_VALUE (visibility), NO_SUCH_ELEMENT (with the entry (also for a net in place of
-///     a group)), OUT_OF_RANGE (the transform)
-/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @param entry the entry.
+/// @param changes the changes.
+/// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
+/// @complexity O(1); O(nodes) for a net in the caller's memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_entry(
@@ -243,10 +234,9 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
     })
 }
 
-/// What an entry is.
+/// Describes an entry.
 ///
-/// @param entry its index.
-/// @param report its struct_size set.
+/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -272,10 +262,10 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
     })
 }
 
-/// The net of an entry, as a handle that shares its memory until it is changed.
+/// Makes a handle of an entry's net. It shares memory until changed.
 ///
-/// @param entry its index.
-/// @errors NO_SUCH_ELEMENT (for a group)
+/// @param entry the entry.
+/// @errors NO_SUCH_ELEMENT (also for a group)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -288,13 +278,13 @@ pub unsafe extern "C" fn gusset_scene_net_create(
     create(context, net, "net", |_| Ok(gusset_net::of_shared(self::scene(scene)?.net(entry)?.clone())))
 }
 
-/// The entries in a group, in order.
+/// Writes the entries of a group, in order.
 ///
-/// @param group its index.
-/// @param children room for capacity indices, or NULL with capacity 0 to ask for their number.
-/// @param capacity see children.
-/// @param written receives it.
-/// @errors NO_SUCH_ELEMENT (for a net), BUFFER_TOO_SMALL
+/// @param group the group.
+/// @param children room for capacity entries; NULL and capacity 0 to count.
+/// @param capacity size of children.
+/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @errors NO_SUCH_ELEMENT (also for a net), BUFFER_TOO_SMALL
 /// @complexity O(children).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -313,10 +303,9 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     })
 }
 
-/// How much is in a scene.
+/// Counts the contents of a scene.
 ///
-/// @param report its struct_size set.
-/// @complexity O(entries + children), however many instances there are.
+/// @complexity O(entries + children).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_report(

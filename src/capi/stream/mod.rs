@@ -1,4 +1,4 @@
-//! Streams: Nets as bytes.
+//! Streams: Encodes nets as bytes, and decodes them.
 
 use crate::capi::context::{answer_struct, create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
@@ -12,83 +12,81 @@ use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_
 use std::ffi::c_void;
 use std::ptr;
 
-/// How a stream stores coordinates.
+/// Storage of coordinates in a stream.
 pub type gusset_stream_mode = u32;
-/// Rounded to some number of bits, and compressed.
+/// Compressed, rounded to a number of bits.
 pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
-/// Compressed, bit for bit, NaN too.
+/// Compressed bit for bit, including NaN.
 pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
-/// As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are
-/// mapped into memory.
+/// Uncompressed little-endian matrices, aligned to 64 bytes for memory mapping.
 pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 
-/// How a net is to be stored.
+/// Options of gusset_net_encode_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stream_options {
-    /// sizeof(gusset_stream_options), set by the caller.
+    /// sizeof(gusset_stream_options).
     pub struct_size: usize,
-    /// Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in
-    /// each, and for one block of all rows if the mode is RAW.
+    /// Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
     pub rows_per_block: usize,
-    /// How coordinates are stored.
+    /// Storage of coordinates in a stream.
     pub mode: gusset_stream_mode,
-    /// For QUANTISED, the bits of a coordinate, 8 to 24; 0 for 14. Else 0.
+    /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     pub bits: u32,
-    /// For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all
-    /// follows from the longest. Else 0.
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else
+    /// 0.
     pub per_axis: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// What the first bytes of a stream say.
+/// Header of a stream.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stream_report {
-    /// sizeof(gusset_stream_report), set by the caller.
+    /// sizeof(gusset_stream_report).
     pub struct_size: usize,
-    /// The rows of nodes.
+    /// Rows of nodes.
     pub rows: usize,
-    /// The columns of nodes.
+    /// Columns of nodes.
     pub columns: usize,
-    /// Rows in each block; the last one may have fewer.
+    /// Rows of each block; the last may have fewer.
     pub rows_per_block: usize,
-    /// The bytes before the first block.
+    /// Bytes before the first block.
     pub prelude_size: u64,
-    /// QUANTISED: the coordinates of level 0; a coordinate of level k is origin + k * step. Else 0.
+    /// QUANTISED: coordinates of level 0; level k is at origin + k * step. Else 0.
     pub origin: [f64; 3],
-    /// QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it
-    /// is rounded to its type, half a unit in its last place. Else 0.
+    /// QUANTISED: distance of levels. Coordinates are off by at most step / 2 and half a unit in
+    /// the last place. Else 0.
     pub step: [f64; 3],
-    /// The type of coordinates.
+    /// Type of coordinates.
     pub scalar: gusset_scalar,
-    /// How coordinates are stored.
+    /// Storage of coordinates in a stream.
     pub mode: gusset_stream_mode,
-    /// QUANTISED: the bits of a coordinate. Else 0.
+    /// QUANTISED: bits of a coordinate. Else 0.
     pub bits: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// The bytes of a stream. Opaque and immutable; may be used from many threads.
+/// Bytes of an encoded net.
 pub struct gusset_stream(Vec<u8>);
 
 handle! { gusset_stream }
 
-/// The bytes of a stream, lent: valid until gusset_stream_destroy.
+/// Bytes of a stream.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stream_view {
-    /// sizeof(gusset_stream_view), set by the caller.
+    /// sizeof(gusset_stream_view).
     pub struct_size: usize,
-    /// The first byte.
+    /// First byte.
     pub data: *const c_void,
-    /// The number of bytes.
+    /// Number of bytes.
     pub size: usize,
 }
 
-/// A stream that is decoded while it arrives. Opaque; used by one thread at a time.
+/// Decoder of a stream that arrives in pieces.
 pub struct gusset_stream_decoder(StreamDecoder);
 
 handle! { gusset_stream_decoder }
@@ -113,17 +111,14 @@ impl gusset_stream_options {
     }
 }
 
-/// Makes a stream of a net: its coordinates, what is glued to what, its bridges.
+/// Encodes a net as a stream: coordinates, gluing and bridges.
 ///
-/// QUANTISED and LOSSLESS do not store nodes that are glued to others; decoding gives them the same
-/// bits (LOSSLESS stores all if the net's differ). QUANTISED gives nodes with a coordinate that is
-/// NaN or infinite three NaN. Method: linear prediction with weights fitted to each block, and a
-/// range coder with adaptive models.
+/// - QUANTISED and LOSSLESS store one node of each glued point, and decoding repeats its bits.
+///   LOSSLESS stores all if their bits differ.
+/// - QUANTISED replaces missing nodes by three NaN.
 ///
-/// @param options NULL for 14 bits a coordinate.
-/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
-/// @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
-///     of them.
+/// @errors OUT_OF_RANGE (bits; for QUANTISED, a coordinate above a quarter of the largest double)
+/// @complexity O(nodes); threads share the blocks.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_encode_create(
@@ -154,7 +149,7 @@ pub unsafe extern "C" fn gusset_stream_get_view(
     })
 }
 
-/// Destroys a stream; NULL is allowed.
+/// Destroys a stream.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
     handle::destroy(stream);
@@ -162,9 +157,8 @@ pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
 
 /// Reads the header of a stream.
 ///
-/// @param data its first 128 bytes, or more.
-/// @param size how many there are.
-/// @param report its struct_size set.
+/// @param data the first 128 bytes or more.
+/// @param size number of bytes.
 /// @errors BAD_STREAM (with the byte)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -198,18 +192,16 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     })
 }
 
-/// Makes the net of a stream.
+/// Decodes a stream to a net.
 ///
-/// A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one
-/// of its size can need it: 4096 nodes a byte at most. That is little of a file of one's own, and may
-/// be much of a stranger's: 96 KiB a byte.
+/// Damaged and malicious streams do no harm. Memory is at most 4096 nodes, or 96 KiB, for each byte
+/// of the stream.
 ///
-/// @param data all its bytes, at any alignment.
-/// @param size how many.
-/// @param node_limit a net of more nodes is refused before memory is asked for; 0 for no other
-///     limit than that by the size.
+/// @param data the whole stream, at any alignment.
+/// @param size number of bytes.
+/// @param node_limit largest number of nodes, checked before allocation; 0: no further limit.
 /// @errors BAD_STREAM (with the byte), TOO_LARGE
-/// @complexity O(nodes), with blocks decoded by the context's threads.
+/// @complexity O(nodes); threads share the blocks.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decode_create(
@@ -226,10 +218,10 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     })
 }
 
-/// Begins to decode a stream that arrives in pieces.
+/// Makes a decoder of a stream that arrives in pieces.
 ///
-/// @param node_limit a net of more nodes is refused, as its memory is taken before all of the
-///     stream is there; 0 for no limit but the library's, 2^31 - 1.
+/// @param node_limit largest number of nodes; 0: 2^31 - 1. Memory is allocated before the stream is
+///     complete.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -244,16 +236,16 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     })
 }
 
-/// Gives a decoder the next bytes of its stream, any number of them.
+/// Passes the next bytes of a stream to a decoder.
 ///
-/// After a failure every call fails alike, but OUT_OF_MEMORY leaves the decoder as it was.
+/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and every further call
+/// returns it.
 ///
-/// @param data the bytes, at any alignment.
-/// @param size how many.
-/// @param rows_done receives how many rows are complete, those of all blocks so far; NULL if it is
-///     not wanted.
+/// @param data any number of bytes, at any alignment.
+/// @param size number of bytes.
+/// @param rows_done receives the number of complete rows so far; may be NULL.
 /// @errors BAD_STREAM (with the byte), TOO_LARGE
-/// @complexity O(bytes + nodes of the blocks that they complete).
+/// @complexity O(bytes + nodes of completed blocks).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_push(
@@ -272,10 +264,9 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     })
 }
 
-/// Makes the net of the rows that a decoder has so far, at least two: open on all sides, without
-/// gluing and bridges, for a preview.
+/// Makes a preview of the complete rows: a net without gluing and bridges.
 ///
-/// @errors NET_TOO_SMALL (if there are fewer rows)
+/// @errors NET_TOO_SMALL (fewer than two complete rows)
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -287,10 +278,9 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     create(context, net, "net", |job| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview(job)?)))
 }
 
-/// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing
-/// had been pushed.
+/// Makes the net of a complete stream, and resets the decoder.
 ///
-/// @errors BAD_STREAM (if the stream is not complete, what pushing failed with)
+/// @errors BAD_STREAM (incomplete stream), as gusset_stream_decoder_push
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -308,7 +298,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     })
 }
 
-/// Destroys a decoder; NULL is allowed.
+/// Destroys a decoder.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_decoder_destroy(decoder: *mut gusset_stream_decoder) {
     handle::destroy(decoder);

@@ -13,16 +13,15 @@ use gusset_base::alloc;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_cell {
-    /// The sheet.
+    /// Index of the sheet.
     pub sheet: u32,
-    /// The row of the cell.
+    /// Row of the cell.
     pub row: u32,
-    /// Its column.
+    /// Column of the cell.
     pub column: u32,
 }
 
-/// Cells of a surface, or pairs of cells of two surfaces. Opaque and immutable; it keeps nothing of
-/// the surfaces.
+/// Cells of a surface, or pairs of cells of two.
 pub struct gusset_surface_cells {
     cells: Vec<gusset_surface_cell>,
     others: Vec<gusset_surface_cell>,
@@ -33,46 +32,44 @@ pub struct gusset_surface_cells {
 
 handle! { gusset_surface_cells }
 
-/// The cells. Pointers are valid until the handle is destroyed.
+/// Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_cells_view {
-    /// sizeof(gusset_surface_cells_view), set by the caller.
+    /// sizeof(gusset_surface_cells_view).
     pub struct_size: usize,
-    /// The cells, rising by sheet, row, column. For pairs: the cell of the first surface, by the
-    /// sheets of both, then rising by row, column.
+    /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both
+    /// sheets, then row, column.
     pub cells: *const gusset_surface_cell,
-    /// How many cells or pairs.
+    /// Number of cells or pairs.
     pub cell_count: usize,
-    /// For pairs: the cell of the second surface; else NULL.
+    /// Cells of the second surface.
     pub others: *const gusset_surface_cell,
-    /// For a region, by cell: 1 if all of the cell is within the radius; else NULL.
+    /// By cell: 1 if all of it is within the radius.
     pub whole: *const u32,
-    /// For a region: a bit for each cell of all sheets, 1 for those of the region; else NULL. The bit
-    /// of cell (i, j) of sheet k, which has c columns, is b = first[k] + i * c + j: mask[b / 64] >>
-    /// (b % 64) & 1.
+    /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns
+    /// has bit b = first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
     pub mask: *const u64,
-    /// The number of words of the mask.
+    /// Words of the mask.
     pub word_count: usize,
-    /// For a region, by sheet: its first bit; then the number of bits. Else NULL.
+    /// First bit of each sheet, then the number of bits.
     pub first: *const u64,
-    /// For a region: the number of sheets; else 0.
+    /// Number of sheets.
     pub sheet_count: usize,
 }
 
 versioned! { gusset_surface_cells_view: 72 }
 fixed! { gusset_surface_cell: 12 }
 
-/// Finds the cells that have a point within a radius of a query: the paper's region, with its
-/// logical scale.
+/// Finds the cells that have a point within a radius of a query.
 ///
-/// @param query x, y, z, up to 1e150, at any alignment.
+/// No cell is missed. A returned cell may lie outside by the tolerance, or more if bounded work
+/// cannot decide.
+///
+/// @param query x, y, z, up to 1e150.
 /// @param radius at least 0; INFINITY: all cells.
-/// @param cells receives all cells that have such a point, and no others but such as come within
-///     the tolerance of the radius or could not be decided in bounded work; for
-///     gusset_surface_cells_destroy; NULL on failure.
 /// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
-/// @complexity O(cells found, and one bit a cell).
+/// @complexity O(cells found), and one bit a cell.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_region_create(
@@ -96,12 +93,13 @@ pub unsafe extern "C" fn gusset_surface_region_create(
     })
 }
 
-/// Finds the pairs of cells of two surfaces that may be as near to each other as `within`: all that
-/// are, and few others.
+/// Finds the pairs of cells of two surfaces that may be within a distance of each other.
+///
+/// No pair is missed; a few pairs may be farther apart.
 ///
 /// @param within a length, finite; 0: cells that may meet.
 /// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
-/// @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
+/// @complexity Proportional to the pairs and the index levels; 24 bytes a pair.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
@@ -124,9 +122,8 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
     })
 }
 
-/// Lends the cells until they are destroyed.
+/// Lends the cells.
 ///
-/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -147,7 +144,7 @@ pub unsafe extern "C" fn gusset_surface_cells_get_view(
     })
 }
 
-/// Frees cells; NULL is allowed.
+/// Frees cells.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_cells_destroy(cells: *mut gusset_surface_cells) {
     handle::destroy(cells);

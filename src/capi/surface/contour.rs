@@ -8,88 +8,83 @@ use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_
 use crate::surface::contour::{Planes, PointSpacing};
 use glam::DVec3;
 
-/// The points of a curve between those where it crosses the lines of the surface.
+/// Curve points between crossings with cell sides.
 pub type gusset_spacing_rule = u32;
-/// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
-/// box.
+/// Points on the surface that keep chords within 1e-4 of its box diagonal.
 pub const GUSSET_POINT_SPACING_AUTO: gusset_spacing_rule = 0;
-/// As many points of the surface as keep the chords within `chord`, as the middle and the quarters of
-/// the curve beside each show; where nodes are far apart for that length, it may be more elsewhere.
+/// Points on the surface that keep chords within `chord`, sampled at the middle and quarters of
+/// each. Where nodes are far apart, the distance may be larger.
 pub const GUSSET_POINT_SPACING_CHORD: gusset_spacing_rule = 1;
-/// Nothing.
+/// No points.
 pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_spacing_rule = 2;
-/// `points` points of the paper's approximation: on the cubic through four crossings. They are near
-/// the surface, not on it, and have the place of the crossing before them. Order four where
-/// crossings are evenly spaced.
+/// `points` points on the cubic through four crossings, near the surface. Each has the place of the
+/// crossing before it. Fourth order where crossings are evenly spaced.
 pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 
-/// How curves of a surface are given.
+/// Density of points on curves.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_contour_options {
-    /// sizeof(gusset_contour_options), set by the caller.
+    /// sizeof(gusset_contour_options).
     pub struct_size: usize,
-    /// With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the
-    /// tolerance of the surface. Otherwise not read.
+    /// With GUSSET_POINT_SPACING_CHORD: a length above 0, finite. Values below the surface's
+    /// tolerance act as the tolerance.
     pub chord: f64,
-    /// The points of a curve between those where it crosses the lines of the surface.
+    /// Curve points between crossings with cell sides.
     pub spacing: gusset_spacing_rule,
-    /// With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
+    /// With GUSSET_POINT_SPACING_LEUS: points between two crossings, at most 1000.
     pub points: u32,
 }
 
-/// The function on a surface whose contours are drawn.
+/// The function whose contours are drawn.
 pub type gusset_contour_kind = u32;
-/// The distance from the plane through `point` across `direction`, negative below it. Its contours
-/// are sections of the surface by parallel planes.
+/// Signed distance from the plane through `point` with the normal `direction`. Contours are
+/// sections by parallel planes.
 pub const GUSSET_CONTOUR_HEIGHT: gusset_contour_kind = 0;
-/// The values at the corners of the cells, interpolated as the surface is.
+/// Values at cell corners, interpolated like the surface.
 pub const GUSSET_CONTOUR_VALUES: gusset_contour_kind = 1;
-/// The angle between the normal and `direction`, in radians. Its contours are isophotes; at pi / 2
-/// they are the silhouettes of the surface seen along the direction.
+/// Angle between the normal and `direction`. Contours are isophotes; at pi / 2 they are silhouettes
+/// seen along `direction`.
 pub const GUSSET_CONTOUR_ANGLE: gusset_contour_kind = 2;
 
 /// A function on a surface. Only the fields of its kind are read.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_contour_function {
-    /// sizeof(gusset_contour_function), set by the caller.
+    /// sizeof(gusset_contour_function).
     pub struct_size: usize,
-    /// The function on a surface whose contours are drawn.
+    /// The function whose contours are drawn.
     pub kind: gusset_contour_kind,
-    /// For GUSSET_CONTOUR_ANGLE. 1: a normal and its opposite are the same.
+    /// For GUSSET_CONTOUR_ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
-    /// For GUSSET_CONTOUR_HEIGHT: x, y, z of a point where the height is 0.
+    /// For GUSSET_CONTOUR_HEIGHT: x, y, z of a point at height 0.
     pub point: [f64; 3],
-    /// For GUSSET_CONTOUR_HEIGHT and GUSSET_CONTOUR_ANGLE: x, y, z, of any length but 0.
+    /// For GUSSET_CONTOUR_HEIGHT and GUSSET_CONTOUR_ANGLE: x, y, z, not 0.
     pub direction: [f64; 3],
-    /// For GUSSET_CONTOUR_VALUES: finite numbers, at any alignment. Sheet follows sheet and row
-    /// follows row; each sheet has one more row and one more column than cells. The last line of a
-    /// closed direction repeats the first and is not read.
+    /// For GUSSET_CONTOUR_VALUES: finite, sheet after sheet, row after row; (rows + 1) x (columns +
+    /// 1) for each sheet. The closing line of a closed direction is not read.
     pub values: *const f64,
     /// The number of values.
     pub value_count: usize,
 }
 
-/// Where the angle of a normal is nearest to the one asked for.
+/// The normal whose angle is nearest to a given angle.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_nearest_angle_report {
-    /// sizeof(gusset_nearest_angle_report), set by the caller.
+    /// sizeof(gusset_nearest_angle_report).
     pub struct_size: usize,
-    /// Where it is.
+    /// Place of the normal.
     pub place: gusset_surface_place,
-    /// x, y, z.
+    /// x, y, z of the place.
     pub point: [f64; 3],
     /// The unit normal.
     pub normal: [f64; 3],
-    /// Its angle with the direction, in radians.
+    /// Angle between normal and direction.
     pub angle: f64,
-    /// How far this is from the angle asked for; infinite if the surface has no normal anywhere,
-    /// and all else is 0 then.
+    /// Difference from the given angle. Infinite, and all else 0, if the surface lacks normals.
     pub deviation: f64,
-    /// No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that
-    /// could not be proved.
+    /// Lower bound of all deviations, within 1e-9 of `deviation` unless the proof fails.
     pub bound: f64,
 }
 
@@ -106,35 +101,35 @@ pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> 
     })
 }
 
-/// Draws the contours of a function on a surface: sections by planes, contours of values at nodes,
-/// or isophotes. The curves come in the order of the levels and of their lowest cells.
+/// Draws contours of a function on a surface: sections by planes, contours of values, or isophotes.
 ///
-/// The function increases to the left of a curve, seen from where the normals point to; angles
-/// decrease to the left. A section runs along the cross product of the direction and the normal.
+/// Curves are ordered by level, then by lowest cell. Seen against the normals, the function
+/// increases to the left of a curve; angles decrease to the left. A section runs along direction x
+/// normal.
 ///
-/// Every curve is found, also one within a cell. On a closed surface all curves are closed. Curves
-/// no larger than the tolerance are listed as unresolved.
+/// Every curve is found, even within one cell. On a closed surface all curves are closed. Curves no
+/// larger than the tolerance are listed as unresolved.
 ///
-/// Sections: a corner on a plane counts as above it. So a plane that touches the surface in corners
-/// of cells from below, by its direction, gives no curve there and nothing unresolved. A plane that
-/// touches the surface from above gives closed curves round the contact, however narrow: along a row
-/// of corners, a curve there and back. If a plane touches or contains the surface elsewhere, so that
-/// curves cannot be told within rounding, the cells are listed as unresolved.
+/// Sections: a corner on a plane counts as above it.
+/// - A plane that touches corners from below gives neither a curve nor an unresolved cell.
+/// - A plane that touches from above gives closed curves round the contact, however narrow: along a
+///   row of corners, there and back.
+/// - If a plane touches or contains the surface elsewhere within rounding, the cells are
+///   unresolved.
 ///
-/// Isophotes: at the angles 0 and pi there are points in place of curves, each a path of one point.
-/// Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side
-/// between them. Poles that may have the angle are listed as unresolved. Angles are of order three,
-/// as normals are; contours of the cosines at the nodes are of order four.
+/// Isophotes:
+/// - At the angles 0 and pi, points replace curves, as paths of one point.
+/// - Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves follow the common
+///   side.
+/// - Poles that may have the angle are unresolved.
+/// - Angles are accurate to third order; GUSSET_CONTOUR_VALUES of their cosines, to fourth.
 ///
-/// @param function the function; struct_size set by the caller.
-/// @param levels count of them, rising, at any alignment: the values of the function on the curves.
-///     Angles are from 0 to pi, or to pi / 2 if normals are unsigned.
-/// @param count see levels.
-/// @errors OUT_OF_RANGE (numbers that are not finite, a direction of 0, levels that do not rise,
-///     angles, chord, points, if there are too few values), TOO_LARGE (if there are too many),
-///     NOT_FINITE (with the number of the value)
-/// @complexity About O(count + cells that are crossed); O(values) for values, and O(cells) once for
-///     angles, for the cones of normals; threads.
+/// @param levels rising values of the function; angles from 0 to pi, or to pi / 2 for unsigned
+///     normals.
+/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels not rising, angle, chord,
+///     points, too few values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
+/// @complexity About O(count + crossed cells), parallel; O(values) for values; O(cells) once for
+///     angles.
 /// @source Leus, "Carcasses on smooth surfaces", tasks b and d.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -168,16 +163,13 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     })
 }
 
-/// Finds the place whose normal makes the angle with a direction that is nearest to a given one,
-/// proved to 1e-9.
+/// Finds the normal whose angle with a direction is nearest to a given angle, proved to 1e-9.
 ///
-/// @param direction x, y, z, not 0, at any alignment.
-/// @param angle in radians, 0 to pi, or to pi / 2 if normals are unsigned.
-/// @param unsigned_normals 1: a normal and its opposite are the same; else 0.
-/// @param report struct_size set by the caller; all else is overwritten.
+/// @param direction x, y, z, not 0.
+/// @param angle 0 to pi, or to pi / 2 for unsigned normals.
+/// @param unsigned_normals 1: a normal and its opposite are equal.
 /// @errors OUT_OF_RANGE
-/// @complexity About O(cells that come near to the angle), and O(cells) once, for the cones of
-///     normals; threads.
+/// @complexity About O(cells whose normals come near the angle), parallel; O(cells) once.
 /// @source Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]

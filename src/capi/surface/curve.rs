@@ -1,4 +1,4 @@
-//! Curves and surfaces: Curves through points, along surfaces, and near each other.
+//! Curves and surfaces: Curves through points, along sheets, and near lines.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
@@ -10,25 +10,21 @@ use crate::capi::surface::line_intersection::{gusset_line, lines};
 use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
 use crate::surface::curve_through;
 
-/// The way in which a coordinate curve of a sheet runs.
+/// Direction of a coordinate curve of a sheet.
 pub type gusset_sheet_direction = u32;
-/// Along rows: u stays and v runs.
+/// Along rows: u is constant.
 pub const GUSSET_ALONG_ROWS: gusset_sheet_direction = 0;
-/// Along columns: v stays and u runs.
+/// Along columns: v is constant.
 pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 
-/// Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the
-/// next, of fourth order.
+/// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between
+/// adjacent points.
 ///
-/// @param nodes x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of
-///     which the last is the first one again: closed paths of a surface do not repeat it, and need
-///     it added.
-/// @param count see nodes.
-/// @param closed 0 or 1.
-/// @errors MISALIGNED_ARGUMENT (curve), NET_TOO_SMALL (with too few points), NOT_FINITE (with the
-///     node), CURVE_NOT_CLOSED, TOO_LARGE
+/// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first
+///     (closed paths of a surface lack it).
+/// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source Leus, "Carcasses on smooth surfaces": points are the surface of a curve.
+/// @source Leus, "Carcasses on smooth surfaces".
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through_create(
@@ -45,10 +41,9 @@ pub unsafe extern "C" fn gusset_curve_through_create(
     })
 }
 
-/// A coordinate curve of a sheet, exactly: a segment for each cell.
+/// Makes an exact coordinate curve of a sheet, one segment for each cell.
 ///
-/// @param along along rows u is the parameter, along columns v is.
-/// @param parameter 0 to the number of cells that way; whole numbers are lines of nodes.
+/// @param parameter the constant u or v, 0 to the number of cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)
 /// @complexity O(cells along the curve).
 #[unsafe(no_mangle)]
@@ -70,19 +65,16 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     })
 }
 
-/// Finds the places where a curve meets a line, ray or segment in space, or comes as near to it as
-/// `within`.
+/// Finds where a curve meets a line, ray or segment, or comes within a distance of it.
 ///
-/// If within is 0 and both lie in the plane z = 0, the places are crossings and touches. Otherwise they are
-/// the places where the distance is least, each once. The others among the places have segment 0, and the
-/// line's own parameter as t.
+/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches. Otherwise
+/// it has the minima of distance, each once. The other places have segment 0 and the line's
+/// parameter as t.
 ///
-/// @param line one, at any alignment.
-/// @param within a length, 0 or more and finite; in space at least 1e-12 of the curve's size is taken.
-/// @param places receives the result, for gusset_places_destroy; NULL on failure. Overlaps are
-///     parts that stay as near, and parts where no place can be told from the next.
+/// @param within a length, finite; in space raised to 1e-12 of the curve's size.
+/// @param places overlaps are parts that stay within the distance or cannot be separated.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
-/// @complexity Bounded work for each segment whose box meets the line.
+/// @complexity Bounded for each segment whose box meets the line.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_line_create(

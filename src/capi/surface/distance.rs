@@ -11,75 +11,74 @@ use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::surface::Approach;
 use glam::DVec3;
 
-/// The object from which a distance is measured.
+/// Kind of a target.
 pub type gusset_target_kind = u32;
 /// The line, ray or segment `line`.
 pub const GUSSET_TARGET_LINE: gusset_target_kind = 0;
-/// The plane through `point` across `normal`.
+/// The plane through `point` with the normal `normal`.
 pub const GUSSET_TARGET_PLANE: gusset_target_kind = 1;
-/// The curve in space `curve`.
+/// The curve `curve`.
 pub const GUSSET_TARGET_CURVE: gusset_target_kind = 2;
 /// The surface `surface`.
 pub const GUSSET_TARGET_SURFACE: gusset_target_kind = 3;
 
-/// An object in space. The function reads only the fields of its kind.
+/// An object from which distance is measured. Only the fields of its kind are read.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_target {
-    /// sizeof(gusset_target), set by the caller.
+    /// sizeof(gusset_target).
     pub struct_size: usize,
-    /// The object from which a distance is measured.
+    /// Kind of a target.
     pub kind: gusset_target_kind,
     /// 0.
     pub reserved: u32,
     /// For GUSSET_TARGET_LINE.
     pub line: gusset_line,
-    /// For GUSSET_TARGET_PLANE: x, y, z of a point of the plane, from -1e150 to 1e150.
+    /// For GUSSET_TARGET_PLANE: x, y, z, -1e150 to 1e150.
     pub point: [f64; 3],
-    /// For GUSSET_TARGET_PLANE: x, y, z across the plane, of any length but 0.
+    /// For GUSSET_TARGET_PLANE: x, y, z, not 0.
     pub normal: [f64; 3],
-    /// For GUSSET_TARGET_CURVE: a curve of any degrees; coordinates from -1e150 to 1e150.
+    /// For GUSSET_TARGET_CURVE: any degree; coordinates -1e150 to 1e150.
     pub curve: *const gusset_curve,
     /// For GUSSET_TARGET_SURFACE.
     pub surface: *const gusset_surface,
 }
 
-/// Bits of gusset_distance_report.
+/// Properties of a distance.
 /// @bits
 pub type gusset_distance_flags = u32;
-/// The distance is proved: bound is within the tolerance of it, or within 2^-45 of the greatest
-/// coordinate. Not set: the proof would take too long, as where much of the surface is equally near.
-/// `bound` is right nevertheless.
+/// `bound` is within the tolerance of the distance, or within 2^-45 of the greatest coordinate. Not
+/// set: the proof takes too long; `bound` still holds.
 pub const GUSSET_DISTANCE_PROVEN: gusset_distance_flags = 1;
-/// The two meet at the points, except for rounding, and the distance is 0.
+/// Surface and target meet at the points, except for rounding, and the distance is 0.
 pub const GUSSET_DISTANCE_MEETS: gusset_distance_flags = 2;
 
 /// The nearest points of a surface and a target.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_distance_report {
-    /// sizeof(gusset_distance_report), set by the caller.
+    /// sizeof(gusset_distance_report).
     pub struct_size: usize,
-    /// Where the nearest point of the surface is.
+    /// Place of the surface's nearest point.
     pub place: gusset_surface_place,
-    /// x, y, z of it.
+    /// x, y, z of the surface's nearest point.
     pub point: [f64; 3],
-    /// The unit normal there, or its limit at a pole; 0 where there is none.
+    /// Unit normal at `point`; at a pole its limit; 0 if undefined.
     pub normal: [f64; 3],
-    /// x, y, z of the nearest point of the target.
+    /// x, y, z of the target's nearest point.
     pub other_point: [f64; 3],
-    /// Their distance.
+    /// Distance of the points.
     pub distance: f64,
-    /// No points of the two are nearer to each other than this.
+    /// Proved lower bound of the distance.
     pub bound: f64,
-    /// For a surface: where its nearest point is; else 0.
+    /// For a surface: place of its nearest point; else 0.
     pub other_place: gusset_surface_place,
-    /// For a curve: where its nearest point is; else 0.
+    /// For a curve: place of its nearest point; else 0.
     pub curve_place: gusset_place,
-    /// For a line: its parameter at the nearest point. For a plane: the distance, negative if the
-    /// surface's point is not on the side that the normal points to. Else 0.
+    /// For a line: parameter of its nearest point. For a plane: signed distance, negative on the
+    /// side opposite to its normal. Else 0.
     pub parameter: f64,
-    /// Bits of gusset_distance_report.
+    /// Properties of a distance.
     pub flags: gusset_distance_flags,
     /// 0.
     pub reserved: u32,
@@ -110,20 +109,16 @@ impl gusset_distance_report {
 
 /// Finds the nearest points of a surface and a line, a plane, a curve or another surface.
 ///
-/// If several pairs of points are equally near, the result is always the same pair. Where much of
-/// the surface is equally near, as a tube is to its axis, the search ends without a proof and says
-/// so. Where a plane meets the surface, the result is a point of the section.
+/// Among equally near pairs of points, the choice is deterministic. If much of the surface is
+/// equally near, as a tube to its axis, the proof may fail. If a plane meets the surface, the
+/// points lie on the section.
 ///
-/// @param target the object; struct_size set by the caller.
-/// @param tolerance a length, to which the distance is proved, finite; 0: the tolerance of the
-///     surface, or the greater one of two surfaces.
-/// @param report struct_size set by the caller; all else is overwritten.
-/// @errors UNKNOWN_VALUE (kind, reserved), OUT_OF_RANGE (for a line that is not finite, has no
-///     direction or ends before it begins, for a plane that is not finite, too large or without a
-///     direction, for a curve that is too large, for the tolerance), EMPTY_CURVE
-/// @complexity About O(log cells), and at most 50,000 pairs of pieces.
-/// @source Ours; Leus, "Carcasses on smooth surfaces", tasks c to e, where there is no
-///     intersection.
+/// @param tolerance length to which the distance is proved, finite; 0: the surface's tolerance, or
+///     the greater of two.
+/// @errors OUT_OF_RANGE (tolerance; fields of `line`; a plane not finite, too large or without
+///     direction; a curve too large), EMPTY_CURVE
+/// @complexity About O(log cells), at most 50,000 pairs of pieces.
+/// @source Leus, "Carcasses on smooth surfaces", tasks c to e.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_distance(

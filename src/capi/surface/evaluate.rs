@@ -10,16 +10,16 @@ use crate::error::{Element, Error};
 use crate::surface::{LocalGeometry, NormalKind, Place};
 use gusset_base::alloc;
 
-/// The kind of a normal.
+/// Kind of a normal.
 pub type gusset_normal_kind = u32;
-/// There is no normal: the tangents are 0, or parallel all along the lines to the point.
+/// Undefined: the tangents are 0, or parallel along all lines to the point.
 pub const GUSSET_NORMAL_NONE: gusset_normal_kind = 0;
-/// The normal of the plane that the tangents span.
+/// Normal of the tangent plane.
 pub const GUSSET_NORMAL_REGULAR: gusset_normal_kind = 1;
-/// The limit along the coordinate line, where the tangents do not span a plane: at poles.
+/// Limit along the coordinate line where the tangents span no plane, as at poles.
 pub const GUSSET_NORMAL_LIMIT: gusset_normal_kind = 2;
 
-/// A point of a surface, with derivatives, normal and curvatures. Derivatives are by the parameters within the
+/// Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the
 /// cell.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -36,23 +36,23 @@ pub struct gusset_surface_point {
     pub uv: [f64; 3],
     /// S_vv.
     pub vv: [f64; 3],
-    /// The unit normal, to the side of S_u x S_v; 0 if there is none.
+    /// Unit normal along S_u x S_v; 0 if undefined.
     pub normal: [f64; 3],
-    /// For limits: the largest angle, in radians, to limits along other lines to the same point.
-    /// Small at the pole of a smooth surface, large at the tip of a cone, which has no normal.
+    /// For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth
+    /// pole, large at a cone's tip.
     pub spread: f64,
-    /// The principal curvatures, the greater first: positive where the surface bends towards the
+    /// Principal curvatures, the greater first; positive where the surface bends towards the
     /// normal.
     pub principal: [f64; 2],
-    /// Their directions: two unit tangents, x, y, z each.
+    /// Principal directions: two unit tangents, x, y, z each.
     pub directions: [f64; 6],
-    /// The mean curvature.
+    /// Mean curvature.
     pub mean: f64,
-    /// The Gaussian curvature.
+    /// Gaussian curvature.
     pub gaussian: f64,
-    /// The kind of a normal.
+    /// Kind of a normal.
     pub normal_kind: gusset_normal_kind,
-    /// 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+    /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
     pub is_curved: u32,
 }
 
@@ -97,14 +97,11 @@ pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) ->
     alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
 }
 
-/// Points, derivatives, normals and curvatures at places.
+/// Evaluates points, derivatives, normals and curvatures at places of a surface.
 ///
-/// @param places count of them, at any alignment.
-/// @param count see places.
-/// @param results room for count; all 0 on failure.
-/// @errors UNKNOWN_VALUE (reserved), NO_SUCH_ELEMENT (with the first place that the surface does
-///     not have: no such sheet or cell, parameters that are not 0 to 1)
-/// @complexity O(1) a place, at a pole O(cells round it); threads.
+/// @param results receives count points; all 0 after an error.
+/// @errors NO_SUCH_ELEMENT (place: sheet or cell does not exist, or a parameter is outside 0 to 1)
+/// @complexity O(1) a place, at a pole O(cells round it); parallel.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_evaluate(
@@ -124,17 +121,16 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     })
 }
 
-/// The places of parameters of a whole sheet: node (i, j) has u = i and v = j.
+/// Converts parameters of a whole sheet to places: node (i, j) has u = i and v = j.
 ///
-/// Closed directions are counted round; what is beyond an open side is on it. The other way the
-/// parameters of a place are row + u and column + v.
+/// Parameters wrap round in closed directions, and are clamped to open sides. A place has the
+/// parameters row + u and column + v.
 ///
-/// @param sheet its number, counted from 0.
-/// @param parameters u, v of each, packed, at any alignment.
-/// @param count see places.
-/// @param places room for count; all 0 on failure.
-/// @errors NO_SUCH_ELEMENT (with the first pair that is not finite, if there is no such sheet)
-/// @complexity O(1) each.
+/// @param sheet index.
+/// @param parameters u, v of each place, packed.
+/// @param places receives count places; all 0 after an error.
+/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if the sheet does not exist)
+/// @complexity O(1) a place.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_locate(

@@ -16,59 +16,59 @@ use gusset_base::alloc;
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_line {
-    /// x, y, z of the point where t is 0; from -1e150 to 1e150.
+    /// x, y, z of the point at t = 0; -1e150 to 1e150.
     pub origin: [f64; 3],
-    /// x, y, z of the direction; of a length whose square neither vanishes nor overflows, such as
-    /// any from 1e-150 to 1e150. t counts lengths of it.
+    /// x, y, z. Its squared length must not underflow or overflow: lengths from 1e-150 to 1e150 are
+    /// safe.
     pub direction: [f64; 3],
-    /// The least t: -INFINITY for lines, 0 for rays and segments; not INFINITY.
+    /// Least t: -INFINITY for a line, 0 for a ray or segment; not INFINITY.
     pub from: f64,
-    /// The greatest t: INFINITY for lines and rays; not below `from`, and not -INFINITY.
+    /// Greatest t: INFINITY for a line or ray; at least `from`, not -INFINITY.
     pub to: f64,
 }
 
-/// Which hits are wanted.
+/// The hits to return.
 pub type gusset_hit_selection = u32;
-/// All, in the order of the line.
+/// All hits, ordered along the line.
 pub const GUSSET_HITS_ALL: gusset_hit_selection = 0;
-/// The first one.
+/// The first hit.
 pub const GUSSET_HITS_FIRST: gusset_hit_selection = 1;
-/// Any one: whether there is one.
+/// Any one hit, if one exists.
 pub const GUSSET_HITS_ANY: gusset_hit_selection = 2;
 
-/// The kind of a hit.
+/// Kind of a hit.
 pub type gusset_hit_kind = u32;
-/// None.
+/// No hit.
 pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
-/// It passes through the surface: proved, except at poles, where the surface is not regular.
+/// It passes through the surface. Proved, except at poles.
 pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
-/// It touches the surface within the tolerance: one point, two close to each other, or none.
+/// It touches within the tolerance, in one point, two close points, or none.
 pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
-/// It runs in the surface, within the tolerance, all over the span.
+/// It runs in the surface, within the tolerance, over the whole span.
 pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 
-/// A point that a line or a curve and a surface have in common.
+/// A common point of a surface and a line or curve.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_hit {
-    /// Where on the line; of a curve the number of the segment and the parameter on it, added.
+    /// Parameter on the line; for a curve, segment number + parameter on the segment.
     pub t: f64,
-    /// From where to where it cannot be told from the surface, within the tolerance; t twice at
-    /// crossings.
+    /// Parameters between which line and surface agree within the tolerance; at a crossing, t
+    /// twice.
     pub span: [f64; 2],
-    /// Where on the surface.
+    /// Place on the surface.
     pub place: gusset_surface_place,
-    /// x, y, z of the point of the surface.
+    /// x, y, z on the surface.
     pub point: [f64; 3],
-    /// x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+    /// x, y, z of the unit normal; at a pole its limit; 0 if undefined.
     pub normal: [f64; 3],
-    /// The kind of a hit.
+    /// Kind of a hit.
     pub kind: gusset_hit_kind,
     /// 0.
     pub reserved: u32,
 }
 
-/// Where lines and a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+/// Hits of lines and a curve on a surface.
 pub struct gusset_surface_hits {
     ends: Vec<u64>,
     hits: Vec<gusset_surface_hit>,
@@ -77,25 +77,23 @@ pub struct gusset_surface_hits {
 
 handle! { gusset_surface_hits }
 
-/// The hits. Pointers are valid until the handle is destroyed.
+/// Lent hits.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_hits_view {
-    /// sizeof(gusset_surface_hits_view), set by the caller.
+    /// sizeof(gusset_surface_hits_view).
     pub struct_size: usize,
-    /// How many were asked about: the lines, and after them the curve, if there is one.
+    /// Number of queries: the lines, then the curve if given.
     pub query_count: usize,
-    /// How many hits there are in all.
+    /// Number of hits of all queries.
     pub hit_count: usize,
-    /// 0, then the end of each query's hits among all: query k has the hits from ends[k] until
-    /// ends[k + 1]. query_count + 1 numbers.
+    /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
     pub ends: *const u64,
-    /// The hits, query after query, each by rising t.
+    /// The hits, by rising t in each query.
     pub hits: *const gusset_surface_hit,
-    /// For each hit of the curve three places on the curve: the hit, and where its span begins and
-    /// ends. NULL without a curve.
+    /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
     pub on_curve: *const gusset_place,
-    /// The number of places on the curve.
+    /// Number of places on the curve.
     pub on_curve_count: usize,
 }
 
@@ -131,22 +129,17 @@ pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
 
 c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
 
-/// Finds where lines, rays, segments and a curve in space meet a surface; for each line what a call
-/// with it alone gives.
+/// Finds the hits of lines, rays, segments and a curve on a surface.
 ///
-/// A point on a side between cells, on one that sheets share, at a joint of the curve's segments, or
-/// at a pole is found once, and none is missed: where a line or the curve touches the surface or runs
-/// in it, a hit says from where to where.
+/// No hit is missed or repeated, also at cell sides, common sides of sheets, joints of the curve
+/// and poles. Each line has the same hits as in a call with that line alone.
 ///
-/// @param lines count of them, at any alignment; NULL for none.
-/// @param count see lines.
-/// @param curve of degree 7 at most; NULL for none. Its hits follow the hits of the lines, in the
-///     order of the curve.
-/// @errors OUT_OF_RANGE (with the line that is not finite, has no direction, ends before it begins,
-///     for a degree), EMPTY_CURVE
-/// @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in.
-///     About O(log cells) for each cell that the curve comes near to; bounded for each segment and
-///     cell that run in each other. Threads.
+/// @param lines NULL: none.
+/// @param curve of degree 7 at most; NULL: none.
+/// @errors OUT_OF_RANGE (a line that is not finite, has no direction, or ends before it begins;
+///     degree), EMPTY_CURVE
+/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each
+///     cell that a line or segment runs in. Parallel.
 /// @source Leus, "Carcasses on smooth surfaces", task c.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -180,15 +173,12 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
     })
 }
 
-/// Finds the first hit of each of many lines, rays or segments: the hit of least t, which
-/// gusset_surface_hits_create gives first.
+/// Finds the first hit, of least t, of each line, ray or segment.
 ///
-/// @param lines count of them, at any alignment.
-/// @param count see lines.
-/// @param hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where
-///     there is none, and everywhere on failure.
-/// @errors as gusset_surface_hits_create, MISALIGNED_ARGUMENT (hits)
-/// @complexity About O(log cells) a line; threads.
+/// @param hits receives count hits. Without a hit, or after an error, kind is GUSSET_HIT_NONE and
+///     all else 0.
+/// @errors as gusset_surface_hits_create
+/// @complexity About O(log cells) a line; parallel.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_first_hits(
@@ -210,9 +200,8 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     })
 }
 
-/// The hits, lent until they are destroyed.
+/// Lends the hits.
 ///
-/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -231,7 +220,7 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
     })
 }
 
-/// Frees hits; NULL is allowed.
+/// Frees hits.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_hits_destroy(hits: *mut gusset_surface_hits) {
     handle::destroy(hits);

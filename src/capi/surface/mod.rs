@@ -1,6 +1,7 @@
-//! Surfaces: Sheets with an index: smooth surfaces that answer queries.
+//! Surfaces: Smooth surfaces that answer queries from an index. Input arrays may have any
+//! alignment.
 //!
-//! @source Leus, "Carcasses on smooth surfaces"; the index and the proofs are our own.
+//! @source Leus, "Carcasses on smooth surfaces".
 
 pub mod cells;
 pub mod contour;
@@ -28,27 +29,24 @@ use crate::surface::{Contact, ContactKind, Paths, Place, Sheet, Surface};
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
-/// functions may use it from any thread, and many at the same time, each with a context of its own;
-/// it is destroyed when none uses it any more. It keeps what it needs of its sheets.
+/// A smooth surface of one or more sheets, indexed for queries. The sheets may be destroyed.
 pub struct gusset_surface(pub(crate) Surface<'static>, pub(crate) Vec<gusset_surface_sheet>);
 
 handle! { gusset_surface }
 
-/// A sheet of a surface.
+/// Size and numbering of a surface's sheet.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_sheet {
-    /// Cells in u: u runs from 0 to this. There is one more row of corners.
+    /// Rows of cells: u runs from 0 to rows. Corners have one row more.
     pub rows: usize,
-    /// Cells in v.
+    /// Columns of cells, in v.
     pub columns: usize,
-    /// The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
-    /// row after row. Cell (i, j) has the number first_cell + i * columns + j, which is its bit in
-    /// masks of gusset_surface_cells_view.
+    /// Number of cell (0, 0) among the cells of all sheets. Cell (i, j) has the number first_cell +
+    /// i * columns + j, which is its bit in masks of gusset_surface_cells_view.
     pub first_cell: u64,
-    /// The number of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1
-    /// each: where its values begin for GUSSET_CONTOUR_VALUES.
+    /// Number of corner (0, 0) among the corners of all sheets, (rows + 1) x (columns + 1) each:
+    /// offset of its values for GUSSET_CONTOUR_VALUES.
     pub first_node: u64,
     /// 1: closed in u.
     pub closed_u: u32,
@@ -60,40 +58,39 @@ pub struct gusset_surface_sheet {
 #[repr(C)]
 #[derive(Clone, Copy, Default, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_place {
-    /// The sheet, counted from 0 as they were given.
+    /// Index of the sheet.
     pub sheet: u32,
-    /// The row of the cell: between node rows row and row + 1.
+    /// Row of the cell, between node rows row and row + 1.
     pub row: u32,
-    /// Its column.
+    /// Column of the cell.
     pub column: u32,
     /// 0.
     pub reserved: u32,
-    /// The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
+    /// Parameter in the cell, 0 to 1; the sheet's parameter is row + u.
     pub u: f64,
-    /// The same from column to column.
+    /// Parameter in the cell, 0 to 1; the sheet's parameter is column + v.
     pub v: f64,
 }
 
 /// How two surfaces touch.
 pub type gusset_contact_kind = u32;
-/// Two surfaces touch in a point: all round it they are apart, or overlap by no more than the
-/// tolerance.
+/// They touch in a point. Round it they are apart, or overlap by at most the tolerance.
 pub const GUSSET_CONTACT_POINT: gusset_contact_kind = 1;
-/// Two branches of an intersection cross in a point, or pass it within the tolerance.
+/// Two branches of the intersection cross, or pass each other within the tolerance.
 pub const GUSSET_CONTACT_CROSSING: gusset_contact_kind = 2;
 
-/// A point where two surfaces touch, to the tolerance: their normals there are parallel.
+/// A point where two surfaces touch within the tolerance, with parallel normals.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_contact {
-    /// Where it is on the first surface.
+    /// Place on the first surface.
     pub place: gusset_surface_place,
-    /// Where it is on the second one.
+    /// Place on the second surface.
     pub other: gusset_surface_place,
-    /// A length: how far the first surface is above the second one, along the normal of the first.
+    /// Height of the first surface above the second, along the first's normal.
     pub gap: f64,
-    /// A length: near the contact, points of the one surface that are within the tolerance of the
-    /// other one are within this distance of it, but for those on branches that cross there.
+    /// Near the contact, points within the tolerance of the other surface lie within this distance,
+    /// except on crossing branches.
     pub radius: f64,
     /// How two surfaces touch.
     pub kind: gusset_contact_kind,
@@ -101,25 +98,23 @@ pub struct gusset_surface_contact {
     pub reserved: u32,
 }
 
-/// How a surface is built.
+/// Options of gusset_surface_create.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_surface_options {
-    /// sizeof(gusset_surface_options), set by the caller.
+    /// sizeof(gusset_surface_options).
     pub struct_size: usize,
-    /// A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
+    /// Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
     pub tolerance: f64,
-    /// 1: with the cones of normals that isophotes (GUSSET_CONTOUR_ANGLE) and
-    /// gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first such question
-    /// builds them.
+    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle,
+    /// about 0.7 bytes a node; 0: the first such query builds them.
     /// @flag
     pub cones: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it
-/// keeps nothing of the surface.
+/// Curves on a surface: sections, contours or intersections.
 pub struct gusset_surface_paths {
     ends: Vec<u32>,
     closed: Vec<u32>,
@@ -134,40 +129,38 @@ pub struct gusset_surface_paths {
 
 handle! { gusset_surface_paths }
 
-/// The curves. Pointers are valid until the handle is destroyed.
+/// Lent curves.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_paths_view {
-    /// sizeof(gusset_surface_paths_view), set by the caller.
+    /// sizeof(gusset_surface_paths_view).
     pub struct_size: usize,
-    /// How many curves.
+    /// Number of curves.
     pub path_count: usize,
-    /// How many points there are in all.
+    /// Number of points of all curves.
     pub point_count: usize,
-    /// 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k +
-    /// 1] - 1.
+    /// path_count + 1 offsets: curve k has the points ends[k] to ends[k + 1] - 1.
     pub ends: gusset_indices,
-    /// By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and
-    /// gusset_curve_through_create have it again at the end.)
+    /// By curve: 1 if closed. The first point is not repeated; append it for
+    /// gusset_curve_through_create.
     pub closed: *const u32,
-    /// By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
+    /// By curve: index of its plane, level or angle, or 0.
     pub levels: *const u32,
     /// x, y, z of each point, on the surface.
     pub points: *const f64,
-    /// The unit normals there, x, y, z of each; 0 where there is none.
+    /// Unit normals, x, y, z at each point; 0 where undefined.
     pub normals: *const f64,
-    /// Where the points are on the surface.
+    /// Places of the points.
     pub places: *const gusset_surface_place,
-    /// For intersections: where they are on the second; else NULL.
+    /// For intersections: places on the second surface; else NULL.
     pub others: *const gusset_surface_place,
-    /// Cells in which something may be that could not be resolved: tangency, coincidence, or pieces
-    /// smaller than the tolerance.
+    /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
     pub unresolved: *const gusset_surface_place,
-    /// How many.
+    /// Number of unresolved cells.
     pub unresolved_count: usize,
-    /// For intersections: points where they touch.
+    /// For intersections: points where the surfaces touch.
     pub contacts: *const gusset_surface_contact,
-    /// How many.
+    /// Number of contacts.
     pub contact_count: usize,
 }
 
@@ -235,18 +228,13 @@ fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
 }
 
-/// Builds the index of one sheet or several, which together are one surface.
+/// Makes a surface of sheets and builds its index.
 ///
-/// The greatest absolute coordinate of each is from 1e-30 to 1e37, or 0, control points included:
-/// boxes are in single precision.
+/// The greatest absolute coordinate of each sheet, control points included, is 0 or from 1e-30 to
+/// 1e37.
 ///
-/// @param sheets count handles, none NULL, the array at any alignment; they may be destroyed
-///     afterwards.
-/// @param count see sheets.
-/// @errors NULL_ARGUMENT (of a handle with its number, as GUSSET_ELEMENT_ITEM), EMPTY_MESH (without
-///     sheets), OUT_OF_RANGE (with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too
-///     large or too small, for the tolerance)
-/// @complexity O(nodes), about 7 bytes a node, and 0.7 with cones; threads.
+/// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance; coordinates of a sheet)
+/// @complexity O(nodes), parallel; about 7 bytes a node, and 0.7 for cones.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_create(
@@ -271,17 +259,14 @@ pub unsafe extern "C" fn gusset_surface_create(
     })
 }
 
-/// Frees a surface; NULL is allowed.
-///
-/// Results that were found with it stay.
+/// Frees a surface. Its results stay valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
     handle::destroy(surface);
 }
 
-/// The curves, lent until they are destroyed.
+/// Lends the curves.
 ///
-/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -307,7 +292,7 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
     })
 }
 
-/// Frees curves; NULL is allowed.
+/// Frees curves.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_paths_destroy(paths: *mut gusset_surface_paths) {
     handle::destroy(paths);

@@ -1,4 +1,4 @@
-//! Nearest points: Nearest points, local minima of the distance, regions of cells.
+//! Nearest points: Nearest points and local minima of the distance.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
@@ -11,55 +11,53 @@ use crate::surface::{Closest, Minima};
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Bits of gusset_surface_nearest_point.
+/// Properties of a nearest point.
 /// @bits
 pub type gusset_nearest_flags = u32;
-/// There is a point; else nothing is within the limit, all numbers are 0 and the distance is
-/// infinite.
+/// A point was found. Not set: no point is within the limit; distance and bound are infinite, all
+/// else is 0.
 pub const GUSSET_NEAREST_FOUND: gusset_nearest_flags = 1;
-/// The distance is proved: bound is within the tolerance of it, or within the rounding of
-/// coordinates. Not set: the proof would take too long, as it may next to a centre of curvature.
-/// `bound` is right nevertheless.
+/// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes
+/// too long, as near centres of curvature; `bound` still holds.
 pub const GUSSET_NEAREST_PROVEN: gusset_nearest_flags = 2;
-/// Another point, farther from this one than a hundredth of the distance, is as near within the
+/// Another point, farther from this one than 1/100 of the distance, is equally near within the
 /// tolerance.
 pub const GUSSET_NEAREST_AMBIGUOUS: gusset_nearest_flags = 4;
 
-/// A point of a surface that was found for a query.
+/// A surface point near a query.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_nearest_point {
-    /// Where it is on the surface.
+    /// Place on the surface.
     pub place: gusset_surface_place,
     /// x, y, z.
     pub point: [f64; 3],
-    /// The unit normal there, or its limit at a pole; 0 where there is none. The query is on its
-    /// side if (query - point) . normal > 0.
+    /// Unit normal; at a pole its limit; 0 if undefined. The query is on its side if (query -
+    /// point) . normal > 0.
     pub normal: [f64; 3],
-    /// The distance from the query.
+    /// Distance from the query.
     pub distance: f64,
-    /// No point of the surface is nearer than this; of minima: none of the piece of surface round
-    /// the point.
+    /// Lower bound of the distance from the surface; for minima, from the piece round the point.
     pub bound: f64,
-    /// Bits of gusset_surface_nearest_point.
+    /// Properties of a nearest point.
     pub flags: gusset_nearest_flags,
     /// 0.
     pub reserved: u32,
 }
 
-/// The points that are looked for.
+/// Limits of a search for near points.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_nearest_options {
-    /// sizeof(gusset_nearest_options), set by the caller.
+    /// sizeof(gusset_nearest_options).
     pub struct_size: usize,
-    /// No point farther than this is looked for; a length, at least 0; 0 or INFINITY: no limit.
+    /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     pub limit: f64,
-    /// For minima: the number of the nearest that are wanted; 0: all.
+    /// For minima: maximum number, the nearest first; 0: all.
     pub max_count: usize,
 }
 
-/// Points of a surface. Opaque and immutable; it keeps nothing of the surface.
+/// Points of a surface.
 pub struct gusset_surface_points {
     points: Vec<gusset_surface_nearest_point>,
     bound: f64,
@@ -68,20 +66,20 @@ pub struct gusset_surface_points {
 
 handle! { gusset_surface_points }
 
-/// The points that were found. Pointers are valid until the handle is destroyed.
+/// Lent points.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_points_view {
-    /// sizeof(gusset_surface_points_view), set by the caller.
+    /// sizeof(gusset_surface_points_view).
     pub struct_size: usize,
-    /// The points, the nearest first.
+    /// The points, nearest first.
     pub points: *const gusset_surface_nearest_point,
-    /// How many.
+    /// Number of points.
     pub count: usize,
-    /// None is missing that is nearer than this.
+    /// Distance below which no minimum is missing.
     pub bound: f64,
-    /// 1, or 0 if the search gave up at that distance, as it may where the distance is the same all
-    /// over the surface.
+    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the
+    /// surface.
     pub complete: u32,
     /// 0.
     pub reserved: u32,
@@ -118,23 +116,16 @@ impl gusset_nearest_options {
     }
 }
 
-/// The nearest points of a surface to queries, one or many.
+/// Finds the nearest point of a surface for each query.
 ///
-/// Each answer is the same to the bit whether it is asked for alone or among others, in any order,
-/// on any number of threads; of several nearest points it is that of the first sheet, row and
-/// column. Proofs are relative to the surface as declared: no point of it is nearer than
-/// bound.
+/// Among equally near points, the first by sheet, row and column is returned. Answers do not depend
+/// on other queries.
 ///
-/// @param queries x, y, z of each, packed, at any alignment.
-/// @param count see queries.
-/// @param options NULL for the defaults: no limit.
-/// @param points room for count answers, in the order of the queries; none is found on failure: no
-///     flags, and infinite distances.
-/// @errors TOO_LARGE, NOT_FINITE (with the query), OUT_OF_RANGE (limit; a query with a coordinate
-///     beyond 1e150)
-/// @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
-///     work; threads.
-/// @source Leus, "Carcasses on smooth surfaces", task a, by branch and bound.
+/// @param queries x, y, z of each, packed.
+/// @param points receives count answers in the order of the queries; after an error, none is found.
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
+/// @source Leus, "Carcasses on smooth surfaces", task a.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest(
@@ -158,20 +149,16 @@ pub unsafe extern "C" fn gusset_surface_nearest(
     })
 }
 
-/// The places where the distance from a query is locally least: all, those within a limit, or the
-/// nearest ones.
+/// Finds the local minima of the distance from a query.
 ///
-/// None is missed: where it cannot be proved whether there is one (the distance is the same all
-/// round, as at a focus), one point is given for all cells that touch, without
-/// GUSSET_NEAREST_PROVEN and with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places
-/// count from which no way on the surface leads nearer.
+/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells
+/// that touch there, GUSSET_NEAREST_AMBIGUOUS and not GUSSET_NEAREST_PROVEN. On borders and
+/// creases, no path on the surface from a minimum leads nearer.
 ///
-/// @param query x, y, z, up to 1e150, at any alignment.
-/// @param options NULL for the defaults: all.
-/// @param points receives the result, the nearest first, for gusset_surface_points_destroy; NULL on
-///     failure.
+/// @param query x, y, z, up to 1e150.
+/// @param points receives the minima, nearest first.
 /// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
-/// @complexity O(cells within the limit); with max_count, those no farther than the last.
+/// @complexity O(cells within the limit, or up to the last of max_count minima).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_minima_create(
@@ -191,9 +178,8 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
     })
 }
 
-/// The points, lent until they are destroyed.
+/// Lends the points.
 ///
-/// @param view struct_size set by the caller; all else is overwritten.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -208,7 +194,7 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
     })
 }
 
-/// Frees points; NULL is allowed.
+/// Frees points.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surface_points) {
     handle::destroy(points);

@@ -10,26 +10,25 @@ use crate::capi::surface::{gusset_surface, gusset_surface_sheet};
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_report {
-    /// sizeof(gusset_surface_report), set by the caller.
+    /// sizeof(gusset_surface_report).
     pub struct_size: usize,
-    /// How many sheets.
+    /// Number of sheets.
     pub sheet_count: usize,
-    /// How many cells, of all sheets.
+    /// Cells of all sheets.
     pub cell_count: usize,
-    /// How many corners of cells: of sheets from nodes, the nodes.
+    /// Corners of cells; for sheets from nodes, the nodes.
     pub node_count: usize,
-    /// Bytes of the index without the cones of normals; the nodes are not counted.
+    /// Bytes of the index, without nodes and cones of normals.
     pub index_bytes: usize,
-    /// The length to which answers are proved.
+    /// Length to which answers are proved.
     pub tolerance: f64,
-    /// A corner of a box round the surface and the control nets of its cells, which may be larger
-    /// than the surface: the least x, y, z.
+    /// Least x, y, z of a box round the surface and its control nets.
     pub low: [f64; 3],
-    /// The greatest.
+    /// Greatest x, y, z of the box.
     pub high: [f64; 3],
-    /// Bytes of the cones of normals; 0 as long as there are none: see gusset_surface_options.
+    /// Bytes of the cones of normals; 0 if not built (see gusset_surface_options).
     pub cone_bytes: usize,
-    /// The sheets, sheet_count of them, valid as long as the surface.
+    /// The sheets.
     pub sheets: *const gusset_surface_sheet,
 }
 
@@ -37,7 +36,6 @@ versioned! { gusset_surface_report: 96 }
 
 /// Reports on a surface and its sheets.
 ///
-/// @param report struct_size set by the caller; all else is overwritten.
 /// @complexity O(sheets).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,6 +1,6 @@
 //! Sheets: Smooth patches through a grid of nodes.
 //!
-//! @source Leus; the scheme of six taps is our own.
+//! @source Leus.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::points;
@@ -19,76 +19,72 @@ use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
-/// functions may use it from any thread, and many at the same time, each with a context of its own;
-/// it is destroyed when none uses it any more.
+/// A piece of surface: rows and columns of cells, each a Bézier patch. The handles that it was made
+/// from may be destroyed.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
 handle! { gusset_sheet }
 
-/// How the surface is drawn through nodes.
+/// Interpolation through nodes.
 pub type gusset_scheme = u32;
-/// Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the
-/// constant 1/384.
+/// Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
 pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
-/// The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant
-/// 3/128, tangents jump at nodes.
+/// Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump
+/// at nodes.
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
 
-/// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
+/// Source of the twists S_uv at nodes.
 pub type gusset_twists = u32;
-/// From differences of the tangents over five nodes: fourth order.
+/// Differences of tangents over five nodes: fourth order.
 pub const GUSSET_TWISTS_DIFFERENCES: gusset_twists = 0;
-/// Adini's: from the nodes next to each.
+/// Adini's twists, from adjacent nodes.
 pub const GUSSET_TWISTS_ADINI: gusset_twists = 1;
-/// None: flat spots at nodes.
+/// 0: flat spots at nodes.
 pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
-/// They are given.
+/// The given twists.
 pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
 
-/// Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
-/// bytes, one after the other. Normals are those of u (from row to row) and then v: opposite to
-/// those of a net of the same nodes.
+/// Nodes of a surface, x, y, z each. Node (i, j) is at nodes + i * row_stride + j * column_stride
+/// bytes. Normals point along S_u x S_v, u running from row to row: opposite to a net of the same
+/// nodes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_nodes {
-    /// sizeof(gusset_nodes), set by the caller.
+    /// sizeof(gusset_nodes).
     pub struct_size: usize,
     /// The first node.
     pub nodes: *const c_void,
-    /// The number of rows, at least 2; of a surface closed in u at least 4, of which the last
-    /// repeats the first.
+    /// Rows, at least 2. If closed in u: at least 4, and the last repeats the first.
     pub rows: usize,
-    /// The number of columns, the same for v. rows * columns is at most 2^31 - 1.
+    /// Columns, with the same limits in v. rows * columns is at most 2^31 - 1.
     pub columns: usize,
-    /// Bytes from row to row; 0 for rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
-    /// Bytes from node to node in a row; 0 for nodes without gaps.
+    /// Bytes from node to node in a row; 0: no gaps.
     pub column_stride: usize,
-    /// The type of coordinates.
+    /// Type of coordinates.
     pub scalar: gusset_scalar,
-    /// How the surface is drawn through nodes.
+    /// Interpolation through nodes.
     pub scheme: gusset_scheme,
-    /// 1: closed in u, along columns: the last row is the first one again.
+    /// 1: closed in u; the last row repeats the first.
     pub closed_u: u32,
-    /// 1: closed in v, along rows.
+    /// 1: closed in v; the last column repeats the first.
     pub closed_v: u32,
 }
 
-/// Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes:
-/// S_u is as long as the step from row to row.
+/// Tangents at nodes: x, y, z each, packed, row after row. The parameter step between nodes is 1.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_tangents {
-    /// sizeof(gusset_tangents), set by the caller.
+    /// sizeof(gusset_tangents).
     pub struct_size: usize,
-    /// S_u at each node: x, y, z; towards the next row.
+    /// S_u at each node, towards the next row.
     pub u: *const f64,
-    /// S_v at each node: towards the next column.
+    /// S_v at each node, towards the next column.
     pub v: *const f64,
-    /// For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
+    /// For GUSSET_TWISTS_GIVEN: S_uv at each node.
     pub twists: *const f64,
-    /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
+    /// Source of the twists S_uv at nodes.
     pub twist: gusset_twists,
     /// 0.
     pub reserved: u32,
@@ -184,28 +180,22 @@ fn with_tangents(
     Ok(Sheet::from_tangents(&Tangents { nodes, u: &u, v: &v, twists, closed }, job)?)
 }
 
-/// Makes a surface through nodes: through a copy of them, through the caller's own memory, or the
-/// bicubic Hermite surface with given tangents, which is C1.
+/// Makes a sheet through nodes, or the C1 bicubic Hermite surface with given tangents.
+///
+/// Repeated nodes and rows that are one point (poles) are allowed.
 ///
 /// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are
-/// destroyed. They are f64, aligned to 8 bytes, and their strides are multiples of 8.
+/// destroyed. They are f64, with address and strides that are multiples of 8.
 ///
-/// @param nodes at any alignment, unless borrowed; finite. Repeated nodes and rows that are one
-///     point (poles) are allowed. For a surface the greatest coordinate in absolute terms is from
-///     1e-30 to 1e37, or 0; so it is for every kind of sheet.
-/// @param tangents NULL: the scheme of the nodes draws the surface. Else rows x columns vectors
-///     each, at any alignment, and the scheme is not read. The vectors of the repeated line of a
-///     closed direction are not read as tangents, but must be there.
-/// @param borrow 1: the sheet reads the caller's memory; 0: it copies the nodes. With tangents the
-///     sheet keeps patches in place of nodes, either way.
-/// @errors MISALIGNED_ARGUMENT (the structs, sheet, borrowed nodes), NET_TOO_SMALL, TOO_LARGE,
-///     BAD_STRIDE (for borrowed nodes that are f32 or have strides that are not multiples of 8),
-///     UNKNOWN_VALUE (also twist, reserved, borrow), NOT_FINITE (with the node, of a node, a
-///     tangent or a twist), SIDES_DIFFER (if a closed direction does not end where it begins, with
-///     the place of the largest gap)
-/// @complexity O(nodes); 24 bytes a node, none if they are borrowed, and with tangents 384 bytes a
-///     cell.
-/// @source Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+/// @param nodes finite; at any alignment, unless borrowed.
+/// @param tangents NULL: the scheme of the nodes applies. Else rows x columns finite vectors in
+///     each array. A repeated closing line must exist, but its tangents are not used.
+/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents the sheet keeps only
+///     patches.
+/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or
+///     twist), SIDES_DIFFER (closed, but the ends differ; names the largest gap)
+/// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
+/// @source Leus, "Carcasses on smooth surfaces".
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(
@@ -232,9 +222,7 @@ pub unsafe extern "C" fn gusset_sheet_create(
     })
 }
 
-/// Frees a sheet; NULL is allowed.
-///
-/// Results that were made of it keep what they need.
+/// Frees a sheet. Results made of it stay valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
     handle::destroy(sheet);

@@ -1,5 +1,5 @@
-//! Other sheets: Sheets from tangents, nets of curves, frames, patches and B-splines, including
-//! rational ones (NURBS).
+//! Other sheets: Sheets from patches, B-splines (NURBS included), nets of curves, frames, and
+//! offsets.
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
@@ -16,86 +16,80 @@ use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Spli
 use crate::surface::{MAX_DEGREE, Patches, Sheet};
 use gusset_base::alloc;
 
-/// The surface that is made of a frame.
+/// How a surface is made from a frame.
 pub type gusset_frame_surface = u32;
-/// The surface through the nodes of a frame; the surface of its curves if some of them have corners,
-/// which would be rounded.
+/// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if a curve of the frame has corners.
 pub const GUSSET_FRAME_NODES: gusset_frame_surface = 0;
-/// Gordon's surface of the curves of a frame, which contains them.
+/// Gordon's surface, which contains all curves of the frame.
 pub const GUSSET_FRAME_CURVES: gusset_frame_surface = 1;
 
-/// A tensor-product B-spline, rational (NURBS) if it has weights that differ.
+/// A tensor-product B-spline, rational (NURBS) if its weights differ.
 ///
-/// Knots of an open direction: as many as control points and the degree and 1, not decreasing,
-/// finite, clamped or not; the surface is defined between knot degree and knot count. Of a closed
-/// one: one more than control points, one period; the control points are not repeated, and span k,
-/// from knot k to the next, is made by the control points k - degree to k, counted round. Inner
-/// knots may be repeated degree times.
-///
-/// The control points of a rational spline are points of space (Euclidean), not multiplied by their
-/// weights. A Bézier patch is the spline whose knots are 0 and 1, degree + 1 times each; patches
-/// that share sides and their weights are one spline with inner knots repeated degree times.
+/// Knots are finite and do not decrease. Inner knots may be repeated degree times.
+/// - Open direction: control points + degree + 1 knots, clamped or not. The surface is defined from
+///   knot degree to knot count.
+/// - Closed direction: control points + 1 knots, one period; control points are not repeated. Span
+///   k begins at knot k and uses the control points k - degree to k, counted cyclically.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_spline {
-    /// sizeof(gusset_spline), set by the caller.
+    /// sizeof(gusset_spline).
     pub struct_size: usize,
-    /// x, y, z of the control points, row after row, packed: rows follow each other in u.
+    /// x, y, z of the control points, not multiplied by weights, row after row; rows follow each
+    /// other in u.
     pub points: *const f64,
-    /// The number of rows of control points, more than degree_u.
+    /// Rows of control points, more than degree_u.
     pub count_u: usize,
-    /// The number of control points in a row, more than degree_v.
+    /// Control points in a row, more than degree_v.
     pub count_v: usize,
-    /// The knots of u.
+    /// Knots in u.
     pub knots_u: *const f64,
-    /// How many.
+    /// Number of knots.
     pub knot_count_u: usize,
-    /// The knots of v.
+    /// Knots in v.
     pub knots_v: *const f64,
-    /// How many.
+    /// Number of knots.
     pub knot_count_v: usize,
-    /// The degree in u, 1 to 7.
+    /// 1 to 7.
     pub degree_u: u32,
-    /// The degree in v, 1 to 7.
+    /// 1 to 7.
     pub degree_v: u32,
     /// 1: closed in u.
     pub closed_u: u32,
     /// 1: closed in v.
     pub closed_v: u32,
-    /// The weights of the control points, in their order, finite and above 0, none less than 2^-900
-    /// of the greatest; a factor common to all changes nothing. NULL: all are 1.
+    /// Weights of the control points, finite, above 0, at least 2^-900 of the greatest; NULL: all
+    /// equal.
     pub weights: *const f64,
-    /// How far the sheet may be from a rational spline at equal parameters, a length; no less than
-    /// rounding allows, some 1e-13 of the size. 0: 1e-12 of the diagonal of the control points' box,
-    /// or more where rounding asks for it, far from the origin.
+    /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13
+    /// of the size. 0: 1e-12 of the control points' box diagonal, or more where rounding requires
+    /// it.
     pub tolerance: f64,
-    /// The most cells that a rational spline may take; 0: 2^20.
+    /// Maximum number of cells of a rational spline; 0: 2^20.
     pub max_cells: usize,
 }
 
-/// A net of curves: each row meets each column, in the order in which they are given; curves may
-/// run either way.
+/// A net of curves: each row meets each column, in the given order. Curves may have either
+/// orientation.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_net {
-    /// sizeof(gusset_curve_net), set by the caller.
+    /// sizeof(gusset_curve_net).
     pub struct_size: usize,
-    /// Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one
-    /// point is a pole.
+    /// Curves in v, ordered by u, of degree 7 at most. A curve that is one point is a pole.
     pub rows: *const *const gusset_curve,
-    /// How many: 0, or at least 2, or 3 if closed_u.
+    /// 0, or at least 2, or 3 if closed_u. Without rows the surface is the skin of the columns.
     pub row_count: usize,
-    /// Curves in u, which follow each other in v.
+    /// Curves in u, ordered by v.
     pub columns: *const *const gusset_curve,
-    /// How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface
-    /// is the skin of the others.
+    /// 0, or at least 2, or 3 if closed_v. Without columns the surface is the skin of the rows.
     pub column_count: usize,
-    /// How far apart curves may be where they meet, a length, finite; both are moved to the middle.
-    /// 0: 1e-6 of the diagonal of their box.
+    /// Largest distance between two curves where they meet, finite; both move to the middle. 0:
+    /// 1e-6 of the curves' box diagonal.
     pub tolerance: f64,
-    /// 1: the columns are closed curves, and the last row is followed by the first.
+    /// 1: the columns are closed, and the first row follows the last.
     pub closed_u: u32,
-    /// 1: the rows are closed curves, and the last column is followed by the first.
+    /// 1: the rows are closed, and the first column follows the last.
     pub closed_v: u32,
 }
 
@@ -113,21 +107,18 @@ fn curves<'a>(
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 
-/// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their
-/// sides.
+/// Makes a sheet of Bézier patches in rows and columns.
 ///
-/// Repeated points and sides that are one point are allowed.
+/// Adjacent patches should share sides. Repeated points and poles are allowed.
 ///
-/// @param points x, y, z of the control points, packed, at any alignment: patch after patch, row
-///     after row of patches; in each patch degree_v + 1 points follow each other in v, degree_u + 1
-///     times.
+/// @param points x, y, z: patch after patch, row after row. In each patch of (degree_u + 1) x
+///     (degree_v + 1) points, v varies fastest.
 /// @param degree_u 1 to 7.
 /// @param degree_v 1 to 7.
 /// @param rows of patches, at least 1.
 /// @param columns of patches, at least 1.
-/// @errors MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH (without patches),
-///     TOO_LARGE, NOT_FINITE (with the control point (as a node))
-/// @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
+/// @errors OUT_OF_RANGE (degree), EMPTY_MESH (no patches), TOO_LARGE, NOT_FINITE
+/// @complexity O(points); 384 bytes a patch up to degree 3, otherwise 1536.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_patches_create(
@@ -155,25 +146,23 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     })
 }
 
-/// Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding:
-/// cells are its spans that are not empty, so that knots become the whole numbers of rows and
-/// columns.
+/// Makes a sheet of a B-spline. Cells are the non-empty spans, exact except for rounding.
 ///
-/// If weights differ, spans are cut further, whole rows and columns at a time, and the patch of each
-/// cell is the polynomial of degree 7 with the values and the first derivatives of the rational
-/// surface at corners, and its values at points between. It is proven, not sampled, that the sheet
-/// is within the tolerance of the rational surface at equal parameters: gusset_sheet_get_report has
-/// the bound, rounding included, and the knots of rows and columns, between which parameters run
-/// evenly. Tangents go on over sides where those of the rational surface do. Sides that are one
-/// point, as the poles of spheres, stay so to the bit.
+/// Rows and columns begin at the parameters 0, 1, 2, ... gusset_sheet_get_report returns the
+/// spline's parameters there, and the proved deviation.
 ///
-/// @param spline its arrays are at any alignment.
-/// @errors OUT_OF_RANGE (degree; tolerance; a weight, with its control point as a node),
-///     NET_TOO_SMALL (too few control points), BAD_KNOTS (with the first knot that is not finite,
-///     out of order or repeated too often, that begins a span too short to be cut where that is
-///     needed), TOO_LARGE (control points, cells), NOT_FINITE (with the control point (as a node))
-/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Of rational splines
-///     O(cells x degree^2), threads; 1536 bytes a cell, three times that while it is made.
+/// If weights differ:
+/// - Whole rows and columns of spans are subdivided into patches of degree 7 until the tolerance is
+///   proved.
+/// - Values and first derivatives at cell corners are exact.
+/// - Tangents are continuous across sides where the rational surface's are.
+/// - A side that is one point remains exactly one point.
+///
+/// @errors OUT_OF_RANGE (degree, tolerance, weight), NET_TOO_SMALL (too few control points),
+///     BAD_KNOTS (not finite, decreasing, repeated too often, or a span too short to subdivide),
+///     TOO_LARGE (control points, cells), NOT_FINITE
+/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, otherwise 1536. Rational:
+///     O(cells x degree^2), parallel; 1536 bytes a cell, three times that during the call.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_spline_create(
@@ -203,23 +192,20 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     })
 }
 
-/// Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two
-/// columns it is Coons's patch.
+/// Makes Gordon's surface of a net of curves, which contains all of them.
 ///
-/// Nodes are where each row and each column are nearest.
+/// Two rows and two columns give Coons's patch. Nodes are where each row and each column are
+/// nearest. If all rows have the same number of segments between two nodes, these are matched in
+/// order. Otherwise all rows are cut at each joint, which adds cells. Columns are treated alike.
 ///
-/// Between two nodes rows of equally many segments are matched segment by segment; else all of them
-/// are cut where any one has a joint: there may be more cells than meshes of the net. The surface
-/// is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
-/// (gusset_sheet_measure tells). Polylines, segments of degree 1, are kept with their creases; for a
-/// smooth surface draw curves through their points first, with gusset_outline_create.
+/// The surface is C1 where the curves are C1 over common knots without joints between nodes;
+/// elsewhere nearly C1 (see gusset_sheet_measure). Polylines keep their creases.
+/// gusset_outline_create draws smooth curves through points.
 ///
-/// @param net the curves may be destroyed afterwards; the arrays of handles are at any alignment.
-/// @errors NULL_ARGUMENT (with the item), NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree,
-///     tolerance), CURVE_NOT_CLOSED, CURVES_APART (with the row and the distance (the message has
-///     the column too), if they meet out of order), TOO_LARGE
-/// @complexity O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up
-///     to degree 3, else 1536.
+/// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
+///     CURVES_APART (names row and distance; also if curves meet out of order), TOO_LARGE
+/// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, otherwise
+///     1536.
 /// @source Gordon (1969).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -239,24 +225,21 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
     })
 }
 
-/// Makes the surface beside a sheet: through the corners of its cells, each moved along the normal,
-/// the derivative in u crossed with that in v.
+/// Makes a grid through the corners of a sheet's cells, each moved along its normal.
 ///
-/// Normals at the nodes of a grid are those of circles through neighbouring nodes, exact on planes,
-/// spheres, and round cylinders whose rulings and sections are lines of the grid; those of patches
-/// are their own.
-/// Places without a normal stay. The result is a grid, smooth between its nodes where a sheet of
-/// patches had creases.
+/// Normals point along S_u x S_v:
+/// - Grid: from circles through neighbouring nodes; exact on planes, spheres, and round cylinders
+///   whose rulings and sections are grid lines.
+/// - Patches: exact. The grid is smooth where patches had creases.
+/// - A corner without a normal stays.
 ///
-/// @param sheet may be destroyed afterwards.
-/// @param distances in the unit of the nodes, finite, of either sign.
-/// @param distance_count 1: all corners move by the same; the number of lines of corners along v,
-///     rows + 1 for rows of cells: each line by its own; (rows + 1) x (columns + 1): each corner by
-///     its own, row by row. A line that closes the sheet counts, and moves with the first one.
-/// @param deviation receives how far the result is, at most in the middles of the cells, from the
-///     place of this sheet there, moved along its normal by the mean distance of the corners; NULL
-///     if it is not wanted.
-/// @errors COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's or the corner's)
+/// @param distances lengths of either sign, finite.
+/// @param distance_count 1: one for all; rows + 1: one for each line of corners along v; (rows + 1)
+///     x (columns + 1): one for each corner, row by row. A closing line counts, but moves with the
+///     first.
+/// @param deviation receives the largest deviation at cell middles from the sheet moved along its
+///     normal by the corners' mean distance; or NULL.
+/// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance or corner)
 /// @complexity O(cells).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -284,9 +267,8 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
 
 /// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
 ///
-/// @param frame may be destroyed afterwards.
-/// @errors NET_TOO_SMALL (of curves OUT_OF_RANGE (a degree above 7)), CURVES_APART (if nodes repeat
-///     or are out of order along a curve), NOT_FINITE
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a curve's degree exceeds 7), CURVES_APART (nodes repeat or
+///     are out of order along a curve), NOT_FINITE
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]

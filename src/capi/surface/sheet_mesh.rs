@@ -11,39 +11,38 @@ use crate::capi::surface::sheet::gusset_sheet;
 use crate::surface::SurfaceMeshOptions;
 use gusset_base::alloc;
 
-/// How a sheet becomes a mesh. All zeros: quads, one a cell.
+/// Options of gusset_sheet_to_mesh. By default each cell becomes one quad.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_mesh_options {
-    /// sizeof(gusset_sheet_mesh_options), set by the caller.
+    /// sizeof(gusset_sheet_mesh_options).
     pub struct_size: usize,
-    /// How far triangles may be from the surface, a length more than 0; 0, or INFINITY: no demand.
+    /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     pub tolerance: f64,
-    /// The fewest parts of each cell in u; 0 stands for 1.
+    /// Minimum parts of each cell in u; 0: 1.
     pub min_u: u32,
-    /// The fewest parts of each cell in v; 0 stands for 1.
+    /// Minimum parts of each cell in v; 0: 1.
     pub min_v: u32,
-    /// 1: triangles only; 0: quads, and triangles at poles.
+    /// 1: triangles only; 0: quads, with triangles at poles.
     /// @flag
     pub triangles: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// What belongs to the mesh of a sheet. Pointers are valid until the result is destroyed.
+/// Places and normals of the mesh of a sheet.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_mesh_report {
-    /// sizeof(gusset_sheet_mesh_report), set by the caller.
+    /// sizeof(gusset_sheet_mesh_report).
     pub struct_size: usize,
-    /// The number of vertices.
+    /// Number of vertices.
     pub vertex_count: usize,
-    /// For each vertex its place; the sheet is 0.
+    /// Place of each vertex; its sheet is 0.
     pub places: *const gusset_surface_place,
-    /// For each vertex the unit normal: x, y, z; 0 where there is none.
+    /// Unit normal of each vertex: x, y, z; 0 if undefined.
     pub normals: *const f64,
-    /// A bound of the distance between the surface and the triangles, or either pair of triangles
-    /// of quads.
+    /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
     pub deviation: f64,
 }
 
@@ -59,13 +58,12 @@ impl gusset_sheet_mesh_options {
     }
 }
 
-/// Makes a mesh of points of a sheet.
+/// Makes a mesh of a sheet.
 ///
-/// Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit;
-/// seams of closed directions and poles are closed. Faces are counter-clockwise seen from where S_u
-/// x S_v points to. A mesh without faces is no failure.
+/// Cells of a row have the same number of parts in u, cells of a column in v. Seams and poles are
+/// closed. Faces are counter-clockwise seen from the side of S_u x S_v. The mesh may have no faces.
 ///
-/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more)
+/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
 /// @complexity O(cells + vertices).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -83,9 +81,9 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
     })
 }
 
-/// Lends places and normals of the vertices, for results of gusset_sheet_to_mesh.
+/// Lends places and normals of a result of gusset_sheet_to_mesh.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (result of another operation)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -14,15 +14,15 @@ use crate::surface::reference::{Diameters, curvature_bound};
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_report {
-    /// sizeof(gusset_sheet_report), set by the caller.
+    /// sizeof(gusset_sheet_report).
     pub struct_size: usize,
-    /// Cells in u: u runs from 0 to this.
+    /// Cells in u: u runs from 0 to rows.
     pub rows: usize,
-    /// Cells in v.
+    /// Cells in v: v runs from 0 to columns.
     pub columns: usize,
-    /// The degree of the patches in both directions as they are kept: 3 or 7.
+    /// Degree of the stored patches in both directions: 3 or 7.
     pub degree: u32,
-    /// 1: the nodes are kept and patches are made when they are needed; 0: the patches are kept.
+    /// 1: the sheet stores nodes; 0: it stores patches.
     pub is_grid: u32,
     /// 1: closed in u.
     pub closed_u: u32,
@@ -30,27 +30,24 @@ pub struct gusset_sheet_report {
     pub closed_v: u32,
     /// 1: the side u = 0 is one point, a pole.
     pub pole_u0: u32,
-    /// 1: the side u = rows is.
+    /// 1: the side u = rows is a pole.
     pub pole_u1: u32,
-    /// 1: the side v = 0 is.
+    /// 1: the side v = 0 is a pole.
     pub pole_v0: u32,
-    /// 1: the side v = columns is.
+    /// 1: the side v = columns is a pole.
     pub pole_v1: u32,
-    /// For a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
-    /// included; 0 of any other sheet.
+    /// Bound of the distance from a rational spline at equal parameters, rounding included; else 0.
     pub deviation: f64,
-    /// For a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
-    /// parameter runs evenly; NULL of any other sheet. Valid as long as the sheet.
+    /// For a spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
     pub knots_u: *const f64,
-    /// The knots of columns: columns + 1.
+    /// For a spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
     pub knots_v: *const f64,
 }
 
 versioned! { gusset_sheet_report: 56 }
 
-/// Reports what a sheet is.
+/// Reports the size and the properties of a sheet.
 ///
-/// @param report struct_size set by the caller; all else is overwritten.
 /// @complexity O(cells at the sides).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -86,7 +83,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
     })
 }
 
-/// The numbers of a whole sheet that are wanted.
+/// Fields of gusset_sheet_measures to compute.
 /// @bits
 pub type gusset_sheet_measure_flags = u32;
 /// `diameter` and `intrinsic_diameter`.
@@ -96,45 +93,42 @@ pub const GUSSET_SHEET_MEASURE_CURVATURE: gusset_sheet_measure_flags = 2;
 /// `crease`.
 pub const GUSSET_SHEET_MEASURE_CREASE: gusset_sheet_measure_flags = 4;
 
-/// Numbers of a whole sheet; 0 if they were not asked for.
+/// Measures of a whole sheet (see gusset_cell_arrays); 0 if not requested.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_measures {
-    /// sizeof(gusset_sheet_measures), set by the caller.
+    /// sizeof(gusset_sheet_measures).
     pub struct_size: usize,
-    /// The greatest of the diameters of cells, the paper's d: a bound of the distance between any two
-    /// points of a cell.
+    /// Greatest of `diameters`.
     pub diameter: f64,
-    /// The greatest of the intrinsic diameters of cells.
+    /// Greatest of `intrinsic_diameters`.
     pub intrinsic_diameter: f64,
-    /// A bound of the principal curvatures in absolute terms, from control nets: the paper's K.
-    /// Infinite where the surface is not regular, as at poles.
+    /// Bound of the absolute principal curvatures; infinite if the surface is not regular, as at
+    /// poles.
     pub curvature_bound: f64,
-    /// The largest angle between the normals on both sides of borders between cells, in radians: 0,
-    /// or rounding, where the surface is smooth.
+    /// Largest angle between normals across sides of cells; 0, or rounding, on a smooth surface.
     pub crease: f64,
 }
 
-/// Arrays that receive a number for each cell, row after row: number i * columns + j belongs to
-/// cell (i, j). NULL: the number is not computed.
+/// Arrays of one number for each cell; cell (i, j) has the index i * columns + j. NULL: not
+/// computed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_cell_arrays {
-    /// sizeof(gusset_cell_arrays), set by the caller.
+    /// sizeof(gusset_cell_arrays).
     pub struct_size: usize,
-    /// How many numbers each array has room for, at least the cells of the sheet.
+    /// Length of each array, at least the number of cells.
     pub capacity: usize,
-    /// Bounds of the distance between any two points of the cell, from its control net.
+    /// Bounds of the distance between any two points of a cell.
     pub diameters: *mut f64,
-    /// Bounds of the length of the shortest curve within the cell between any two of its points.
+    /// Bounds of the shortest curve within a cell between any two points.
     pub intrinsic_diameters: *mut f64,
-    /// Estimates of how far a surface through nodes is from the smooth one that they were taken
-    /// from, at equal parameters: C h^4 times the fourth derivatives, from differences of nodes. No
-    /// bound; infinite for fewer than 5 nodes in a direction; 0 if the patches were given.
+    /// Estimates, not bounds, of the distance from the smooth surface that the nodes sample, at
+    /// equal parameters. Infinite for fewer than 5 nodes in a direction; 0 for given patches.
     pub errors: *mut f64,
-    /// Bounds of how far the surface is from the bilinear patch through the cell's corners.
+    /// Bounds of the distance from the bilinear patch through a cell's corners.
     pub bilinear: *mut f64,
-    /// Bounds of how far the surface is from the two triangles that either diagonal makes.
+    /// Bounds of the distance from the two triangles of a cell, for either diagonal.
     pub triangles: *mut f64,
 }
 
@@ -157,18 +151,14 @@ fn buffer<'a>(
     input::results(pointer, needed, name).map(Some)
 }
 
-/// Measures a sheet and its cells: diameters, estimates and bounds of their error, curvature, creases.
-/// Computes only the numbers that are asked for.
+/// Measures a sheet and its cells.
 ///
-/// @param parts added: what measures receives; 0: everything.
-/// @param cells arrays of the caller that receive numbers by cell; NULL for none. Nothing is
-///     written to them on failure.
-/// @param measures struct_size set by the caller; all else is overwritten; NULL if only cells are
-///     wanted.
-/// @errors UNKNOWN_VALUE (parts), BUFFER_TOO_SMALL (the value is the number of cells)
-/// @complexity O(cells), 16 bytes a cell for each of diameters, errors and distances; threads; the
-///     same bits for any number of them.
-/// @source Leus, eqs. (1) and (7); the bounds are ours.
+/// @param parts fields of `measures` to compute; 0: all.
+/// @param cells NULL: none. After an error, the arrays are unchanged.
+/// @param measures NULL: none.
+/// @errors BUFFER_TOO_SMALL (value: number of cells)
+/// @complexity O(cells), parallel; 16 bytes a cell for each of diameters, errors and distances.
+/// @source Leus, eqs. (1) and (7).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_measure(

@@ -91,13 +91,9 @@ impl Style for Plain {
     }
 
     fn heading(&self, source: &Source) -> String {
-        let rule = "-".repeat(WIDTH - 6);
-        let text = format!("{} {}", source.comment.brief, source.comment.detail);
-        let lines: String = wrapped(text.trim(), "", WIDTH - 6).iter().fold(String::new(), |mut lines, line| {
-            let _ = write!(lines, "\n/* {line} */");
-            lines
-        });
-        format!("/* {rule} */{lines}")
+        let text = format!("---- {} {}", source.comment.brief, source.comment.detail);
+        let lines = wrapped(text.trim(), "", WIDTH - 6);
+        lines.iter().map(|line| format!("/* {line} */")).collect::<Vec<_>>().join("\n")
     }
 }
 
