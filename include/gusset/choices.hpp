@@ -6,31 +6,6 @@
 
 namespace gusset {
 
-/// Export format of a curve. See ::gusset_curve_format.
-enum class CurveFormat : uint32_t {
-    svg = GUSSET_CURVE_FORMAT_SVG,
-    contour = GUSSET_CURVE_FORMAT_CONTOUR,
-    spline = GUSSET_CURVE_FORMAT_SPLINE
-};
-
-/// Correspondence of points between sections. See ::gusset_correspondence_rule.
-enum class CorrespondenceRule : uint32_t {
-    given = GUSSET_CORRESPONDENCE_GIVEN,
-    arc_length = GUSSET_CORRESPONDENCE_ARC_LENGTH,
-    angle = GUSSET_CORRESPONDENCE_ANGLE,
-    landmarks = GUSSET_CORRESPONDENCE_LANDMARKS
-};
-
-/// Direction in which nodes move. See ::gusset_offset_direction.
-enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
-
-/// Spacing of samples. See ::gusset_sample_rule.
-enum class SampleRule : uint32_t {
-    count = GUSSET_SAMPLE_COUNT,
-    step = GUSSET_SAMPLE_STEP,
-    chord = GUSSET_SAMPLE_CHORD
-};
-
 /// Demand on a curve at a point. See ::gusset_constraint_kind.
 enum class ConstraintKind : uint32_t {
     tangent = GUSSET_CONSTRAINT_TANGENT,
@@ -117,130 +92,36 @@ enum class FitStatus : uint32_t {
     degree_too_high = GUSSET_FIT_DEGREE_TOO_HIGH
 };
 
+/// Spacing of samples. See ::gusset_sample_rule.
+enum class SampleRule : uint32_t {
+    count = GUSSET_SAMPLE_COUNT,
+    step = GUSSET_SAMPLE_STEP,
+    chord = GUSSET_SAMPLE_CHORD
+};
+
+/// Export format of a curve. See ::gusset_curve_format.
+enum class CurveFormat : uint32_t {
+    svg = GUSSET_CURVE_FORMAT_SVG,
+    contour = GUSSET_CURVE_FORMAT_CONTOUR,
+    spline = GUSSET_CURVE_FORMAT_SPLINE
+};
+
+/// Correspondence of points between sections. See ::gusset_correspondence_rule.
+enum class CorrespondenceRule : uint32_t {
+    given = GUSSET_CORRESPONDENCE_GIVEN,
+    arc_length = GUSSET_CORRESPONDENCE_ARC_LENGTH,
+    angle = GUSSET_CORRESPONDENCE_ANGLE,
+    landmarks = GUSSET_CORRESPONDENCE_LANDMARKS
+};
+
+/// Direction in which nodes move. See ::gusset_offset_direction.
+enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
+
 /// The type of coordinates. See ::gusset_scalar.
 enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
 
 /// The type of indices. See ::gusset_index.
 enum class Index : uint32_t { u32 = GUSSET_U32, u64 = GUSSET_U64 };
-
-/// The poses in which pieces begin. See ::gusset_alignment_start.
-enum class AlignmentStart : uint32_t {
-    as_given = GUSSET_ALIGN_AS_GIVEN,
-    principal_axes = GUSSET_ALIGN_PRINCIPAL_AXES,
-    rims = GUSSET_ALIGN_RIMS
-};
-
-/// Whether the pose of a piece can be trusted, and if not why. See ::gusset_aligned_reason.
-enum class AlignedReason : uint32_t {
-    trusted = GUSSET_ALIGNED_TRUSTED,
-    no_overlap = GUSSET_ALIGNED_NO_OVERLAP,
-    poor_fit = GUSSET_ALIGNED_POOR_FIT,
-    undetermined = GUSSET_ALIGNED_UNDETERMINED,
-    faces_other_way = GUSSET_ALIGNED_FACES_OTHER_WAY,
-    other_size = GUSSET_ALIGNED_OTHER_SIZE,
-    trusted_by_none = GUSSET_ALIGNED_TRUSTED_BY_NONE
-};
-
-/// Type of values. See ::gusset_value_type.
-enum class ValueType : uint32_t {
-    f32 = GUSSET_VALUE_F32,
-    f64 = GUSSET_VALUE_F64,
-    u8 = GUSSET_VALUE_U8,
-    u16 = GUSSET_VALUE_U16,
-    u32 = GUSSET_VALUE_U32
-};
-
-/// Rule that combines the values of several sources. See ::gusset_rule.
-enum class Rule : uint32_t {
-    linear = GUSSET_RULE_LINEAR,
-    normal = GUSSET_RULE_NORMAL,
-    skin_weights = GUSSET_RULE_SKIN_WEIGHTS,
-    nearest = GUSSET_RULE_NEAREST,
-    texture = GUSSET_RULE_TEXTURE
-};
-
-/// Treatment of edges with three or more faces. See ::gusset_non_manifold.
-enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
-
-/// Part of the mesh that is checked. See ::gusset_survey.
-enum class Survey : uint32_t { whole_mesh = GUSSET_SURVEY_WHOLE_MESH, boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY };
-
-/// Kind of a defect. See ::gusset_defect_kind.
-enum class DefectKind : uint32_t {
-    degenerate_face = GUSSET_DEFECT_DEGENERATE_FACE,
-    orientation_conflict = GUSSET_DEFECT_ORIENTATION_CONFLICT,
-    non_manifold_edge = GUSSET_DEFECT_NON_MANIFOLD_EDGE,
-    bow_tie = GUSSET_DEFECT_BOW_TIE
-};
-
-/// Distortion that a development minimises. See ::gusset_distortion.
-enum class Distortion : uint32_t {
-    symmetric = GUSSET_DISTORTION_SYMMETRIC,
-    rigid = GUSSET_DISTORTION_RIGID,
-    conformal = GUSSET_DISTORTION_CONFORMAL
-};
-
-/// Outcome of the layout of a chart. See ::gusset_chart_finish.
-enum class ChartFinish : uint32_t {
-    exact = GUSSET_CHART_EXACT,
-    converged = GUSSET_CHART_CONVERGED,
-    iteration_limit = GUSSET_CHART_ITERATION_LIMIT,
-    conformal = GUSSET_CHART_CONFORMAL,
-    not_conformal = GUSSET_CHART_NOT_CONFORMAL,
-    folded = GUSSET_CHART_FOLDED,
-    stalled = GUSSET_CHART_STALLED
-};
-
-/// Reason for a cut. See ::gusset_cut_kind.
-enum class CutKind : uint32_t { given = GUSSET_CUT_GIVEN, opening = GUSSET_CUT_OPENING, dart = GUSSET_CUT_DART };
-
-/// Loops that are not holes. See ::gusset_fill_keep.
-enum class FillKeep : uint32_t {
-    none = GUSSET_KEEP_NONE,
-    longest = GUSSET_KEEP_LONGEST,
-    borders = GUSSET_KEEP_BORDERS
-};
-
-/// Loops that share a patch. See ::gusset_fill_together.
-enum class FillTogether : uint32_t {
-    apart = GUSSET_TOGETHER_APART,
-    one = GUSSET_TOGETHER_ONE,
-    cheapest = GUSSET_TOGETHER_CHEAPEST
-};
-
-/// New vertices of patches. See ::gusset_fill_refinement.
-enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
-
-/// Smoothness between faired patches and the old surface. See ::gusset_fill_continuity.
-enum class FillContinuity : uint32_t { c1 = GUSSET_CONTINUITY_C1, c2 = GUSSET_CONTINUITY_C2 };
-
-/// Weight that the triangulation of a hole minimises. See ::gusset_fill_weight.
-enum class FillWeight : uint32_t {
-    continuation = GUSSET_WEIGHT_CONTINUATION,
-    area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
-    bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
-    area = GUSSET_WEIGHT_AREA
-};
-
-/// Vertices of a patch. See ::gusset_patch_finish.
-enum class PatchFinish : uint32_t {
-    plain = GUSSET_PATCH_PLAIN,
-    refined = GUSSET_PATCH_REFINED,
-    faired = GUSSET_PATCH_FAIRED
-};
-
-/// Outcome for one loop. See ::gusset_hole_status.
-enum class HoleStatus : uint32_t {
-    filled = GUSSET_HOLE_FILLED,
-    kept = GUSSET_HOLE_KEPT,
-    too_large = GUSSET_HOLE_TOO_LARGE,
-    open = GUSSET_HOLE_OPEN,
-    non_manifold = GUSSET_HOLE_NON_MANIFOLD,
-    not_oriented = GUSSET_HOLE_NOT_ORIENTED,
-    not_simple = GUSSET_HOLE_NOT_SIMPLE,
-    not_free = GUSSET_HOLE_NOT_FREE,
-    no_triangulation = GUSSET_HOLE_NO_TRIANGULATION
-};
 
 /// The treatment of coincident borders of pieces. See ::gusset_welding.
 enum class Welding : uint32_t {
@@ -275,13 +156,6 @@ enum class LeftReason : uint32_t {
     looks_away = GUSSET_LEFT_LOOKS_AWAY,
     taken = GUSSET_LEFT_TAKEN,
     excluded = GUSSET_LEFT_EXCLUDED
-};
-
-/// Kind of element. See ::gusset_domain.
-enum class Domain : uint32_t {
-    vertices = GUSSET_DOMAIN_VERTICES,
-    corners = GUSSET_DOMAIN_CORNERS,
-    faces = GUSSET_DOMAIN_FACES
 };
 
 /// The rule that chooses meridians. See ::gusset_meridians.
@@ -360,6 +234,54 @@ enum class Outward : uint32_t {
     closed = GUSSET_OUTWARD_CLOSED
 };
 
+/// Loops that are not holes. See ::gusset_fill_keep.
+enum class FillKeep : uint32_t {
+    none = GUSSET_KEEP_NONE,
+    longest = GUSSET_KEEP_LONGEST,
+    borders = GUSSET_KEEP_BORDERS
+};
+
+/// Loops that share a patch. See ::gusset_fill_together.
+enum class FillTogether : uint32_t {
+    apart = GUSSET_TOGETHER_APART,
+    one = GUSSET_TOGETHER_ONE,
+    cheapest = GUSSET_TOGETHER_CHEAPEST
+};
+
+/// New vertices of patches. See ::gusset_fill_refinement.
+enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
+
+/// Smoothness between faired patches and the old surface. See ::gusset_fill_continuity.
+enum class FillContinuity : uint32_t { c1 = GUSSET_CONTINUITY_C1, c2 = GUSSET_CONTINUITY_C2 };
+
+/// Weight that the triangulation of a hole minimises. See ::gusset_fill_weight.
+enum class FillWeight : uint32_t {
+    continuation = GUSSET_WEIGHT_CONTINUATION,
+    area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
+    bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
+    area = GUSSET_WEIGHT_AREA
+};
+
+/// Vertices of a patch. See ::gusset_patch_finish.
+enum class PatchFinish : uint32_t {
+    plain = GUSSET_PATCH_PLAIN,
+    refined = GUSSET_PATCH_REFINED,
+    faired = GUSSET_PATCH_FAIRED
+};
+
+/// Outcome for one loop. See ::gusset_hole_status.
+enum class HoleStatus : uint32_t {
+    filled = GUSSET_HOLE_FILLED,
+    kept = GUSSET_HOLE_KEPT,
+    too_large = GUSSET_HOLE_TOO_LARGE,
+    open = GUSSET_HOLE_OPEN,
+    non_manifold = GUSSET_HOLE_NON_MANIFOLD,
+    not_oriented = GUSSET_HOLE_NOT_ORIENTED,
+    not_simple = GUSSET_HOLE_NOT_SIMPLE,
+    not_free = GUSSET_HOLE_NOT_FREE,
+    no_triangulation = GUSSET_HOLE_NO_TRIANGULATION
+};
+
 /// Vertices that are welded. See ::gusset_weld_vertices.
 enum class WeldVertices : uint32_t { boundary = GUSSET_WELD_BOUNDARY, all = GUSSET_WELD_ALL };
 
@@ -369,64 +291,86 @@ enum class Collapse : uint32_t { never = GUSSET_COLLAPSE_NEVER, allow = GUSSET_C
 /// Treatment of vertices that no face uses. See ::gusset_unused.
 enum class Unused : uint32_t { keep = GUSSET_UNUSED_KEEP, remove = GUSSET_UNUSED_REMOVE };
 
+/// The poses in which pieces begin. See ::gusset_alignment_start.
+enum class AlignmentStart : uint32_t {
+    as_given = GUSSET_ALIGN_AS_GIVEN,
+    principal_axes = GUSSET_ALIGN_PRINCIPAL_AXES,
+    rims = GUSSET_ALIGN_RIMS
+};
+
+/// Whether the pose of a piece can be trusted, and if not why. See ::gusset_aligned_reason.
+enum class AlignedReason : uint32_t {
+    trusted = GUSSET_ALIGNED_TRUSTED,
+    no_overlap = GUSSET_ALIGNED_NO_OVERLAP,
+    poor_fit = GUSSET_ALIGNED_POOR_FIT,
+    undetermined = GUSSET_ALIGNED_UNDETERMINED,
+    faces_other_way = GUSSET_ALIGNED_FACES_OTHER_WAY,
+    other_size = GUSSET_ALIGNED_OTHER_SIZE,
+    trusted_by_none = GUSSET_ALIGNED_TRUSTED_BY_NONE
+};
+
+/// Treatment of edges with three or more faces. See ::gusset_non_manifold.
+enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
+
+/// Part of the mesh that is checked. See ::gusset_survey.
+enum class Survey : uint32_t { whole_mesh = GUSSET_SURVEY_WHOLE_MESH, boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY };
+
+/// Kind of a defect. See ::gusset_defect_kind.
+enum class DefectKind : uint32_t {
+    degenerate_face = GUSSET_DEFECT_DEGENERATE_FACE,
+    orientation_conflict = GUSSET_DEFECT_ORIENTATION_CONFLICT,
+    non_manifold_edge = GUSSET_DEFECT_NON_MANIFOLD_EDGE,
+    bow_tie = GUSSET_DEFECT_BOW_TIE
+};
+
+/// Distortion that a development minimises. See ::gusset_distortion.
+enum class Distortion : uint32_t {
+    symmetric = GUSSET_DISTORTION_SYMMETRIC,
+    rigid = GUSSET_DISTORTION_RIGID,
+    conformal = GUSSET_DISTORTION_CONFORMAL
+};
+
+/// Outcome of the layout of a chart. See ::gusset_chart_finish.
+enum class ChartFinish : uint32_t {
+    exact = GUSSET_CHART_EXACT,
+    converged = GUSSET_CHART_CONVERGED,
+    iteration_limit = GUSSET_CHART_ITERATION_LIMIT,
+    conformal = GUSSET_CHART_CONFORMAL,
+    not_conformal = GUSSET_CHART_NOT_CONFORMAL,
+    folded = GUSSET_CHART_FOLDED,
+    stalled = GUSSET_CHART_STALLED
+};
+
+/// Reason for a cut. See ::gusset_cut_kind.
+enum class CutKind : uint32_t { given = GUSSET_CUT_GIVEN, opening = GUSSET_CUT_OPENING, dart = GUSSET_CUT_DART };
+
+/// Kind of element. See ::gusset_domain.
+enum class Domain : uint32_t {
+    vertices = GUSSET_DOMAIN_VERTICES,
+    corners = GUSSET_DOMAIN_CORNERS,
+    faces = GUSSET_DOMAIN_FACES
+};
+
+/// Type of values. See ::gusset_value_type.
+enum class ValueType : uint32_t {
+    f32 = GUSSET_VALUE_F32,
+    f64 = GUSSET_VALUE_F64,
+    u8 = GUSSET_VALUE_U8,
+    u16 = GUSSET_VALUE_U16,
+    u32 = GUSSET_VALUE_U32
+};
+
+/// Rule that combines the values of several sources. See ::gusset_rule.
+enum class Rule : uint32_t {
+    linear = GUSSET_RULE_LINEAR,
+    normal = GUSSET_RULE_NORMAL,
+    skin_weights = GUSSET_RULE_SKIN_WEIGHTS,
+    nearest = GUSSET_RULE_NEAREST,
+    texture = GUSSET_RULE_TEXTURE
+};
+
 /// Memory of a net's coordinates. See ::gusset_net_memory.
 enum class NetMemory : uint32_t { copy = GUSSET_NET_MEMORY_COPY, borrow = GUSSET_NET_MEMORY_BORROW };
-
-/// Direction within a net. See ::gusset_direction.
-enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
-
-/// Rows or columns replicated to enlarge a net. See ::gusset_replication.
-enum class Replication : uint32_t {
-    uniform = GUSSET_REPLICATE_UNIFORM,
-    first = GUSSET_REPLICATE_FIRST,
-    last = GUSSET_REPLICATE_LAST,
-    at = GUSSET_REPLICATE_AT,
-    at_poles = GUSSET_REPLICATE_AT_POLES,
-    refuse = GUSSET_REPLICATE_REFUSE
-};
-
-/// Symmetry of the rectangle of nodes. See ::gusset_net_turn.
-enum class NetTurn : uint32_t {
-    none = GUSSET_NET_TURN_NONE,
-    quarter = GUSSET_NET_TURN_QUARTER,
-    half = GUSSET_NET_TURN_HALF,
-    three_quarters = GUSSET_NET_TURN_THREE_QUARTERS,
-    flip_columns = GUSSET_NET_TURN_FLIP_COLUMNS,
-    flip_rows = GUSSET_NET_TURN_FLIP_ROWS,
-    transpose = GUSSET_NET_TURN_TRANSPOSE,
-    antitranspose = GUSSET_NET_TURN_ANTITRANSPOSE
-};
-
-/// Element that has a local gluing. See ::gusset_gluing_place.
-enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
-
-/// Cells that count. See ::gusset_net_cells.
-enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
-
-/// Kind of a deformation field. See ::gusset_field_kind.
-enum class FieldKind : uint32_t {
-    affine = GUSSET_FIELD_AFFINE,
-    twist = GUSSET_FIELD_TWIST,
-    taper = GUSSET_FIELD_TAPER,
-    bend = GUSSET_FIELD_BEND,
-    shear = GUSSET_FIELD_SHEAR,
-    spherify = GUSSET_FIELD_SPHERIFY,
-    cylinder_wrap = GUSSET_FIELD_CYLINDER_WRAP,
-    torus_wrap = GUSSET_FIELD_TORUS_WRAP,
-    lattice = GUSSET_FIELD_LATTICE,
-    projection = GUSSET_FIELD_PROJECTION,
-    parallel = GUSSET_FIELD_PARALLEL,
-    perspective = GUSSET_FIELD_PERSPECTIVE,
-    cone_wrap = GUSSET_FIELD_CONE_WRAP,
-    sphere_wrap = GUSSET_FIELD_SPHERE_WRAP
-};
-
-/// Interpolation of strengths between two keys. See ::gusset_easing.
-enum class Easing : uint32_t {
-    linear = GUSSET_EASING_LINEAR,
-    smooth = GUSSET_EASING_SMOOTH,
-    hold = GUSSET_EASING_HOLD
-};
 
 /// Kind of a gluing. See ::gusset_gluing_kind.
 enum class GluingKind : uint32_t {
@@ -461,28 +405,8 @@ enum class GluingType : uint32_t {
     rising = GUSSET_TYPE_RISING
 };
 
-/// Treatment of the cells of a bridge. See ::gusset_bridge_mode.
-enum class BridgeMode : uint32_t { keep = GUSSET_BRIDGE_KEEP, hide = GUSSET_BRIDGE_HIDE, weld = GUSSET_BRIDGE_WELD };
-
-/// Form of a bridge. See ::gusset_bridge_kind.
-enum class BridgeKind : uint32_t {
-    ribbon = GUSSET_BRIDGE_RIBBON,
-    tube = GUSSET_BRIDGE_TUBE,
-    thread = GUSSET_BRIDGE_THREAD
-};
-
-/// Faces of a net's mesh. See ::gusset_net_faces.
-enum class NetFaces : uint32_t {
-    quads = GUSSET_NET_QUADS,
-    triangles_shorter = GUSSET_NET_TRIANGLES_SHORTER,
-    triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
-};
-
-/// Cells of a grid in a mesh. See ::gusset_grid_cells.
-enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
-
-/// Path of nodes from one net to another. See ::gusset_morph_path.
-enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
+/// Element that has a local gluing. See ::gusset_gluing_place.
+enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
 
 /// Standard shape, the measures that it reads, the least rows x columns. See ::gusset_net_shape.
 enum class NetShape : uint32_t {
@@ -510,12 +434,6 @@ enum class BoxKind : uint32_t {
     concentric = GUSSET_NET_BOX_CONCENTRIC
 };
 
-/// Interpolation of positions between nodes. See ::gusset_interpolation.
-enum class Interpolation : uint32_t {
-    bicubic = GUSSET_INTERPOLATION_BICUBIC,
-    bilinear = GUSSET_INTERPOLATION_BILINEAR
-};
-
 /// Coordinate axis. See ::gusset_axis.
 enum class Axis : uint32_t { x = GUSSET_AXIS_X, y = GUSSET_AXIS_Y, z = GUSSET_AXIS_Z };
 
@@ -529,6 +447,88 @@ enum class OperationKind : uint32_t {
     stretch = GUSSET_OPERATION_STRETCH,
     matrix = GUSSET_OPERATION_MATRIX
 };
+
+/// Kind of a deformation field. See ::gusset_field_kind.
+enum class FieldKind : uint32_t {
+    affine = GUSSET_FIELD_AFFINE,
+    twist = GUSSET_FIELD_TWIST,
+    taper = GUSSET_FIELD_TAPER,
+    bend = GUSSET_FIELD_BEND,
+    shear = GUSSET_FIELD_SHEAR,
+    spherify = GUSSET_FIELD_SPHERIFY,
+    cylinder_wrap = GUSSET_FIELD_CYLINDER_WRAP,
+    torus_wrap = GUSSET_FIELD_TORUS_WRAP,
+    lattice = GUSSET_FIELD_LATTICE,
+    projection = GUSSET_FIELD_PROJECTION,
+    parallel = GUSSET_FIELD_PARALLEL,
+    perspective = GUSSET_FIELD_PERSPECTIVE,
+    cone_wrap = GUSSET_FIELD_CONE_WRAP,
+    sphere_wrap = GUSSET_FIELD_SPHERE_WRAP
+};
+
+/// Interpolation of strengths between two keys. See ::gusset_easing.
+enum class Easing : uint32_t {
+    linear = GUSSET_EASING_LINEAR,
+    smooth = GUSSET_EASING_SMOOTH,
+    hold = GUSSET_EASING_HOLD
+};
+
+/// Faces of a net's mesh. See ::gusset_net_faces.
+enum class NetFaces : uint32_t {
+    quads = GUSSET_NET_QUADS,
+    triangles_shorter = GUSSET_NET_TRIANGLES_SHORTER,
+    triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
+};
+
+/// Cells of a grid in a mesh. See ::gusset_grid_cells.
+enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
+
+/// Direction within a net. See ::gusset_direction.
+enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
+
+/// Rows or columns replicated to enlarge a net. See ::gusset_replication.
+enum class Replication : uint32_t {
+    uniform = GUSSET_REPLICATE_UNIFORM,
+    first = GUSSET_REPLICATE_FIRST,
+    last = GUSSET_REPLICATE_LAST,
+    at = GUSSET_REPLICATE_AT,
+    at_poles = GUSSET_REPLICATE_AT_POLES,
+    refuse = GUSSET_REPLICATE_REFUSE
+};
+
+/// Symmetry of the rectangle of nodes. See ::gusset_net_turn.
+enum class NetTurn : uint32_t {
+    none = GUSSET_NET_TURN_NONE,
+    quarter = GUSSET_NET_TURN_QUARTER,
+    half = GUSSET_NET_TURN_HALF,
+    three_quarters = GUSSET_NET_TURN_THREE_QUARTERS,
+    flip_columns = GUSSET_NET_TURN_FLIP_COLUMNS,
+    flip_rows = GUSSET_NET_TURN_FLIP_ROWS,
+    transpose = GUSSET_NET_TURN_TRANSPOSE,
+    antitranspose = GUSSET_NET_TURN_ANTITRANSPOSE
+};
+
+/// Interpolation of positions between nodes. See ::gusset_interpolation.
+enum class Interpolation : uint32_t {
+    bicubic = GUSSET_INTERPOLATION_BICUBIC,
+    bilinear = GUSSET_INTERPOLATION_BILINEAR
+};
+
+/// Treatment of the cells of a bridge. See ::gusset_bridge_mode.
+enum class BridgeMode : uint32_t { keep = GUSSET_BRIDGE_KEEP, hide = GUSSET_BRIDGE_HIDE, weld = GUSSET_BRIDGE_WELD };
+
+/// Form of a bridge. See ::gusset_bridge_kind.
+enum class BridgeKind : uint32_t {
+    ribbon = GUSSET_BRIDGE_RIBBON,
+    tube = GUSSET_BRIDGE_TUBE,
+    thread = GUSSET_BRIDGE_THREAD
+};
+
+/// Cells that count. See ::gusset_net_cells.
+enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
+
+/// Path of nodes from one net to another. See ::gusset_morph_path.
+enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
 
 /// Kind of a finding. See ::gusset_net_finding_kind.
 enum class NetFindingKind : uint32_t {
@@ -604,30 +604,15 @@ enum class StreamMode : uint32_t {
 /// How two surfaces touch. See ::gusset_contact_kind.
 enum class ContactKind : uint32_t { point = GUSSET_CONTACT_POINT, crossing = GUSSET_CONTACT_CROSSING };
 
-/// Curve points between crossings with cell sides. See ::gusset_spacing_rule.
-enum class SpacingRule : uint32_t {
-    automatic = GUSSET_POINT_SPACING_AUTO,
-    chord = GUSSET_POINT_SPACING_CHORD,
-    cell_edges = GUSSET_POINT_SPACING_CELL_EDGES,
-    leus = GUSSET_POINT_SPACING_LEUS
-};
+/// Interpolation through nodes. See ::gusset_scheme.
+enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
 
-/// The function whose contours are drawn. See ::gusset_contour_kind.
-enum class ContourKind : uint32_t {
-    height = GUSSET_CONTOUR_HEIGHT,
-    values = GUSSET_CONTOUR_VALUES,
-    angle = GUSSET_CONTOUR_ANGLE
-};
-
-/// Direction of a coordinate curve of a sheet. See ::gusset_sheet_direction.
-enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
-
-/// Kind of a target. See ::gusset_target_kind.
-enum class TargetKind : uint32_t {
-    line = GUSSET_TARGET_LINE,
-    plane = GUSSET_TARGET_PLANE,
-    curve = GUSSET_TARGET_CURVE,
-    surface = GUSSET_TARGET_SURFACE
+/// Source of the twists S_uv at nodes. See ::gusset_twists.
+enum class Twists : uint32_t {
+    differences = GUSSET_TWISTS_DIFFERENCES,
+    adini = GUSSET_TWISTS_ADINI,
+    zero = GUSSET_TWISTS_ZERO,
+    given = GUSSET_TWISTS_GIVEN
 };
 
 /// Kind of a normal. See ::gusset_normal_kind.
@@ -648,19 +633,34 @@ enum class HitKind : uint32_t {
     inside = GUSSET_HIT_INSIDE
 };
 
-/// Interpolation through nodes. See ::gusset_scheme.
-enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
+/// Curve points between crossings with cell sides. See ::gusset_spacing_rule.
+enum class SpacingRule : uint32_t {
+    automatic = GUSSET_POINT_SPACING_AUTO,
+    chord = GUSSET_POINT_SPACING_CHORD,
+    cell_edges = GUSSET_POINT_SPACING_CELL_EDGES,
+    leus = GUSSET_POINT_SPACING_LEUS
+};
 
-/// Source of the twists S_uv at nodes. See ::gusset_twists.
-enum class Twists : uint32_t {
-    differences = GUSSET_TWISTS_DIFFERENCES,
-    adini = GUSSET_TWISTS_ADINI,
-    zero = GUSSET_TWISTS_ZERO,
-    given = GUSSET_TWISTS_GIVEN
+/// The function whose contours are drawn. See ::gusset_contour_kind.
+enum class ContourKind : uint32_t {
+    height = GUSSET_CONTOUR_HEIGHT,
+    values = GUSSET_CONTOUR_VALUES,
+    angle = GUSSET_CONTOUR_ANGLE
+};
+
+/// Kind of a target. See ::gusset_target_kind.
+enum class TargetKind : uint32_t {
+    line = GUSSET_TARGET_LINE,
+    plane = GUSSET_TARGET_PLANE,
+    curve = GUSSET_TARGET_CURVE,
+    surface = GUSSET_TARGET_SURFACE
 };
 
 /// How a surface is made from a frame. See ::gusset_frame_surface.
 enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET_FRAME_CURVES };
+
+/// Direction of a coordinate curve of a sheet. See ::gusset_sheet_direction.
+enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
 
 } // namespace gusset
 

@@ -60,455 +60,6 @@ GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
     struct gusset_curve_view *view);
 
-/* ---- Curves from curves: Parts, other degrees, offsets. */
-
-/// Options of gusset_curve_offset_create.
-typedef struct gusset_offset_options {
-    size_t struct_size;
-    /// Wanted deviation, above 0.
-    double tolerance;
-    /// No segment is halved at this number of segments; 0: 65536.
-    size_t max_segments;
-    /// Degree of segments, 2 or 3; 0: 3.
-    uint32_t degree;
-    uint32_t reserved;
-} gusset_offset_options;
-
-/// Accuracy of an offset.
-typedef struct gusset_offset_report {
-    size_t struct_size;
-    /// Largest distance from the true offset, sampled at 16 places in each segment.
-    double deviation;
-    /// Corners of the original, bridged by straight segments.
-    size_t corners;
-    /// 1: the deviation is within the tolerance.
-    uint32_t reached;
-    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards there.
-    uint32_t tight;
-} gusset_offset_report;
-
-/// Cuts an open part out of a curve.
-/// On a closed curve the part may pass the start, and goes round once if from equals to. A curve of n segments ends at
-/// segment n - 1, t = 1.
-/// @errors NO_SUCH_ELEMENT (0: from, 1: to), OUT_OF_RANGE (to precedes from on an open curve), TOO_LARGE
-/// @complexity O(points).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_part_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, struct gusset_place from, struct gusset_place to, struct gusset_curve **part);
-
-/// Reverses a curve.
-/// @complexity O(points).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, struct gusset_curve **reversed);
-
-/// Raises and lowers the degrees of a curve's segments.
-/// Raising is exact. Lowering is a least-squares fit with fixed ends.
-/// @param lowest least degree, 1 to 64.
-/// @param highest greatest degree, lowest to 64.
-/// @param tolerance a segment with a greater deviation is not lowered; at least 0, or INFINITY.
-/// @param deviations receives a bound of each segment's deviation; for a segment not lowered, the deviation that
-///     lowering would cause. May be NULL.
-/// @errors OUT_OF_RANGE (degree, tolerance), TOO_LARGE
-/// @complexity O(degree) a new control point of raised segments, O(degree^3) a lowered segment.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_change_degree_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, uint32_t lowest, uint32_t highest, double tolerance, double *deviations,
-    struct gusset_curve **changed);
-
-/// Fits the offset of a plane curve by segments with common tangents.
-/// Self-intersections are not removed.
-/// @param distance to the left, or to the right if negative; finite.
-/// @param options required; its tolerance must be set.
-/// @param report may be NULL.
-/// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE
-/// @complexity O(degree) a measured place.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_offset_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, double distance, const struct gusset_offset_options *options,
-    struct gusset_offset_report *report, struct gusset_curve **offset);
-
-/* ---- Curves in other forms: SVG paths, TrueType contours, B-splines. */
-
-/// Export format of a curve.
-typedef uint32_t gusset_curve_format;
-/// SVG path data (M, L, Q, C, Z), for plane curves up to degree 3. Numbers are exact; y is not flipped.
-#define GUSSET_CURVE_FORMAT_SVG 0
-/// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the middle between two
-/// of them.
-#define GUSSET_CURVE_FORMAT_CONTOUR 1
-/// Clamped B-spline, for curves of one degree n. A joint with one tangent becomes a knot of multiplicity n - 1 without
-/// a control point.
-#define GUSSET_CURVE_FORMAT_SPLINE 2
-
-/// An exported curve.
-typedef struct gusset_curve_form gusset_curve_form;
-
-/// Lent parts of an exported curve; parts of other formats are empty.
-typedef struct gusset_curve_form_view {
-    size_t struct_size;
-    /// SVG path, zero-terminated.
-    const char *text;
-    /// Length without the final 0.
-    size_t text_length;
-    /// x, y, z of contour points or control points of a spline.
-    const double *points;
-    /// Number of points.
-    size_t point_count;
-    /// Contour: 1 for a point on the curve, 0 for a point off it.
-    const uint8_t *on_curve;
-    /// Spline: point_count + degree + 1 knots.
-    const double *knots;
-    /// Number of knots.
-    size_t knot_count;
-    /// Spline: degree.
-    size_t degree;
-} gusset_curve_form_view;
-
-/// Exports a curve.
-/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint is omitted, at least
-///     0. Rounding is always allowed.
-/// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG), OUT_OF_RANGE
-///     (tolerance; degree, see gusset_curve_change_degree_create)
-/// @complexity O(points).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_export_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, gusset_curve_format format, double tolerance, struct gusset_curve_form **form);
-
-/// Frees an exported curve.
-GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
-
-/// Lends the parts.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
-    struct gusset_curve_form_view *view);
-
-/* ---- Frames: Curves across and along a body, through a common grid of nodes. */
-
-/// Correspondence of points between sections.
-typedef uint32_t gusset_correspondence_rule;
-/// By index; all sections have the same number of points.
-#define GUSSET_CORRESPONDENCE_GIVEN 0
-/// Equal arc lengths of each section, or between corners common to all. Closed sections start where the twist is least,
-/// and are reversed if oriented opposite to the first. Open sections run from first to last point.
-#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
-/// Half-planes at equal angles round the axis, straight or bent; the farthest of several crossings.
-#define GUSSET_CORRESPONDENCE_ANGLE 2
-/// Landmarks of each section, and equal arc lengths between them.
-#define GUSSET_CORRESPONDENCE_LANDMARKS 3
-
-/// A grid of nodes on a body, with a curve across through each row and a curve along through each column.
-typedef struct gusset_frame gusset_frame;
-
-/// Direction in which nodes move.
-typedef uint32_t gusset_offset_direction;
-/// Along normals of the body.
-#define GUSSET_OFFSET_NORMAL 0
-/// In the planes of sections.
-#define GUSSET_OFFSET_IN_SECTION 1
-
-struct gusset_outline_options;
-
-/// Options of gusset_frame_create. By default the points are the nodes. Fields name values of `correspondence` without
-/// prefix.
-typedef struct gusset_frame_options {
-    size_t struct_size;
-    gusset_correspondence_rule correspondence;
-    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
-    uint32_t columns;
-    /// 1: the first section follows the last.
-    /// @flag
-    uint32_t ring;
-    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
-    /// first point.
-    /// @flag
-    uint32_t given_starts;
-    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
-    /// than usual, or by `corner_angle` of `across` if less than pi.
-    /// @flag
-    uint32_t smooth_corners;
-    uint32_t reserved;
-    /// ANGLE: a point of the axis.
-    double axis_point[3];
-    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
-    double axis_direction[3];
-    /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
-    double reference[3];
-    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
-    /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
-    const double *axis_points;
-    /// Number of sections.
-    size_t axis_point_count;
-    /// LANDMARKS: for each section the same number of indices into its own points, in order.
-    struct gusset_indices landmarks;
-    /// Options of the curves across; NULL: defaults.
-    const struct gusset_outline_options *across;
-    /// Options of the curves along; NULL: defaults.
-    const struct gusset_outline_options *along;
-    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
-    /// interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
-    /// parameters from adjacent columns.
-    struct gusset_indices missing;
-} gusset_frame_options;
-
-struct gusset_outline;
-
-/// Lent nodes, row by row, and curves of a frame.
-typedef struct gusset_frame_view {
-    size_t struct_size;
-    /// Number of sections.
-    size_t rows;
-    /// Number of nodes in a section.
-    size_t columns;
-    /// x, y, z of each node.
-    const double *nodes;
-    /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
-    const double *across;
-    /// Unit tangents of the curves along.
-    const double *along;
-    /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
-    const struct gusset_outline *curves_across;
-    /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
-    const struct gusset_outline *curves_along;
-    /// By section: 1 if it was reversed.
-    const uint8_t *turned;
-    /// Nodes whose half-plane meets their section several times.
-    struct gusset_indices ambiguous;
-    /// Nodes that are corners of the curve across, ascending.
-    struct gusset_indices corners;
-    /// Largest rotation of a closed section's nodes relative to the previous section; 0 for open sections.
-    double max_twist;
-    /// Largest distance between the two curves at a node, relative to the nodes' box.
-    double max_gap;
-    /// Smallest sine of the angle between two curves at a node.
-    double min_sine;
-    /// Interpolated missing nodes, ascending.
-    struct gusset_indices filled;
-} gusset_frame_view;
-
-struct gusset_outlines;
-
-/// Makes the frame of consecutive sections.
-/// @param sections at least 2, for a ring 3.
-/// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing points without GIVEN),
-///     NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (names section and column: half-plane misses the
-///     section; section is not a curve; no node before or after a missing one)
-/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3); with more corners,
-///     none is common.
-/// @source Nadopta, introduction.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_create(const struct gusset_context *context,
-    const struct gusset_outlines *sections, const struct gusset_frame_options *options, struct gusset_frame **frame);
-
-/// Makes the offset of a frame.
-/// Directions come from circles through neighbouring nodes. Offsets of planes, spheres, and round cylinders with
-/// perpendicular sections are exact. Curves have the options of the original.
-/// Each node moves by its distance:
-/// - Closed sections: outwards, or inwards if negative.
-/// - Open sections: along D x d, the derivatives from section to section and within a section; with
-///   GUSSET_OFFSET_IN_SECTION, away from the chord of the section's ends.
-/// - Nodes without a direction stay.
-/// @param distances finite lengths.
-/// @param distance_count 1: one for all; rows: one for each section; rows x columns: one for each node, row by row.
-/// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance), as gusset_frame_create (new nodes)
-/// @complexity O(nodes), plus the curves.
-/// @source Nadopta, introduction.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_offset_create(const struct gusset_context *context,
-    const struct gusset_frame *frame, const double *distances, size_t distance_count, gusset_offset_direction direction,
-    struct gusset_frame **offset);
-
-/// Frees a frame.
-GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
-
-/// Lends nodes and curves.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
-    struct gusset_frame_view *view);
-
-/// Cuts the curves along by a plane, and makes a new section through the crossings.
-/// The section has the options of the curves across. Point i is the first crossing of column i.
-/// @param point x, y, z.
-/// @param normal x, y, z, not 0.
-/// @param section receives one outline.
-/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: the column that the plane does
-///     not cross)
-/// @complexity O(segments).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_slice_create(const struct gusset_context *context,
-    const struct gusset_frame *frame, const double *point, const double *normal, struct gusset_outline **section);
-
-/* ---- Intersections of curves: Intersections, tangency points and samples. */
-
-/// Places on a curve, or on two curves.
-typedef struct gusset_places gusset_places;
-
-/// Lent places.
-typedef struct gusset_places_view {
-    size_t struct_size;
-    /// The places, ordered along the first curve.
-    const struct gusset_place *places;
-    /// Number of places.
-    size_t count;
-    /// x, y, z at each place.
-    const double *points;
-    /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
-    const struct gusset_place *others;
-    /// Common parts, four places each: start and end on the first curve, the same on the second. For tangent angles:
-    /// start and end, twice.
-    const struct gusset_place *overlaps;
-    /// Number of overlaps.
-    size_t overlap_count;
-    /// Segments that lie entirely in the plane or line.
-    struct gusset_indices inside;
-    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
-    uint32_t undecided;
-    uint32_t reserved;
-} gusset_places_view;
-
-/// Spacing of samples.
-typedef uint32_t gusset_sample_rule;
-/// `amount` points at equal arc lengths.
-#define GUSSET_SAMPLE_COUNT 0
-/// A point every `amount` of arc length, and the end of an open curve.
-#define GUSSET_SAMPLE_STEP 1
-/// Chords within `amount` of the curve. Each segment is halved at most 20 times, to 1e-12 of its size.
-#define GUSSET_SAMPLE_CHORD 2
-
-/// Finds where a curve crosses or touches a plane.
-/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
-/// @param point x, y, z of a point of the plane.
-/// @param normal x, y, z, not 0.
-/// @errors OUT_OF_RANGE (normal), NOT_FINITE
-/// @complexity O(points + degree^2 crossings).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, const double *point, const double *normal, struct gusset_places **places);
-
-/// Finds where two curves meet or come within a distance, or where a plane curve meets itself.
-/// If within is 0 and both curves are plane, the result has crossings and touches. Otherwise it has the local minima of
-/// the distance, each once. Joints of adjacent segments are not self-intersections.
-/// @param other NULL: self-intersections.
-/// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves' size.
-/// @param places overlaps are parts that are common, stay within the distance, or cannot be separated.
-/// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0)
-/// @complexity Bounded for each pair of segments whose boxes are within the distance.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, const struct gusset_curve *other, double within, struct gusset_places **places);
-
-/// Finds all points where the tangent of a curve makes an angle with a direction.
-/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, tangents of both segments,
-/// not those between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are parallel to the direction,
-/// or opposite, to 1e-9.
-/// @param direction x, y, z, not 0.
-/// @param angle 0 to pi.
-/// @param places overlaps are parts with a constant angle, such as straight segments.
-/// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
-/// @complexity O(points + degree^2 places).
-/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_tangent_angle_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, const double *direction, double angle, struct gusset_places **places);
-
-/// Samples points along a curve; a closed curve's start is not repeated.
-/// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE
-/// @complexity O(points + samples).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_sample_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, gusset_sample_rule rule, double amount, struct gusset_places **places);
-
-/// Frees places.
-GUSSET_API void gusset_places_destroy(struct gusset_places *places);
-
-/// Lends the places.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_places_get_view(const struct gusset_places *places,
-    struct gusset_places_view *view);
-
-/* ---- Measures of curves: Derivatives, lengths, nearest points, bounds and moments. */
-
-/// Nearest point of a curve.
-typedef struct gusset_curve_nearest_point {
-    /// Place on the curve.
-    struct gusset_place place;
-    /// x, y, z.
-    double point[3];
-    /// Distance; infinite if it overflows.
-    double distance;
-} gusset_curve_nearest_point;
-
-/// Measures of a curve.
-/// @bits
-typedef uint32_t gusset_curve_measure_flags;
-/// `length`.
-#define GUSSET_CURVE_MEASURE_LENGTH 1
-/// `low` and `high`; undefined without points.
-#define GUSSET_CURVE_MEASURE_BOUNDS 2
-/// `centre`; undefined without points.
-#define GUSSET_CURVE_MEASURE_CENTRE 4
-/// `area_vector` and `area`.
-#define GUSSET_CURVE_MEASURE_AREA 8
-/// `centroid` and `second`; defined only for a curve with points in the plane z = 0.
-#define GUSSET_CURVE_MEASURE_MOMENTS 16
-
-/// Measures of a curve. A chord closes open curves.
-typedef struct gusset_curve_measures {
-    size_t struct_size;
-    /// Measures that are present; all other fields are 0.
-    gusset_curve_measure_flags defined;
-    uint32_t reserved;
-    /// Arc length without the chord.
-    double length;
-    /// Least x, y, z of the bounding box.
-    double low[3];
-    /// Greatest x, y, z of the bounding box.
-    double high[3];
-    /// Mean of the points by arc length.
-    double centre[3];
-    /// Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for clockwise curves.
-    double area_vector[3];
-    /// Length of area_vector: area of the largest shadow.
-    double area;
-    /// Centroid of the enclosed region; the curve's start if the area is 0.
-    double centroid[2];
-    /// Integrals of x x, x y and y y about the centroid, with the area's sign.
-    double second[3];
-} gusset_curve_measures;
-
-/// Computes points, derivatives, tangents and curvatures at places.
-/// NULL outputs are not computed. After an error, nothing is written.
-/// @param order highest derivative, 0 to 64; read only with `derivatives`.
-/// @param derivatives receives 3 (order + 1) count numbers: for each place the point x, y, z, then the derivatives by t
-///     in order; 0 beyond the degree.
-/// @param tangents receives 3 count numbers: unit tangents x, y, z; 0 on a segment without extent.
-/// @param curvatures receives count numbers, 1 / radius. On plane segments, positive if turning from x to y. Infinite
-///     where the first derivative is 0.
-/// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
-/// @complexity O(degree^2) a place and output.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_evaluate(const struct gusset_context *context,
-    const struct gusset_curve *curve, const struct gusset_place *places, size_t count, uint32_t order,
-    double *derivatives, double *tangents, double *curvatures);
-
-/// Finds the nearest point of a curve for each given point.
-/// @param points x, y, z of each point, packed, finite.
-/// @param out receives count results.
-/// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
-/// @complexity About O(log segments + degree^2) a point, parallel.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_nearest(const struct gusset_context *context,
-    const struct gusset_curve *curve, const double *points, size_t count, struct gusset_curve_nearest_point *out);
-
-/// Computes the arc lengths from the start of a curve to places.
-/// @param out receives count lengths.
-/// @errors NO_SUCH_ELEMENT (place)
-/// @complexity O(points) in all.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
-    const struct gusset_curve *curve, const struct gusset_place *places, size_t count, double *out);
-
-/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
-/// @param out receives count places.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
-/// @complexity O(points + count log segments).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_places_at(const struct gusset_context *context,
-    const struct gusset_curve *curve, const double *lengths, size_t count, struct gusset_place *out);
-
-/// Measures a curve.
-/// `defined` lacks the flag of an undefined measure. The length is accurate to 1e-13, the centre is computed from 16
-/// chords a segment. All others, and lengths up to degree 2, are exact except for rounding.
-/// @param flags 0: all.
-/// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_measure(const struct gusset_context *context,
-    const struct gusset_curve *curve, gusset_curve_measure_flags flags, struct gusset_curve_measures *measures);
-
 /* ---- Options of outlines: Kinds of curves, and the outcome at each point. */
 
 /// Kind of an outline's curve.
@@ -821,6 +372,449 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_curve_create(const struc
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outlines_find_sections(const struct gusset_context *context,
     const struct gusset_outlines *outlines, const struct gusset_outline_options *options, double *controls,
     double *parameters, uint8_t *statuses, uint64_t *steps);
+
+/* ---- Measures of curves: Derivatives, lengths, nearest points, bounds and moments. */
+
+/// Nearest point of a curve.
+typedef struct gusset_curve_nearest_point {
+    /// Place on the curve.
+    struct gusset_place place;
+    /// x, y, z.
+    double point[3];
+    /// Distance; infinite if it overflows.
+    double distance;
+} gusset_curve_nearest_point;
+
+/// Measures of a curve.
+/// @bits
+typedef uint32_t gusset_curve_measure_flags;
+/// `length`.
+#define GUSSET_CURVE_MEASURE_LENGTH 1
+/// `low` and `high`; undefined without points.
+#define GUSSET_CURVE_MEASURE_BOUNDS 2
+/// `centre`; undefined without points.
+#define GUSSET_CURVE_MEASURE_CENTRE 4
+/// `area_vector` and `area`.
+#define GUSSET_CURVE_MEASURE_AREA 8
+/// `centroid` and `second`; defined only for a curve with points in the plane z = 0.
+#define GUSSET_CURVE_MEASURE_MOMENTS 16
+
+/// Measures of a curve. A chord closes open curves.
+typedef struct gusset_curve_measures {
+    size_t struct_size;
+    /// Measures that are present; all other fields are 0.
+    gusset_curve_measure_flags defined;
+    uint32_t reserved;
+    /// Arc length without the chord.
+    double length;
+    /// Least x, y, z of the bounding box.
+    double low[3];
+    /// Greatest x, y, z of the bounding box.
+    double high[3];
+    /// Mean of the points by arc length.
+    double centre[3];
+    /// Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for clockwise curves.
+    double area_vector[3];
+    /// Length of area_vector: area of the largest shadow.
+    double area;
+    /// Centroid of the enclosed region; the curve's start if the area is 0.
+    double centroid[2];
+    /// Integrals of x x, x y and y y about the centroid, with the area's sign.
+    double second[3];
+} gusset_curve_measures;
+
+/// Computes points, derivatives, tangents and curvatures at places.
+/// NULL outputs are not computed. After an error, nothing is written.
+/// @param order highest derivative, 0 to 64; read only with `derivatives`.
+/// @param derivatives receives 3 (order + 1) count numbers: for each place the point x, y, z, then the derivatives by t
+///     in order; 0 beyond the degree.
+/// @param tangents receives 3 count numbers: unit tangents x, y, z; 0 on a segment without extent.
+/// @param curvatures receives count numbers, 1 / radius. On plane segments, positive if turning from x to y. Infinite
+///     where the first derivative is 0.
+/// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
+/// @complexity O(degree^2) a place and output.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_evaluate(const struct gusset_context *context,
+    const struct gusset_curve *curve, const struct gusset_place *places, size_t count, uint32_t order,
+    double *derivatives, double *tangents, double *curvatures);
+
+/// Finds the nearest point of a curve for each given point.
+/// @param points x, y, z of each point, packed, finite.
+/// @param out receives count results.
+/// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
+/// @complexity About O(log segments + degree^2) a point, parallel.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_nearest(const struct gusset_context *context,
+    const struct gusset_curve *curve, const double *points, size_t count, struct gusset_curve_nearest_point *out);
+
+/// Computes the arc lengths from the start of a curve to places.
+/// @param out receives count lengths.
+/// @errors NO_SUCH_ELEMENT (place)
+/// @complexity O(points) in all.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
+    const struct gusset_curve *curve, const struct gusset_place *places, size_t count, double *out);
+
+/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
+/// @param out receives count places.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
+/// @complexity O(points + count log segments).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_places_at(const struct gusset_context *context,
+    const struct gusset_curve *curve, const double *lengths, size_t count, struct gusset_place *out);
+
+/// Measures a curve.
+/// `defined` lacks the flag of an undefined measure. The length is accurate to 1e-13, the centre is computed from 16
+/// chords a segment. All others, and lengths up to degree 2, are exact except for rounding.
+/// @param flags 0: all.
+/// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_measure(const struct gusset_context *context,
+    const struct gusset_curve *curve, gusset_curve_measure_flags flags, struct gusset_curve_measures *measures);
+
+/* ---- Intersections of curves: Intersections, tangency points and samples. */
+
+/// Places on a curve, or on two curves.
+typedef struct gusset_places gusset_places;
+
+/// Lent places.
+typedef struct gusset_places_view {
+    size_t struct_size;
+    /// The places, ordered along the first curve.
+    const struct gusset_place *places;
+    /// Number of places.
+    size_t count;
+    /// x, y, z at each place.
+    const double *points;
+    /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
+    const struct gusset_place *others;
+    /// Common parts, four places each: start and end on the first curve, the same on the second. For tangent angles:
+    /// start and end, twice.
+    const struct gusset_place *overlaps;
+    /// Number of overlaps.
+    size_t overlap_count;
+    /// Segments that lie entirely in the plane or line.
+    struct gusset_indices inside;
+    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
+    uint32_t undecided;
+    uint32_t reserved;
+} gusset_places_view;
+
+/// Spacing of samples.
+typedef uint32_t gusset_sample_rule;
+/// `amount` points at equal arc lengths.
+#define GUSSET_SAMPLE_COUNT 0
+/// A point every `amount` of arc length, and the end of an open curve.
+#define GUSSET_SAMPLE_STEP 1
+/// Chords within `amount` of the curve. Each segment is halved at most 20 times, to 1e-12 of its size.
+#define GUSSET_SAMPLE_CHORD 2
+
+/// Finds where a curve crosses or touches a plane.
+/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
+/// @param point x, y, z of a point of the plane.
+/// @param normal x, y, z, not 0.
+/// @errors OUT_OF_RANGE (normal), NOT_FINITE
+/// @complexity O(points + degree^2 crossings).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, const double *point, const double *normal, struct gusset_places **places);
+
+/// Finds where two curves meet or come within a distance, or where a plane curve meets itself.
+/// If within is 0 and both curves are plane, the result has crossings and touches. Otherwise it has the local minima of
+/// the distance, each once. Joints of adjacent segments are not self-intersections.
+/// @param other NULL: self-intersections.
+/// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves' size.
+/// @param places overlaps are parts that are common, stay within the distance, or cannot be separated.
+/// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0)
+/// @complexity Bounded for each pair of segments whose boxes are within the distance.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, const struct gusset_curve *other, double within, struct gusset_places **places);
+
+/// Finds all points where the tangent of a curve makes an angle with a direction.
+/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, tangents of both segments,
+/// not those between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are parallel to the direction,
+/// or opposite, to 1e-9.
+/// @param direction x, y, z, not 0.
+/// @param angle 0 to pi.
+/// @param places overlaps are parts with a constant angle, such as straight segments.
+/// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
+/// @complexity O(points + degree^2 places).
+/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_tangent_angle_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, const double *direction, double angle, struct gusset_places **places);
+
+/// Samples points along a curve; a closed curve's start is not repeated.
+/// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE
+/// @complexity O(points + samples).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_sample_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, gusset_sample_rule rule, double amount, struct gusset_places **places);
+
+/// Frees places.
+GUSSET_API void gusset_places_destroy(struct gusset_places *places);
+
+/// Lends the places.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_places_get_view(const struct gusset_places *places,
+    struct gusset_places_view *view);
+
+/* ---- Curves from curves: Parts, other degrees, offsets. */
+
+/// Options of gusset_curve_offset_create.
+typedef struct gusset_offset_options {
+    size_t struct_size;
+    /// Wanted deviation, above 0.
+    double tolerance;
+    /// No segment is halved at this number of segments; 0: 65536.
+    size_t max_segments;
+    /// Degree of segments, 2 or 3; 0: 3.
+    uint32_t degree;
+    uint32_t reserved;
+} gusset_offset_options;
+
+/// Accuracy of an offset.
+typedef struct gusset_offset_report {
+    size_t struct_size;
+    /// Largest distance from the true offset, sampled at 16 places in each segment.
+    double deviation;
+    /// Corners of the original, bridged by straight segments.
+    size_t corners;
+    /// 1: the deviation is within the tolerance.
+    uint32_t reached;
+    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards there.
+    uint32_t tight;
+} gusset_offset_report;
+
+/// Cuts an open part out of a curve.
+/// On a closed curve the part may pass the start, and goes round once if from equals to. A curve of n segments ends at
+/// segment n - 1, t = 1.
+/// @errors NO_SUCH_ELEMENT (0: from, 1: to), OUT_OF_RANGE (to precedes from on an open curve), TOO_LARGE
+/// @complexity O(points).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_part_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, struct gusset_place from, struct gusset_place to, struct gusset_curve **part);
+
+/// Reverses a curve.
+/// @complexity O(points).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, struct gusset_curve **reversed);
+
+/// Raises and lowers the degrees of a curve's segments.
+/// Raising is exact. Lowering is a least-squares fit with fixed ends.
+/// @param lowest least degree, 1 to 64.
+/// @param highest greatest degree, lowest to 64.
+/// @param tolerance a segment with a greater deviation is not lowered; at least 0, or INFINITY.
+/// @param deviations receives a bound of each segment's deviation; for a segment not lowered, the deviation that
+///     lowering would cause. May be NULL.
+/// @errors OUT_OF_RANGE (degree, tolerance), TOO_LARGE
+/// @complexity O(degree) a new control point of raised segments, O(degree^3) a lowered segment.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_change_degree_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, uint32_t lowest, uint32_t highest, double tolerance, double *deviations,
+    struct gusset_curve **changed);
+
+/// Fits the offset of a plane curve by segments with common tangents.
+/// Self-intersections are not removed.
+/// @param distance to the left, or to the right if negative; finite.
+/// @param options required; its tolerance must be set.
+/// @param report may be NULL.
+/// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE
+/// @complexity O(degree) a measured place.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_offset_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, double distance, const struct gusset_offset_options *options,
+    struct gusset_offset_report *report, struct gusset_curve **offset);
+
+/* ---- Curves in other forms: SVG paths, TrueType contours, B-splines. */
+
+/// Export format of a curve.
+typedef uint32_t gusset_curve_format;
+/// SVG path data (M, L, Q, C, Z), for plane curves up to degree 3. Numbers are exact; y is not flipped.
+#define GUSSET_CURVE_FORMAT_SVG 0
+/// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the middle between two
+/// of them.
+#define GUSSET_CURVE_FORMAT_CONTOUR 1
+/// Clamped B-spline, for curves of one degree n. A joint with one tangent becomes a knot of multiplicity n - 1 without
+/// a control point.
+#define GUSSET_CURVE_FORMAT_SPLINE 2
+
+/// An exported curve.
+typedef struct gusset_curve_form gusset_curve_form;
+
+/// Lent parts of an exported curve; parts of other formats are empty.
+typedef struct gusset_curve_form_view {
+    size_t struct_size;
+    /// SVG path, zero-terminated.
+    const char *text;
+    /// Length without the final 0.
+    size_t text_length;
+    /// x, y, z of contour points or control points of a spline.
+    const double *points;
+    /// Number of points.
+    size_t point_count;
+    /// Contour: 1 for a point on the curve, 0 for a point off it.
+    const uint8_t *on_curve;
+    /// Spline: point_count + degree + 1 knots.
+    const double *knots;
+    /// Number of knots.
+    size_t knot_count;
+    /// Spline: degree.
+    size_t degree;
+} gusset_curve_form_view;
+
+/// Exports a curve.
+/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint is omitted, at least
+///     0. Rounding is always allowed.
+/// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG), OUT_OF_RANGE
+///     (tolerance; degree, see gusset_curve_change_degree_create)
+/// @complexity O(points).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_export_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, gusset_curve_format format, double tolerance, struct gusset_curve_form **form);
+
+/// Frees an exported curve.
+GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
+
+/// Lends the parts.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
+    struct gusset_curve_form_view *view);
+
+/* ---- Frames: Curves across and along a body, through a common grid of nodes. */
+
+/// Correspondence of points between sections.
+typedef uint32_t gusset_correspondence_rule;
+/// By index; all sections have the same number of points.
+#define GUSSET_CORRESPONDENCE_GIVEN 0
+/// Equal arc lengths of each section, or between corners common to all. Closed sections start where the twist is least,
+/// and are reversed if oriented opposite to the first. Open sections run from first to last point.
+#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
+/// Half-planes at equal angles round the axis, straight or bent; the farthest of several crossings.
+#define GUSSET_CORRESPONDENCE_ANGLE 2
+/// Landmarks of each section, and equal arc lengths between them.
+#define GUSSET_CORRESPONDENCE_LANDMARKS 3
+
+/// A grid of nodes on a body, with a curve across through each row and a curve along through each column.
+typedef struct gusset_frame gusset_frame;
+
+/// Direction in which nodes move.
+typedef uint32_t gusset_offset_direction;
+/// Along normals of the body.
+#define GUSSET_OFFSET_NORMAL 0
+/// In the planes of sections.
+#define GUSSET_OFFSET_IN_SECTION 1
+
+/// Options of gusset_frame_create. By default the points are the nodes. Fields name values of `correspondence` without
+/// prefix.
+typedef struct gusset_frame_options {
+    size_t struct_size;
+    gusset_correspondence_rule correspondence;
+    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    uint32_t columns;
+    /// 1: the first section follows the last.
+    /// @flag
+    uint32_t ring;
+    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
+    /// first point.
+    /// @flag
+    uint32_t given_starts;
+    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
+    /// than usual, or by `corner_angle` of `across` if less than pi.
+    /// @flag
+    uint32_t smooth_corners;
+    uint32_t reserved;
+    /// ANGLE: a point of the axis.
+    double axis_point[3];
+    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    double axis_direction[3];
+    /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
+    double reference[3];
+    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
+    /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    const double *axis_points;
+    /// Number of sections.
+    size_t axis_point_count;
+    /// LANDMARKS: for each section the same number of indices into its own points, in order.
+    struct gusset_indices landmarks;
+    /// Options of the curves across; NULL: defaults.
+    const struct gusset_outline_options *across;
+    /// Options of the curves along; NULL: defaults.
+    const struct gusset_outline_options *along;
+    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
+    /// interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
+    /// parameters from adjacent columns.
+    struct gusset_indices missing;
+} gusset_frame_options;
+
+/// Lent nodes, row by row, and curves of a frame.
+typedef struct gusset_frame_view {
+    size_t struct_size;
+    /// Number of sections.
+    size_t rows;
+    /// Number of nodes in a section.
+    size_t columns;
+    /// x, y, z of each node.
+    const double *nodes;
+    /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
+    const double *across;
+    /// Unit tangents of the curves along.
+    const double *along;
+    /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
+    const struct gusset_outline *curves_across;
+    /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
+    const struct gusset_outline *curves_along;
+    /// By section: 1 if it was reversed.
+    const uint8_t *turned;
+    /// Nodes whose half-plane meets their section several times.
+    struct gusset_indices ambiguous;
+    /// Nodes that are corners of the curve across, ascending.
+    struct gusset_indices corners;
+    /// Largest rotation of a closed section's nodes relative to the previous section; 0 for open sections.
+    double max_twist;
+    /// Largest distance between the two curves at a node, relative to the nodes' box.
+    double max_gap;
+    /// Smallest sine of the angle between two curves at a node.
+    double min_sine;
+    /// Interpolated missing nodes, ascending.
+    struct gusset_indices filled;
+} gusset_frame_view;
+
+/// Makes the frame of consecutive sections.
+/// @param sections at least 2, for a ring 3.
+/// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing points without GIVEN),
+///     NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (names section and column: half-plane misses the
+///     section; section is not a curve; no node before or after a missing one)
+/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3); with more corners,
+///     none is common.
+/// @source Nadopta, introduction.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_create(const struct gusset_context *context,
+    const struct gusset_outlines *sections, const struct gusset_frame_options *options, struct gusset_frame **frame);
+
+/// Makes the offset of a frame.
+/// Directions come from circles through neighbouring nodes. Offsets of planes, spheres, and round cylinders with
+/// perpendicular sections are exact. Curves have the options of the original.
+/// Each node moves by its distance:
+/// - Closed sections: outwards, or inwards if negative.
+/// - Open sections: along D x d, the derivatives from section to section and within a section; with
+///   GUSSET_OFFSET_IN_SECTION, away from the chord of the section's ends.
+/// - Nodes without a direction stay.
+/// @param distances finite lengths.
+/// @param distance_count 1: one for all; rows: one for each section; rows x columns: one for each node, row by row.
+/// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance), as gusset_frame_create (new nodes)
+/// @complexity O(nodes), plus the curves.
+/// @source Nadopta, introduction.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_offset_create(const struct gusset_context *context,
+    const struct gusset_frame *frame, const double *distances, size_t distance_count, gusset_offset_direction direction,
+    struct gusset_frame **offset);
+
+/// Frees a frame.
+GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
+
+/// Lends nodes and curves.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
+    struct gusset_frame_view *view);
+
+/// Cuts the curves along by a plane, and makes a new section through the crossings.
+/// The section has the options of the curves across. Point i is the first crossing of column i.
+/// @param point x, y, z.
+/// @param normal x, y, z, not 0.
+/// @param section receives one outline.
+/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: the column that the plane does
+///     not cross)
+/// @complexity O(segments).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_slice_create(const struct gusset_context *context,
+    const struct gusset_frame *frame, const double *point, const double *normal, struct gusset_outline **section);
 
 #ifdef __cplusplus
 }

@@ -85,178 +85,14 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_edit(const struct gusset_con
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_read(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_net_view *view);
 
-/* ---- Effects of a deformation: New gluing, tears, folds and stretching. */
+/* ---- The handle of a net: Indices of nodes, cells and links. */
 
-/// Effects of a deformation on a net.
-typedef struct gusset_net_analysis gusset_net_analysis;
-
-/// Effects of a deformation. See gusset_net for indices.
-typedef struct gusset_net_analysis_view {
-    size_t struct_size;
-    /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
-    const double *links;
-    /// 2 * rows * columns.
-    size_t link_count;
-    /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or,
-    /// with fields, negative determinants.
-    const double *cells;
-    /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
-    const double *determinants;
-    /// (rows - 1) * (columns - 1).
-    size_t cell_count;
-    /// Links that became a point and are not glued; see links of gusset_glue_options.
-    const uint32_t *contracted;
-    /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
-    const uint32_t *stars;
-    /// Number of contracted links.
-    size_t contracted_count;
-    /// Glued links whose ends separated.
-    const uint32_t *torn;
-    /// Number of torn links.
-    size_t torn_count;
-    /// Cells oriented against the majority.
-    const uint32_t *folded;
-    /// Number of folded cells.
-    size_t folded_count;
-    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
-    uint32_t soft;
-    uint32_t reserved;
-} gusset_net_analysis_view;
-
-struct gusset_field;
-
-/// Deformation to analyse; the default is none.
-typedef struct gusset_net_analysis_options {
-    size_t struct_size;
-    /// Deformed net of the same size; NULL: fields deform the net.
-    const struct gusset_net *after;
-    /// Fields, as for gusset_net_deform.
-    const struct gusset_field *fields;
-    /// Number of fields; 0 beside after.
-    size_t field_count;
-    /// Time, as for gusset_net_deform.
-    double time;
-    /// Lengths up to this count as 0; at least 0 and finite.
-    double tolerance;
-} gusset_net_analysis_options;
-
-/// Finds what a deformation glues, tears, folds and stretches; the net stays unchanged.
-/// @param net the net before the deformation.
-/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing would join both diagonals of the cell),
-///     as gusset_net_deform
-/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), and memory for a copy of the net and 8 bytes a
-///     cell.
-/// @source Deryagin, soft and hard deformations. Links are measured: a zero of the Jacobian neither implies gluing nor
-///     follows from it.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_analysis_create(const struct gusset_context *context,
-    const struct gusset_net *net, const struct gusset_net_analysis_options *options,
-    struct gusset_net_analysis **analysis);
-
-/// Lends an analysis.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *analysis,
-    struct gusset_net_analysis_view *view);
-
-/// Destroys an analysis.
-GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
-
-/* ---- Rows and columns: Parts, symmetries and conversions of nets. */
-
-/// Direction within a net.
-typedef uint32_t gusset_direction;
-/// From column to column.
-#define GUSSET_DIRECTION_RIGHT 0
-/// From row to row.
-#define GUSSET_DIRECTION_DOWN 1
-
-/// Rows or columns replicated to enlarge a net.
-typedef uint32_t gusset_replication;
-/// All, as equally as possible.
-#define GUSSET_REPLICATE_UNIFORM 0
-/// The first.
-#define GUSSET_REPLICATE_FIRST 1
-/// The last.
-#define GUSSET_REPLICATE_LAST 2
-/// The one with the given index.
-#define GUSSET_REPLICATE_AT 3
-/// The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM.
-#define GUSSET_REPLICATE_AT_POLES 4
-/// Different sizes are an error; for gusset_concatenate_options only.
-#define GUSSET_REPLICATE_REFUSE 5
-
-/// Symmetry of the rectangle of nodes. Positions and normals of nodes stay.
-typedef uint32_t gusset_net_turn;
-/// No change.
-#define GUSSET_NET_TURN_NONE 0
-/// Quarter turn: the last column becomes the first row.
-#define GUSSET_NET_TURN_QUARTER 1
-/// Half turn: rows and columns are reversed.
-#define GUSSET_NET_TURN_HALF 2
-/// Three quarters of a turn: the first column becomes the last row.
-#define GUSSET_NET_TURN_THREE_QUARTERS 3
-/// Reverses the order of columns.
-#define GUSSET_NET_TURN_FLIP_COLUMNS 4
-/// Reverses the order of rows.
-#define GUSSET_NET_TURN_FLIP_ROWS 5
-/// Exchanges rows and columns.
-#define GUSSET_NET_TURN_TRANSPOSE 6
-/// Exchanges rows and columns, and reverses both.
-#define GUSSET_NET_TURN_ANTITRANSPOSE 7
-
-/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Defaults: no step.
-typedef struct gusset_net_copy_options {
-    size_t struct_size;
-    /// First row of the part.
-    size_t row_first;
-    /// Rows of the part, at least 2; 0: all from row_first on.
-    size_t row_count;
-    /// First column of the part.
-    size_t column_first;
-    /// Columns of the part, at least 2; 0: all from column_first on.
-    size_t column_count;
-    /// Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
-    size_t rows;
-    /// Columns after replication, likewise.
-    size_t columns;
-    /// 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates and
-    /// links along them are equal. Two rows, two columns and the ends of bridges stay.
-    /// @flag
-    uint32_t compact;
-    /// For rows.
-    gusset_replication row_replication;
-    /// For columns.
-    gusset_replication column_replication;
-    /// Row to replicate.
-    /// @when row_replication GUSSET_REPLICATE_AT
-    uint32_t row_index;
-    /// Column to replicate.
-    /// @when column_replication GUSSET_REPLICATE_AT
-    uint32_t column_index;
-    /// Symmetry that is applied.
-    gusset_net_turn turn;
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
-    gusset_scalar scalar;
-    uint32_t reserved;
-} gusset_net_copy_options;
-
-/// Copies a net with its gluing and bridges: all or a part, compacted, enlarged, turned or converted.
-/// - An unchanged copy shares memory until either net changes.
-/// - A part keeps links, runs of seams and bridges inside it. Links back to the first row or column need a part with
-///   all rows or columns.
-/// - Without conversion, coordinates keep their bits.
-/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part or index beyond the net, or fewer rows or
-///     columns than present), CROSSING_CELL (both diagonals of a cell are glued once gluing outside the part is lost),
-///     TOO_LARGE
-/// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
-/// @source Deryagin, "Reformatting".
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_copy_create(const struct gusset_context *context,
-    const struct gusset_net *net, const struct gusset_net_copy_options *options, struct gusset_net **copy);
-
-/// Makes nodes missing that have a coordinate equal to value.
-/// @param value marker of missing data.
-/// @complexity O(nodes).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
-    struct gusset_net *net, double value);
+/// Net: a matrix of nodes with coordinates, and its gluing.
+/// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
+/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column. The last node links to the first.
+/// - A node with a NaN or infinite coordinate is missing. Absent cells have a missing corner or belong to a hidden
+///   bridge.
+typedef struct gusset_net gusset_net;
 
 /* ---- Gluing of sides: Sides, the characteristic matrix, seams. */
 
@@ -571,86 +407,89 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_gluing_occurrences(const str
     const struct gusset_net *net, uint32_t cyclic, struct gusset_gluing_occurrence *found, size_t capacity,
     size_t *written);
 
-/* ---- The quotient surface: The surface of a net with glued nodes merged. */
+/* ---- Shapes: Spheres, cylinders, boxes, tori, one-sided surfaces and others. */
 
-/// Cells that count.
-typedef uint32_t gusset_net_cells;
-/// All cells.
-#define GUSSET_NET_CELLS_ALL 0
-/// Cells that are not absent; see gusset_net.
-#define GUSSET_NET_CELLS_PRESENT 1
+/// Standard shape, the measures that it reads, the least rows x columns.
+typedef uint32_t gusset_net_shape;
+/// Rectangle at z = 0: size[0], size[1].
+#define GUSSET_NET_PLANE 0
+/// Sphere with two poles: radius. From 3 x 4 nodes.
+#define GUSSET_NET_SPHERE 1
+/// Sphere from a disc, its rim one point: radius. From 3 x 3 nodes.
+#define GUSSET_NET_ONE_POLE_SPHERE 2
+/// Cylinder without caps: radius, height. At least 4 columns.
+#define GUSSET_NET_TUBE 3
+/// Cylinder with caps: radius, height. From 4 x 4 nodes.
+#define GUSSET_NET_CYLINDER 4
+/// Regular prism: sides, radius (circumscribed), height. At least 4 rows and sides + 1 columns.
+#define GUSSET_NET_PRISM 5
+/// Cone with base: radius, height. From 3 x 4 nodes.
+#define GUSSET_NET_CONE 6
+/// Regular pyramid: sides, radius (circumscribed), height. At least 3 rows and sides + 1 columns.
+#define GUSSET_NET_PYRAMID 7
+/// Profile revolved about z: profile, profile_count. At least 4 columns; each point makes a row.
+#define GUSSET_NET_LATHE 8
+/// Torus: radius, minor_radius (of the tube, smaller). From 4 x 4 nodes.
+#define GUSSET_NET_TORUS 9
+/// Box: size, cells (which give rows and columns), box_kind.
+#define GUSSET_NET_BOX 10
+/// Moebius strip: radius (of the middle line), size[0] (width). At least 4 columns.
+#define GUSSET_NET_MOEBIUS 11
+/// Klein bottle with figure-eight section: radius, minor_radius. From 4 x 4 nodes.
+#define GUSSET_NET_KLEIN 12
+/// Projective plane as Boy's surface: radius (scale). From 4 x 4 nodes.
+#define GUSSET_NET_PROJECTIVE_PLANE 13
+/// Two sheets joined along their rim: size[0], size[1], height (thickness). At least 3 rows; 5, 7, ... columns.
+#define GUSSET_NET_PILLOW 14
 
-/// Properties of the surface of a net.
-/// @bits
-typedef uint32_t gusset_net_flags;
-/// No boundary edges.
-#define GUSSET_NET_CLOSED 1
-/// Manifold, with or without boundary: no wires, branches, pinches.
-#define GUSSET_NET_MANIFOLD 2
-/// Consistent orientation of faces.
-#define GUSSET_NET_ORIENTED 4
-/// Consistent after reversal of some faces.
-#define GUSSET_NET_ORIENTABLE 8
+/// Layout of the caps of a box.
+typedef uint32_t gusset_box_kind;
+/// Each cap closes along a slit. All faces are unit quads; no seams.
+#define GUSSET_NET_BOX_SLIT 0
+/// Crosswise unwrapping. All faces are unit quads; two seams.
+#define GUSSET_NET_BOX_CROSS 1
+/// Concentric rings, with the fewest nodes, and triangles along the diagonals.
+#define GUSSET_NET_BOX_CONCENTRIC 2
 
-/// Quotient complex: the surface of a net with glued nodes merged.
-typedef struct gusset_net_complex gusset_net_complex;
-
-/// Counts and defects of a complex. Vertices are given by their smallest nodes, edges as pairs; lists are sorted.
-typedef struct gusset_net_complex_view {
+/// Standard shape and its measures.
+typedef struct gusset_net_primitive {
     size_t struct_size;
-    /// Vertices.
-    uint64_t vertex_count;
-    /// Edges; links with equal ends are one edge.
-    uint64_t edge_count;
-    /// Quads.
-    uint64_t quad_count;
-    /// Triangles.
-    uint64_t triangle_count;
-    /// Cells reduced to an edge.
-    uint64_t digon_count;
-    /// Cells reduced to a point.
-    uint64_t point_count;
-    /// Cells folded along a diagonal to two edges.
-    uint64_t fold_count;
-    /// Edges of one face.
-    uint64_t boundary_edge_count;
-    /// Connected components.
-    uint64_t component_count;
-    /// Euler characteristic, vertices - edges + faces.
-    int64_t euler;
-    /// Handles, or crosscaps if not orientable, of all components together; -1 if not manifold.
-    int64_t genus;
-    gusset_net_flags properties;
+    gusset_net_shape shape;
+    /// Type of coordinates.
+    gusset_scalar scalar;
+    /// Rows of nodes; 0: 33. Boxes and lathes ignore it.
+    size_t rows;
+    /// Columns of nodes; 0: 65. Boxes ignore it.
+    size_t columns;
+    /// Above 0.
+    double radius;
+    /// Above 0.
+    double minor_radius;
+    /// Height along z, above 0.
+    double height;
+    /// Sizes along x, y and z, above 0.
+    double size[3];
+    /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
+    /// poles. A closed profile makes a ring.
+    const double *profile;
+    /// Number of points, at least 2.
+    size_t profile_count;
+    /// Lateral faces of a prism or pyramid, at least 3.
+    uint32_t sides;
+    gusset_box_kind box_kind;
+    /// Cells of a box along x, y and z, at least 1 each.
+    uint32_t cells[3];
     uint32_t reserved;
-    /// Chain k of boundary edges is boundary_nodes[offsets[k]] to boundary_nodes[offsets[k + 1] - 1].
-    struct gusset_indices boundary_offsets;
-    /// Vertices of all chains, with faces on the left.
-    struct gusset_indices boundary_nodes;
-    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
-    struct gusset_indices boundary_open;
-    /// Edges without faces.
-    struct gusset_indices wires;
-    /// Edges of three or more faces.
-    struct gusset_indices branches;
-    /// Vertices whose faces form several fans that meet only there.
-    struct gusset_indices pinches;
-    /// Edges that two faces traverse in the same direction.
-    struct gusset_indices conflicts;
-} gusset_net_complex_view;
+} gusset_net_primitive;
 
-/// Determines the surface of a net with glued nodes merged. Defects are not errors.
-/// @errors TOO_LARGE (more than 2^31 boundary edges)
-/// @complexity O(nodes), and a sort of the elements at glued nodes; linear memory.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_create(const struct gusset_context *context,
-    const struct gusset_net *net, gusset_net_cells cells, struct gusset_net_complex **quotient);
-
-/// Lends the counts and defects of a complex.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
-    struct gusset_net_complex_view *view);
-
-/// Destroys a complex.
-GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *quotient);
+/// Makes a net of a standard shape, centred at the origin, with axis z.
+/// Glued nodes have equal bits. Closed surfaces have outward normals.
+/// @param primitive the shape.
+/// @errors OUT_OF_RANGE (a measure not positive or beyond the scalar type, too few elements), TOO_LARGE
+/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
+/// @source Deryagin, "Closures of nets".
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_primitive_create(const struct gusset_context *context,
+    const struct gusset_net_primitive *primitive, struct gusset_net **net);
 
 /* ---- Affine maps: Moves, rotates and scales nets. */
 
@@ -810,128 +649,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_deform(const struct gusset_c
 /// @complexity O(nodes); memory of the size of the coordinates.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_displace(const struct gusset_context *context,
     struct gusset_net *net, double distance);
-
-/* ---- Bridges: Joins nets into one, and splits them again. */
-
-/// Treatment of the cells of a bridge.
-typedef uint32_t gusset_bridge_mode;
-/// Ordinary cells.
-#define GUSSET_BRIDGE_KEEP 0
-/// Absent cells.
-#define GUSSET_BRIDGE_HIDE 1
-/// The two sides, coincident within a tolerance, become one. Positions stay; snap of gusset_glue_options makes them
-/// equal.
-#define GUSSET_BRIDGE_WELD 2
-
-/// Form of a bridge.
-typedef uint32_t gusset_bridge_kind;
-/// Band between open sides.
-#define GUSSET_BRIDGE_RIBBON 0
-/// Closed band between closed sides.
-#define GUSSET_BRIDGE_TUBE 1
-/// Edge between sides that are a point each.
-#define GUSSET_BRIDGE_THREAD 2
-
-/// Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force. Lines run across the
-/// bridge along links.
-typedef struct gusset_bridge_properties {
-    /// Force in each line of a thread or ribbon, force per length in a tube's film; at least 0.
-    double tension;
-    /// Force that doubles the length of a line; at least 0.
-    double elasticity;
-    /// Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid.
-    double stiffness;
-    /// Number for the caller's use.
-    uint64_t user;
-} gusset_bridge_properties;
-
-/// Options of gusset_net_concatenate_create. Default: nets from left to right, enlarged uniformly, bridges kept.
-typedef struct gusset_concatenate_options {
-    size_t struct_size;
-    /// For welding: largest distance of coincident nodes, at least 0.
-    double tolerance;
-    /// Properties of every new bridge.
-    struct gusset_bridge_properties properties;
-    /// Direction from each net to the next.
-    gusset_direction direction;
-    gusset_bridge_mode mode;
-    /// Enlargement of nets with fewer nodes along the side.
-    gusset_replication equalise;
-    /// Row or column to replicate.
-    /// @when equalise GUSSET_REPLICATE_AT
-    uint32_t equalise_index;
-    /// Rotation of each net except the first along its closed side, in nodes.
-    uint32_t twist;
-    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
-    /// @flag
-    uint32_t turn;
-    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
-    uint32_t rows;
-    uint32_t reserved;
-} gusset_concatenate_options;
-
-/// Bridge: the cells between two joined nets.
-typedef struct gusset_bridge {
-    size_t struct_size;
-    /// Properties that the caller gave.
-    struct gusset_bridge_properties properties;
-    /// Direction from the first net to the second.
-    gusset_direction direction;
-    /// First column (RIGHT) or row (DOWN) of the second net.
-    uint32_t at;
-    /// First node along the side: a row (RIGHT) or column (DOWN).
-    uint32_t start;
-    /// One past the last node along the side.
-    uint32_t end;
-    gusset_bridge_kind kind;
-    gusset_bridge_mode mode;
-    /// Inner rows (DOWN) or columns, before at. The first net ends at at - rows - 1.
-    uint32_t rows;
-    uint32_t reserved;
-} gusset_bridge;
-
-/// Joins nets side by side into one.
-/// Each net keeps its gluing and bridges; links that close it along the direction become seams. A new bridge joins
-/// consecutive nets; its index follows the second net's bridges. gusset_net_split_create is the inverse.
-/// @param nets at least one net, of one scalar type; repetition is allowed.
-/// @param net_count number of nets.
-/// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes with
-///     GUSSET_REPLICATE_REFUSE; welded sides apart, with place and distance), OUT_OF_RANGE (tolerance, twist of an open
-///     side, rows of a welded bridge), CROSSING_CELL, TOO_LARGE
-/// @complexity O(nodes of the result); memory also for copies of nets that are enlarged, rotated or flipped.
-/// @source Deryagin, "Concatenation".
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_concatenate_create(const struct gusset_context *context,
-    const struct gusset_net *const *nets, size_t net_count, const struct gusset_concatenate_options *options,
-    struct gusset_net **joined);
-
-/// Splits a net at a bridge that runs from side to side, and removes the bridge.
-/// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes are removed. In a
-/// net joined repeatedly, split the last bridge first. Gluing across the bridge is lost.
-/// @param bridge index of the bridge.
-/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also if the bridge does not run from side to
-///     side), CROSSING_CELL
-/// @complexity O(nodes).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_split_create(const struct gusset_context *context,
-    const struct gusset_net *net, size_t bridge, struct gusset_net **first, struct gusset_net **second);
-
-/// Describes a bridge of a net.
-/// @param index below bridge_count of gusset_net_gluing_report.
-/// @param bridge receives the struct; set its struct_size.
-/// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_bridge(const struct gusset_net *net, size_t index,
-    struct gusset_bridge *bridge);
-
-/// Changes the mode and properties of a bridge.
-/// @param index as for gusset_net_get_bridge.
-/// @param tolerance for welding: largest distance of coincident nodes, at least 0.
-/// @param properties new properties; NULL keeps the old ones.
-/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows), SIDES_DIFFER (with place and
-///     distance), CROSSING_CELL
-/// @complexity O(nodes) if welding begins or ends, or if the net shares memory; else O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_set_bridge(const struct gusset_context *context,
-    struct gusset_net *net, size_t index, gusset_bridge_mode mode, double tolerance,
-    const struct gusset_bridge_properties *properties);
 
 /* ---- Measures of nets: Area, volume, moments, planarity. */
 
@@ -1161,6 +878,430 @@ GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
     struct gusset_net_grid_view *view);
 
+/* ---- Rows and columns: Parts, symmetries and conversions of nets. */
+
+/// Direction within a net.
+typedef uint32_t gusset_direction;
+/// From column to column.
+#define GUSSET_DIRECTION_RIGHT 0
+/// From row to row.
+#define GUSSET_DIRECTION_DOWN 1
+
+/// Rows or columns replicated to enlarge a net.
+typedef uint32_t gusset_replication;
+/// All, as equally as possible.
+#define GUSSET_REPLICATE_UNIFORM 0
+/// The first.
+#define GUSSET_REPLICATE_FIRST 1
+/// The last.
+#define GUSSET_REPLICATE_LAST 2
+/// The one with the given index.
+#define GUSSET_REPLICATE_AT 3
+/// The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM.
+#define GUSSET_REPLICATE_AT_POLES 4
+/// Different sizes are an error; for gusset_concatenate_options only.
+#define GUSSET_REPLICATE_REFUSE 5
+
+/// Symmetry of the rectangle of nodes. Positions and normals of nodes stay.
+typedef uint32_t gusset_net_turn;
+/// No change.
+#define GUSSET_NET_TURN_NONE 0
+/// Quarter turn: the last column becomes the first row.
+#define GUSSET_NET_TURN_QUARTER 1
+/// Half turn: rows and columns are reversed.
+#define GUSSET_NET_TURN_HALF 2
+/// Three quarters of a turn: the first column becomes the last row.
+#define GUSSET_NET_TURN_THREE_QUARTERS 3
+/// Reverses the order of columns.
+#define GUSSET_NET_TURN_FLIP_COLUMNS 4
+/// Reverses the order of rows.
+#define GUSSET_NET_TURN_FLIP_ROWS 5
+/// Exchanges rows and columns.
+#define GUSSET_NET_TURN_TRANSPOSE 6
+/// Exchanges rows and columns, and reverses both.
+#define GUSSET_NET_TURN_ANTITRANSPOSE 7
+
+/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Defaults: no step.
+typedef struct gusset_net_copy_options {
+    size_t struct_size;
+    /// First row of the part.
+    size_t row_first;
+    /// Rows of the part, at least 2; 0: all from row_first on.
+    size_t row_count;
+    /// First column of the part.
+    size_t column_first;
+    /// Columns of the part, at least 2; 0: all from column_first on.
+    size_t column_count;
+    /// Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
+    size_t rows;
+    /// Columns after replication, likewise.
+    size_t columns;
+    /// 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates and
+    /// links along them are equal. Two rows, two columns and the ends of bridges stay.
+    /// @flag
+    uint32_t compact;
+    /// For rows.
+    gusset_replication row_replication;
+    /// For columns.
+    gusset_replication column_replication;
+    /// Row to replicate.
+    /// @when row_replication GUSSET_REPLICATE_AT
+    uint32_t row_index;
+    /// Column to replicate.
+    /// @when column_replication GUSSET_REPLICATE_AT
+    uint32_t column_index;
+    /// Symmetry that is applied.
+    gusset_net_turn turn;
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
+    gusset_scalar scalar;
+    uint32_t reserved;
+} gusset_net_copy_options;
+
+/// Copies a net with its gluing and bridges: all or a part, compacted, enlarged, turned or converted.
+/// - An unchanged copy shares memory until either net changes.
+/// - A part keeps links, runs of seams and bridges inside it. Links back to the first row or column need a part with
+///   all rows or columns.
+/// - Without conversion, coordinates keep their bits.
+/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part or index beyond the net, or fewer rows or
+///     columns than present), CROSSING_CELL (both diagonals of a cell are glued once gluing outside the part is lost),
+///     TOO_LARGE
+/// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
+/// @source Deryagin, "Reformatting".
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_copy_create(const struct gusset_context *context,
+    const struct gusset_net *net, const struct gusset_net_copy_options *options, struct gusset_net **copy);
+
+/// Makes nodes missing that have a coordinate equal to value.
+/// @param value marker of missing data.
+/// @complexity O(nodes).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
+    struct gusset_net *net, double value);
+
+/* ---- Resolutions: Resamples and decimates nets; levels of detail. */
+
+/// Interpolation of positions between nodes.
+typedef uint32_t gusset_interpolation;
+/// Catmull-Rom splines, with continuous tangents also across seams.
+#define GUSSET_INTERPOLATION_BICUBIC 0
+/// Bilinear patches of the cells.
+#define GUSSET_INTERPOLATION_BILINEAR 1
+
+/// Largest number of levels of a pyramid.
+#define GUSSET_PYRAMID_LEVELS 32
+
+/// Makes a net of rows x columns nodes, spread evenly over a net.
+/// First and last rows and columns stay. A new node on an old node has its bits. The gluing stays; glued nodes have
+/// equal bits.
+/// @param net a net without bridges, glued along whole sides only.
+/// @param rows rows of the result, at least 2.
+/// @param columns columns of the result, at least 2.
+/// @errors NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
+/// @complexity O(nodes of both nets).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_resample_create(const struct gusset_context *context,
+    const struct gusset_net *net, size_t rows, size_t columns, gusset_interpolation interpolation,
+    struct gusset_net **resampled);
+
+/// Removes rows, then columns, of a net within a tolerance; each time the one that causes the least deviation.
+/// @param net a net without bridges, glued along whole sides only.
+/// @param tolerance at least 0, may be infinite. Nodes are within half of it of the segments that replace their
+///     columns, and likewise for rows.
+/// @param rows receives indices of kept rows, with room for all rows of net; may be NULL.
+/// @param columns likewise for columns.
+/// @param deviation receives the largest deviation; may be NULL.
+/// @errors OUT_OF_RANGE, GLUED_INSIDE
+/// @complexity About O(nodes x log rows).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decimate_create(const struct gusset_context *context,
+    const struct gusset_net *net, double tolerance, uint32_t *rows, uint32_t *columns, double *deviation,
+    struct gusset_net **decimated);
+
+/// Makes levels of detail: nets of 2^k + 1 rows and columns, finest first.
+/// The first level is a copy if it has such a size, else resampled to the next larger size. Each further level has
+/// every second row and column of the previous one, bit for bit.
+/// @param net a net without bridges, glued along whole sides only.
+/// @param levels room for capacity handles.
+/// @param capacity size of levels; GUSSET_PYRAMID_LEVELS always suffices.
+/// @param count receives the count, also with BUFFER_TOO_SMALL (as for capacity 0).
+/// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
+/// @complexity O(nodes); memory for 4/3 of the first level.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
+    const struct gusset_net *net, gusset_interpolation interpolation, struct gusset_net **levels, size_t capacity,
+    size_t *count);
+
+/* ---- Bridges: Joins nets into one, and splits them again. */
+
+/// Treatment of the cells of a bridge.
+typedef uint32_t gusset_bridge_mode;
+/// Ordinary cells.
+#define GUSSET_BRIDGE_KEEP 0
+/// Absent cells.
+#define GUSSET_BRIDGE_HIDE 1
+/// The two sides, coincident within a tolerance, become one. Positions stay; snap of gusset_glue_options makes them
+/// equal.
+#define GUSSET_BRIDGE_WELD 2
+
+/// Form of a bridge.
+typedef uint32_t gusset_bridge_kind;
+/// Band between open sides.
+#define GUSSET_BRIDGE_RIBBON 0
+/// Closed band between closed sides.
+#define GUSSET_BRIDGE_TUBE 1
+/// Edge between sides that are a point each.
+#define GUSSET_BRIDGE_THREAD 2
+
+/// Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force. Lines run across the
+/// bridge along links.
+typedef struct gusset_bridge_properties {
+    /// Force in each line of a thread or ribbon, force per length in a tube's film; at least 0.
+    double tension;
+    /// Force that doubles the length of a line; at least 0.
+    double elasticity;
+    /// Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid.
+    double stiffness;
+    /// Number for the caller's use.
+    uint64_t user;
+} gusset_bridge_properties;
+
+/// Options of gusset_net_concatenate_create. Default: nets from left to right, enlarged uniformly, bridges kept.
+typedef struct gusset_concatenate_options {
+    size_t struct_size;
+    /// For welding: largest distance of coincident nodes, at least 0.
+    double tolerance;
+    /// Properties of every new bridge.
+    struct gusset_bridge_properties properties;
+    /// Direction from each net to the next.
+    gusset_direction direction;
+    gusset_bridge_mode mode;
+    /// Enlargement of nets with fewer nodes along the side.
+    gusset_replication equalise;
+    /// Row or column to replicate.
+    /// @when equalise GUSSET_REPLICATE_AT
+    uint32_t equalise_index;
+    /// Rotation of each net except the first along its closed side, in nodes.
+    uint32_t twist;
+    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
+    /// @flag
+    uint32_t turn;
+    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
+    uint32_t rows;
+    uint32_t reserved;
+} gusset_concatenate_options;
+
+/// Bridge: the cells between two joined nets.
+typedef struct gusset_bridge {
+    size_t struct_size;
+    /// Properties that the caller gave.
+    struct gusset_bridge_properties properties;
+    /// Direction from the first net to the second.
+    gusset_direction direction;
+    /// First column (RIGHT) or row (DOWN) of the second net.
+    uint32_t at;
+    /// First node along the side: a row (RIGHT) or column (DOWN).
+    uint32_t start;
+    /// One past the last node along the side.
+    uint32_t end;
+    gusset_bridge_kind kind;
+    gusset_bridge_mode mode;
+    /// Inner rows (DOWN) or columns, before at. The first net ends at at - rows - 1.
+    uint32_t rows;
+    uint32_t reserved;
+} gusset_bridge;
+
+/// Joins nets side by side into one.
+/// Each net keeps its gluing and bridges; links that close it along the direction become seams. A new bridge joins
+/// consecutive nets; its index follows the second net's bridges. gusset_net_split_create is the inverse.
+/// @param nets at least one net, of one scalar type; repetition is allowed.
+/// @param net_count number of nets.
+/// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes with
+///     GUSSET_REPLICATE_REFUSE; welded sides apart, with place and distance), OUT_OF_RANGE (tolerance, twist of an open
+///     side, rows of a welded bridge), CROSSING_CELL, TOO_LARGE
+/// @complexity O(nodes of the result); memory also for copies of nets that are enlarged, rotated or flipped.
+/// @source Deryagin, "Concatenation".
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_concatenate_create(const struct gusset_context *context,
+    const struct gusset_net *const *nets, size_t net_count, const struct gusset_concatenate_options *options,
+    struct gusset_net **joined);
+
+/// Splits a net at a bridge that runs from side to side, and removes the bridge.
+/// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes are removed. In a
+/// net joined repeatedly, split the last bridge first. Gluing across the bridge is lost.
+/// @param bridge index of the bridge.
+/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also if the bridge does not run from side to
+///     side), CROSSING_CELL
+/// @complexity O(nodes).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_split_create(const struct gusset_context *context,
+    const struct gusset_net *net, size_t bridge, struct gusset_net **first, struct gusset_net **second);
+
+/// Describes a bridge of a net.
+/// @param index below bridge_count of gusset_net_gluing_report.
+/// @param bridge receives the struct; set its struct_size.
+/// @errors NO_SUCH_ELEMENT
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_bridge(const struct gusset_net *net, size_t index,
+    struct gusset_bridge *bridge);
+
+/// Changes the mode and properties of a bridge.
+/// @param index as for gusset_net_get_bridge.
+/// @param tolerance for welding: largest distance of coincident nodes, at least 0.
+/// @param properties new properties; NULL keeps the old ones.
+/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows), SIDES_DIFFER (with place and
+///     distance), CROSSING_CELL
+/// @complexity O(nodes) if welding begins or ends, or if the net shares memory; else O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_set_bridge(const struct gusset_context *context,
+    struct gusset_net *net, size_t index, gusset_bridge_mode mode, double tolerance,
+    const struct gusset_bridge_properties *properties);
+
+/* ---- Effects of a deformation: New gluing, tears, folds and stretching. */
+
+/// Effects of a deformation on a net.
+typedef struct gusset_net_analysis gusset_net_analysis;
+
+/// Effects of a deformation. See gusset_net for indices.
+typedef struct gusset_net_analysis_view {
+    size_t struct_size;
+    /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
+    const double *links;
+    /// 2 * rows * columns.
+    size_t link_count;
+    /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or,
+    /// with fields, negative determinants.
+    const double *cells;
+    /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
+    const double *determinants;
+    /// (rows - 1) * (columns - 1).
+    size_t cell_count;
+    /// Links that became a point and are not glued; see links of gusset_glue_options.
+    const uint32_t *contracted;
+    /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
+    const uint32_t *stars;
+    /// Number of contracted links.
+    size_t contracted_count;
+    /// Glued links whose ends separated.
+    const uint32_t *torn;
+    /// Number of torn links.
+    size_t torn_count;
+    /// Cells oriented against the majority.
+    const uint32_t *folded;
+    /// Number of folded cells.
+    size_t folded_count;
+    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
+    uint32_t soft;
+    uint32_t reserved;
+} gusset_net_analysis_view;
+
+/// Deformation to analyse; the default is none.
+typedef struct gusset_net_analysis_options {
+    size_t struct_size;
+    /// Deformed net of the same size; NULL: fields deform the net.
+    const struct gusset_net *after;
+    /// Fields, as for gusset_net_deform.
+    const struct gusset_field *fields;
+    /// Number of fields; 0 beside after.
+    size_t field_count;
+    /// Time, as for gusset_net_deform.
+    double time;
+    /// Lengths up to this count as 0; at least 0 and finite.
+    double tolerance;
+} gusset_net_analysis_options;
+
+/// Finds what a deformation glues, tears, folds and stretches; the net stays unchanged.
+/// @param net the net before the deformation.
+/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing would join both diagonals of the cell),
+///     as gusset_net_deform
+/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), and memory for a copy of the net and 8 bytes a
+///     cell.
+/// @source Deryagin, soft and hard deformations. Links are measured: a zero of the Jacobian neither implies gluing nor
+///     follows from it.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_analysis_create(const struct gusset_context *context,
+    const struct gusset_net *net, const struct gusset_net_analysis_options *options,
+    struct gusset_net_analysis **analysis);
+
+/// Lends an analysis.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *analysis,
+    struct gusset_net_analysis_view *view);
+
+/// Destroys an analysis.
+GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
+
+/* ---- The quotient surface: The surface of a net with glued nodes merged. */
+
+/// Cells that count.
+typedef uint32_t gusset_net_cells;
+/// All cells.
+#define GUSSET_NET_CELLS_ALL 0
+/// Cells that are not absent; see gusset_net.
+#define GUSSET_NET_CELLS_PRESENT 1
+
+/// Properties of the surface of a net.
+/// @bits
+typedef uint32_t gusset_net_flags;
+/// No boundary edges.
+#define GUSSET_NET_CLOSED 1
+/// Manifold, with or without boundary: no wires, branches, pinches.
+#define GUSSET_NET_MANIFOLD 2
+/// Consistent orientation of faces.
+#define GUSSET_NET_ORIENTED 4
+/// Consistent after reversal of some faces.
+#define GUSSET_NET_ORIENTABLE 8
+
+/// Quotient complex: the surface of a net with glued nodes merged.
+typedef struct gusset_net_complex gusset_net_complex;
+
+/// Counts and defects of a complex. Vertices are given by their smallest nodes, edges as pairs; lists are sorted.
+typedef struct gusset_net_complex_view {
+    size_t struct_size;
+    /// Vertices.
+    uint64_t vertex_count;
+    /// Edges; links with equal ends are one edge.
+    uint64_t edge_count;
+    /// Quads.
+    uint64_t quad_count;
+    /// Triangles.
+    uint64_t triangle_count;
+    /// Cells reduced to an edge.
+    uint64_t digon_count;
+    /// Cells reduced to a point.
+    uint64_t point_count;
+    /// Cells folded along a diagonal to two edges.
+    uint64_t fold_count;
+    /// Edges of one face.
+    uint64_t boundary_edge_count;
+    /// Connected components.
+    uint64_t component_count;
+    /// Euler characteristic, vertices - edges + faces.
+    int64_t euler;
+    /// Handles, or crosscaps if not orientable, of all components together; -1 if not manifold.
+    int64_t genus;
+    gusset_net_flags properties;
+    uint32_t reserved;
+    /// Chain k of boundary edges is boundary_nodes[offsets[k]] to boundary_nodes[offsets[k + 1] - 1].
+    struct gusset_indices boundary_offsets;
+    /// Vertices of all chains, with faces on the left.
+    struct gusset_indices boundary_nodes;
+    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
+    struct gusset_indices boundary_open;
+    /// Edges without faces.
+    struct gusset_indices wires;
+    /// Edges of three or more faces.
+    struct gusset_indices branches;
+    /// Vertices whose faces form several fans that meet only there.
+    struct gusset_indices pinches;
+    /// Edges that two faces traverse in the same direction.
+    struct gusset_indices conflicts;
+} gusset_net_complex_view;
+
+/// Determines the surface of a net with glued nodes merged. Defects are not errors.
+/// @errors TOO_LARGE (more than 2^31 boundary edges)
+/// @complexity O(nodes), and a sort of the elements at glued nodes; linear memory.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_create(const struct gusset_context *context,
+    const struct gusset_net *net, gusset_net_cells cells, struct gusset_net_complex **quotient);
+
+/// Lends the counts and defects of a complex.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
+    struct gusset_net_complex_view *view);
+
+/// Destroys a complex.
+GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *quotient);
+
 /* ---- Morphs: Interpolates between two nets. */
 
 /// Path of nodes from one net to another.
@@ -1181,15 +1322,6 @@ typedef uint32_t gusset_morph_path;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_morph_create(const struct gusset_context *context,
     const struct gusset_net *first, const struct gusset_net *second, double t, gusset_morph_path path,
     struct gusset_net **between);
-
-/* ---- The handle of a net: Indices of nodes, cells and links. */
-
-/// Net: a matrix of nodes with coordinates, and its gluing.
-/// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
-/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column. The last node links to the first.
-/// - A node with a NaN or infinite coordinate is missing. Absent cells have a missing corner or belong to a hidden
-///   bridge.
-typedef struct gusset_net gusset_net;
 
 /* ---- Normals: Unit normals, exact at poles and seams. */
 
@@ -1259,140 +1391,6 @@ typedef struct gusset_planarise_report {
 /// @source Deryagin, "Closures"; Liu et al. 2006.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_planarise(const struct gusset_context *context,
     struct gusset_net *net, const struct gusset_planarise_options *options, struct gusset_planarise_report *report);
-
-/* ---- Shapes: Spheres, cylinders, boxes, tori, one-sided surfaces and others. */
-
-/// Standard shape, the measures that it reads, the least rows x columns.
-typedef uint32_t gusset_net_shape;
-/// Rectangle at z = 0: size[0], size[1].
-#define GUSSET_NET_PLANE 0
-/// Sphere with two poles: radius. From 3 x 4 nodes.
-#define GUSSET_NET_SPHERE 1
-/// Sphere from a disc, its rim one point: radius. From 3 x 3 nodes.
-#define GUSSET_NET_ONE_POLE_SPHERE 2
-/// Cylinder without caps: radius, height. At least 4 columns.
-#define GUSSET_NET_TUBE 3
-/// Cylinder with caps: radius, height. From 4 x 4 nodes.
-#define GUSSET_NET_CYLINDER 4
-/// Regular prism: sides, radius (circumscribed), height. At least 4 rows and sides + 1 columns.
-#define GUSSET_NET_PRISM 5
-/// Cone with base: radius, height. From 3 x 4 nodes.
-#define GUSSET_NET_CONE 6
-/// Regular pyramid: sides, radius (circumscribed), height. At least 3 rows and sides + 1 columns.
-#define GUSSET_NET_PYRAMID 7
-/// Profile revolved about z: profile, profile_count. At least 4 columns; each point makes a row.
-#define GUSSET_NET_LATHE 8
-/// Torus: radius, minor_radius (of the tube, smaller). From 4 x 4 nodes.
-#define GUSSET_NET_TORUS 9
-/// Box: size, cells (which give rows and columns), box_kind.
-#define GUSSET_NET_BOX 10
-/// Moebius strip: radius (of the middle line), size[0] (width). At least 4 columns.
-#define GUSSET_NET_MOEBIUS 11
-/// Klein bottle with figure-eight section: radius, minor_radius. From 4 x 4 nodes.
-#define GUSSET_NET_KLEIN 12
-/// Projective plane as Boy's surface: radius (scale). From 4 x 4 nodes.
-#define GUSSET_NET_PROJECTIVE_PLANE 13
-/// Two sheets joined along their rim: size[0], size[1], height (thickness). At least 3 rows; 5, 7, ... columns.
-#define GUSSET_NET_PILLOW 14
-
-/// Layout of the caps of a box.
-typedef uint32_t gusset_box_kind;
-/// Each cap closes along a slit. All faces are unit quads; no seams.
-#define GUSSET_NET_BOX_SLIT 0
-/// Crosswise unwrapping. All faces are unit quads; two seams.
-#define GUSSET_NET_BOX_CROSS 1
-/// Concentric rings, with the fewest nodes, and triangles along the diagonals.
-#define GUSSET_NET_BOX_CONCENTRIC 2
-
-/// Standard shape and its measures.
-typedef struct gusset_net_primitive {
-    size_t struct_size;
-    gusset_net_shape shape;
-    /// Type of coordinates.
-    gusset_scalar scalar;
-    /// Rows of nodes; 0: 33. Boxes and lathes ignore it.
-    size_t rows;
-    /// Columns of nodes; 0: 65. Boxes ignore it.
-    size_t columns;
-    /// Above 0.
-    double radius;
-    /// Above 0.
-    double minor_radius;
-    /// Height along z, above 0.
-    double height;
-    /// Sizes along x, y and z, above 0.
-    double size[3];
-    /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
-    /// poles. A closed profile makes a ring.
-    const double *profile;
-    /// Number of points, at least 2.
-    size_t profile_count;
-    /// Lateral faces of a prism or pyramid, at least 3.
-    uint32_t sides;
-    gusset_box_kind box_kind;
-    /// Cells of a box along x, y and z, at least 1 each.
-    uint32_t cells[3];
-    uint32_t reserved;
-} gusset_net_primitive;
-
-/// Makes a net of a standard shape, centred at the origin, with axis z.
-/// Glued nodes have equal bits. Closed surfaces have outward normals.
-/// @param primitive the shape.
-/// @errors OUT_OF_RANGE (a measure not positive or beyond the scalar type, too few elements), TOO_LARGE
-/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
-/// @source Deryagin, "Closures of nets".
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_primitive_create(const struct gusset_context *context,
-    const struct gusset_net_primitive *primitive, struct gusset_net **net);
-
-/* ---- Resolutions: Resamples and decimates nets; levels of detail. */
-
-/// Interpolation of positions between nodes.
-typedef uint32_t gusset_interpolation;
-/// Catmull-Rom splines, with continuous tangents also across seams.
-#define GUSSET_INTERPOLATION_BICUBIC 0
-/// Bilinear patches of the cells.
-#define GUSSET_INTERPOLATION_BILINEAR 1
-
-/// Largest number of levels of a pyramid.
-#define GUSSET_PYRAMID_LEVELS 32
-
-/// Makes a net of rows x columns nodes, spread evenly over a net.
-/// First and last rows and columns stay. A new node on an old node has its bits. The gluing stays; glued nodes have
-/// equal bits.
-/// @param net a net without bridges, glued along whole sides only.
-/// @param rows rows of the result, at least 2.
-/// @param columns columns of the result, at least 2.
-/// @errors NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
-/// @complexity O(nodes of both nets).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_resample_create(const struct gusset_context *context,
-    const struct gusset_net *net, size_t rows, size_t columns, gusset_interpolation interpolation,
-    struct gusset_net **resampled);
-
-/// Removes rows, then columns, of a net within a tolerance; each time the one that causes the least deviation.
-/// @param net a net without bridges, glued along whole sides only.
-/// @param tolerance at least 0, may be infinite. Nodes are within half of it of the segments that replace their
-///     columns, and likewise for rows.
-/// @param rows receives indices of kept rows, with room for all rows of net; may be NULL.
-/// @param columns likewise for columns.
-/// @param deviation receives the largest deviation; may be NULL.
-/// @errors OUT_OF_RANGE, GLUED_INSIDE
-/// @complexity About O(nodes x log rows).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decimate_create(const struct gusset_context *context,
-    const struct gusset_net *net, double tolerance, uint32_t *rows, uint32_t *columns, double *deviation,
-    struct gusset_net **decimated);
-
-/// Makes levels of detail: nets of 2^k + 1 rows and columns, finest first.
-/// The first level is a copy if it has such a size, else resampled to the next larger size. Each further level has
-/// every second row and column of the previous one, bit for bit.
-/// @param net a net without bridges, glued along whole sides only.
-/// @param levels room for capacity handles.
-/// @param capacity size of levels; GUSSET_PYRAMID_LEVELS always suffices.
-/// @param count receives the count, also with BUFFER_TOO_SMALL (as for capacity 0).
-/// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
-/// @complexity O(nodes); memory for 4/3 of the first level.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
-    const struct gusset_net *net, gusset_interpolation interpolation, struct gusset_net **levels, size_t capacity,
-    size_t *count);
 
 /* ---- Bridges at rest: Settles bridges under tension, elasticity and stiffness. */
 

@@ -138,68 +138,332 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_paths_get_view(const str
 /// Frees curves.
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
-/* ---- Cells: Pairs of near cells, and cells of a region. */
+/* ---- Sheets: Smooth patches through a grid of nodes. */
 
-/// A cell of a surface.
-typedef struct gusset_surface_cell {
-    /// Index of the sheet.
-    uint32_t sheet;
-    /// Row of the cell.
-    uint32_t row;
-    /// Column of the cell.
-    uint32_t column;
-} gusset_surface_cell;
+/// A piece of surface: rows and columns of cells, each a Bézier patch. The handles that it was made from may be
+/// destroyed.
+typedef struct gusset_sheet gusset_sheet;
 
-/// Cells of a surface, or pairs of cells of two.
-typedef struct gusset_surface_cells gusset_surface_cells;
+/// Interpolation through nodes.
+typedef uint32_t gusset_scheme;
+/// Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
+#define GUSSET_SCHEME_SIX_TAP 0
+/// Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at nodes.
+#define GUSSET_SCHEME_FOUR_POINT 1
 
-/// Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0.
-typedef struct gusset_surface_cells_view {
+/// Source of the twists S_uv at nodes.
+typedef uint32_t gusset_twists;
+/// Differences of tangents over five nodes: fourth order.
+#define GUSSET_TWISTS_DIFFERENCES 0
+/// Adini's twists, from adjacent nodes.
+#define GUSSET_TWISTS_ADINI 1
+/// 0: flat spots at nodes.
+#define GUSSET_TWISTS_ZERO 2
+/// The given twists.
+#define GUSSET_TWISTS_GIVEN 3
+
+/// Nodes of a surface, x, y, z each. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals point
+/// along S_u x S_v, u running from row to row: opposite to a net of the same nodes.
+typedef struct gusset_nodes {
     size_t struct_size;
-    /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both sheets, then row, column.
-    const struct gusset_surface_cell *cells;
-    /// Number of cells or pairs.
-    size_t cell_count;
-    /// Cells of the second surface.
-    const struct gusset_surface_cell *others;
-    /// By cell: 1 if all of it is within the radius.
-    const uint32_t *whole;
-    /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k]
-    /// + i * c + j: mask[b / 64] >> (b % 64) & 1.
-    const uint64_t *mask;
-    /// Words of the mask.
-    size_t word_count;
-    /// First bit of each sheet, then the number of bits.
-    const uint64_t *first;
-    /// Number of sheets.
-    size_t sheet_count;
-} gusset_surface_cells_view;
+    /// The first node.
+    const void *nodes;
+    /// Rows, at least 2. If closed in u: at least 4, and the last repeats the first.
+    size_t rows;
+    /// Columns, with the same limits in v. rows * columns is at most 2^31 - 1.
+    size_t columns;
+    /// Bytes from row to row; 0: no gaps.
+    size_t row_stride;
+    /// Bytes from node to node in a row; 0: no gaps.
+    size_t column_stride;
+    /// Type of coordinates.
+    gusset_scalar scalar;
+    gusset_scheme scheme;
+    /// 1: closed in u; the last row repeats the first.
+    uint32_t closed_u;
+    /// 1: closed in v; the last column repeats the first.
+    uint32_t closed_v;
+} gusset_nodes;
 
-/// Finds the cells that have a point within a radius of a query.
-/// No cell is missed. A returned cell may lie outside by the tolerance, or more if bounded work cannot decide.
+/// Tangents at nodes: x, y, z each, packed, row after row. The parameter step between nodes is 1.
+typedef struct gusset_tangents {
+    size_t struct_size;
+    /// S_u at each node, towards the next row.
+    const double *u;
+    /// S_v at each node, towards the next column.
+    const double *v;
+    /// For GUSSET_TWISTS_GIVEN: S_uv at each node.
+    const double *twists;
+    gusset_twists twist;
+    uint32_t reserved;
+} gusset_tangents;
+
+/// Makes a sheet through nodes, or the C1 bicubic Hermite surface with given tangents.
+/// Repeated nodes and rows that are one point (poles) are allowed.
+/// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are destroyed. They are f64,
+/// with address and strides that are multiples of 8.
+/// @param nodes finite; at any alignment, unless borrowed.
+/// @param tangents NULL: the scheme of the nodes applies. Else rows x columns finite vectors in each array. A repeated
+///     closing line must exist, but its tangents are not used.
+/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents the sheet keeps only patches.
+/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or twist), SIDES_DIFFER
+///     (closed, but the ends differ; names the largest gap)
+/// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
+/// @source Leus, "Carcasses on smooth surfaces".
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_create(const struct gusset_context *context,
+    const struct gusset_nodes *nodes, const struct gusset_tangents *tangents, uint32_t borrow,
+    struct gusset_sheet **sheet);
+
+/// Frees a sheet. Results made of it stay valid.
+GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
+
+/* ---- Nearest points: Nearest points and local minima of the distance. */
+
+/// Properties of a nearest point.
+/// @bits
+typedef uint32_t gusset_nearest_flags;
+/// A point was found. Not set: no point is within the limit; distance and bound are infinite, all else is 0.
+#define GUSSET_NEAREST_FOUND 1
+/// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes too long, as near
+/// centres of curvature; `bound` still holds.
+#define GUSSET_NEAREST_PROVEN 2
+/// Another point, farther from this one than 1/100 of the distance, is equally near within the tolerance.
+#define GUSSET_NEAREST_AMBIGUOUS 4
+
+/// A surface point near a query.
+typedef struct gusset_surface_nearest_point {
+    /// Place on the surface.
+    struct gusset_surface_place place;
+    /// x, y, z.
+    double point[3];
+    /// Unit normal; at a pole its limit; 0 if undefined. The query is on its side if (query - point) . normal > 0.
+    double normal[3];
+    /// Distance from the query.
+    double distance;
+    /// Lower bound of the distance from the surface; for minima, from the piece round the point.
+    double bound;
+    gusset_nearest_flags flags;
+    uint32_t reserved;
+} gusset_surface_nearest_point;
+
+/// Limits of a search for near points.
+typedef struct gusset_nearest_options {
+    size_t struct_size;
+    /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
+    double limit;
+    /// For minima: maximum number, the nearest first; 0: all.
+    size_t max_count;
+} gusset_nearest_options;
+
+/// Points of a surface.
+typedef struct gusset_surface_points gusset_surface_points;
+
+/// Lent points.
+typedef struct gusset_surface_points_view {
+    size_t struct_size;
+    /// The points, nearest first.
+    const struct gusset_surface_nearest_point *points;
+    /// Number of points.
+    size_t count;
+    /// Distance below which no minimum is missing.
+    double bound;
+    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the surface.
+    uint32_t complete;
+    uint32_t reserved;
+} gusset_surface_points_view;
+
+/// Finds the nearest point of a surface for each query.
+/// Among equally near points, the first by sheet, row and column is returned. Answers do not depend on other queries.
+/// @param queries x, y, z of each, packed.
+/// @param points receives count answers in the order of the queries; after an error, none is found.
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
+/// @source Leus, "Carcasses on smooth surfaces", task a.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest(const struct gusset_context *context,
+    const struct gusset_surface *surface, const double *queries, size_t count,
+    const struct gusset_nearest_options *options, struct gusset_surface_nearest_point *points);
+
+/// Finds the local minima of the distance from a query.
+/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells that touch there,
+/// GUSSET_NEAREST_AMBIGUOUS and not GUSSET_NEAREST_PROVEN. On borders and creases, no path on the surface from a
+/// minimum leads nearer.
 /// @param query x, y, z, up to 1e150.
-/// @param radius at least 0; INFINITY: all cells.
-/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
-/// @complexity O(cells found), and one bit a cell.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_region_create(const struct gusset_context *context,
-    const struct gusset_surface *surface, const double *query, double radius, struct gusset_surface_cells **cells);
+/// @param points receives the minima, nearest first.
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @complexity O(cells within the limit, or up to the last of max_count minima).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_minima_create(const struct gusset_context *context,
+    const struct gusset_surface *surface, const double *query, const struct gusset_nearest_options *options,
+    struct gusset_surface_points **points);
 
-/// Finds the pairs of cells of two surfaces that may be within a distance of each other.
-/// No pair is missed; a few pairs may be farther apart.
-/// @param within a length, finite; 0: cells that may meet.
-/// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
-/// @complexity Proportional to the pairs and the index levels; 24 bytes a pair.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_cell_pairs_create(const struct gusset_context *context,
-    const struct gusset_surface *surface, const struct gusset_surface *other, double within,
-    struct gusset_surface_cells **cells);
-
-/// Lends the cells.
+/// Lends the points.
 /// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_cells_get_view(const struct gusset_surface_cells *cells,
-    struct gusset_surface_cells_view *view);
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
+    struct gusset_surface_points_view *view);
 
-/// Frees cells.
-GUSSET_API void gusset_surface_cells_destroy(struct gusset_surface_cells *cells);
+/// Frees points.
+GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
+
+/* ---- Points: Points, normals and curvatures at places of a surface. */
+
+/// Kind of a normal.
+typedef uint32_t gusset_normal_kind;
+/// Undefined: the tangents are 0, or parallel along all lines to the point.
+#define GUSSET_NORMAL_NONE 0
+/// Normal of the tangent plane.
+#define GUSSET_NORMAL_REGULAR 1
+/// Limit along the coordinate line where the tangents span no plane, as at poles.
+#define GUSSET_NORMAL_LIMIT 2
+
+/// Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the cell.
+typedef struct gusset_surface_point {
+    /// The point.
+    double point[3];
+    /// S_u.
+    double u[3];
+    /// S_v.
+    double v[3];
+    /// S_uu.
+    double uu[3];
+    /// S_uv.
+    double uv[3];
+    /// S_vv.
+    double vv[3];
+    /// Unit normal along S_u x S_v; 0 if undefined.
+    double normal[3];
+    /// For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth pole, large at a
+    /// cone's tip.
+    double spread;
+    /// Principal curvatures, the greater first; positive where the surface bends towards the normal.
+    double principal[2];
+    /// Principal directions: two unit tangents, x, y, z each.
+    double directions[6];
+    /// Mean curvature.
+    double mean;
+    /// Gaussian curvature.
+    double gaussian;
+    gusset_normal_kind normal_kind;
+    /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
+    uint32_t is_curved;
+} gusset_surface_point;
+
+/// Evaluates points, derivatives, normals and curvatures at places of a surface.
+/// @param results receives count points; all 0 after an error.
+/// @errors NO_SUCH_ELEMENT (place: sheet or cell does not exist, or a parameter is outside 0 to 1)
+/// @complexity O(1) a place, at a pole O(cells round it); parallel.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_evaluate(const struct gusset_context *context,
+    const struct gusset_surface *surface, const struct gusset_surface_place *places, size_t count,
+    struct gusset_surface_point *results);
+
+/// Converts parameters of a whole sheet to places: node (i, j) has u = i and v = j.
+/// Parameters wrap round in closed directions, and are clamped to open sides. A place has the parameters row + u and
+/// column + v.
+/// @param sheet index.
+/// @param parameters u, v of each place, packed.
+/// @param places receives count places; all 0 after an error.
+/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if the sheet does not exist)
+/// @complexity O(1) a place.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_locate(const struct gusset_context *context,
+    const struct gusset_surface *surface, uint32_t sheet, const double *parameters, size_t count,
+    struct gusset_surface_place *places);
+
+/* ---- Lines: Intersections of lines, rays, segments and curves with a surface. */
+
+/// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+typedef struct gusset_line {
+    /// x, y, z of the point at t = 0; -1e150 to 1e150.
+    double origin[3];
+    /// x, y, z. Its squared length must not underflow or overflow: lengths from 1e-150 to 1e150 are safe.
+    double direction[3];
+    /// Least t: -INFINITY for a line, 0 for a ray or segment; not INFINITY.
+    double from;
+    /// Greatest t: INFINITY for a line or ray; at least `from`, not -INFINITY.
+    double to;
+} gusset_line;
+
+/// The hits to return.
+typedef uint32_t gusset_hit_selection;
+/// All hits, ordered along the line.
+#define GUSSET_HITS_ALL 0
+/// The first hit.
+#define GUSSET_HITS_FIRST 1
+/// Any one hit, if one exists.
+#define GUSSET_HITS_ANY 2
+
+/// Kind of a hit.
+typedef uint32_t gusset_hit_kind;
+/// No hit.
+#define GUSSET_HIT_NONE 0
+/// It passes through the surface. Proved, except at poles.
+#define GUSSET_HIT_CROSSING 1
+/// It touches within the tolerance, in one point, two close points, or none.
+#define GUSSET_HIT_TOUCH 2
+/// It runs in the surface, within the tolerance, over the whole span.
+#define GUSSET_HIT_INSIDE 3
+
+/// A common point of a surface and a line or curve.
+typedef struct gusset_surface_hit {
+    /// Parameter on the line; for a curve, segment number + parameter on the segment.
+    double t;
+    /// Parameters between which line and surface agree within the tolerance; at a crossing, t twice.
+    double span[2];
+    /// Place on the surface.
+    struct gusset_surface_place place;
+    /// x, y, z on the surface.
+    double point[3];
+    /// x, y, z of the unit normal; at a pole its limit; 0 if undefined.
+    double normal[3];
+    gusset_hit_kind kind;
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/// Hits of lines and a curve on a surface.
+typedef struct gusset_surface_hits gusset_surface_hits;
+
+/// Lent hits.
+typedef struct gusset_surface_hits_view {
+    size_t struct_size;
+    /// Number of queries: the lines, then the curve if given.
+    size_t query_count;
+    /// Number of hits of all queries.
+    size_t hit_count;
+    /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
+    const uint64_t *ends;
+    /// The hits, by rising t in each query.
+    const struct gusset_surface_hit *hits;
+    /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
+    const struct gusset_place *on_curve;
+    /// Number of places on the curve.
+    size_t on_curve_count;
+} gusset_surface_hits_view;
+
+/// Finds the hits of lines, rays, segments and a curve on a surface.
+/// No hit is missed or repeated, also at cell sides, common sides of sheets, joints of the curve and poles. Each line
+/// has the same hits as in a call with that line alone.
+/// @param lines NULL: none.
+/// @param curve of degree 7 at most; NULL: none.
+/// @errors OUT_OF_RANGE (a line that is not finite, has no direction, or ends before it begins; degree), EMPTY_CURVE
+/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each cell that a line or
+///     segment runs in. Parallel.
+/// @source Leus, "Carcasses on smooth surfaces", task c.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_hits_create(const struct gusset_context *context,
+    const struct gusset_surface *surface, const struct gusset_line *lines, size_t count,
+    const struct gusset_curve *curve, gusset_hit_selection selection, struct gusset_surface_hits **hits);
+
+/// Finds the first hit, of least t, of each line, ray or segment.
+/// @param hits receives count hits. Without a hit, or after an error, kind is GUSSET_HIT_NONE and all else 0.
+/// @errors as gusset_surface_hits_create
+/// @complexity About O(log cells) a line; parallel.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_first_hits(const struct gusset_context *context,
+    const struct gusset_surface *surface, const struct gusset_line *lines, size_t count,
+    struct gusset_surface_hit *hits);
+
+/// Lends the hits.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
+    struct gusset_surface_hits_view *view);
+
+/// Frees hits.
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 
 /* ---- Sections: Sections by planes, contours, isophotes and silhouettes. */
 
@@ -307,220 +571,67 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest_angle(const stru
     const struct gusset_surface *surface, const double *direction, double angle, uint32_t unsigned_normals,
     struct gusset_nearest_angle_report *report);
 
-/* ---- Sheets: Smooth patches through a grid of nodes. */
+/* ---- Intersections of surfaces: Curves in which two surfaces meet, or one meets itself. */
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. The handles that it was made from may be
-/// destroyed.
-typedef struct gusset_sheet gusset_sheet;
-
-/// Interpolation through nodes.
-typedef uint32_t gusset_scheme;
-/// Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
-#define GUSSET_SCHEME_SIX_TAP 0
-/// Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at nodes.
-#define GUSSET_SCHEME_FOUR_POINT 1
-
-/// Source of the twists S_uv at nodes.
-typedef uint32_t gusset_twists;
-/// Differences of tangents over five nodes: fourth order.
-#define GUSSET_TWISTS_DIFFERENCES 0
-/// Adini's twists, from adjacent nodes.
-#define GUSSET_TWISTS_ADINI 1
-/// 0: flat spots at nodes.
-#define GUSSET_TWISTS_ZERO 2
-/// The given twists.
-#define GUSSET_TWISTS_GIVEN 3
-
-/// Nodes of a surface, x, y, z each. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals point
-/// along S_u x S_v, u running from row to row: opposite to a net of the same nodes.
-typedef struct gusset_nodes {
+/// Options of gusset_surface_intersection_create.
+typedef struct gusset_intersection_options {
     size_t struct_size;
-    /// The first node.
-    const void *nodes;
-    /// Rows, at least 2. If closed in u: at least 4, and the last repeats the first.
-    size_t rows;
-    /// Columns, with the same limits in v. rows * columns is at most 2^31 - 1.
-    size_t columns;
-    /// Bytes from row to row; 0: no gaps.
-    size_t row_stride;
-    /// Bytes from node to node in a row; 0: no gaps.
-    size_t column_stride;
-    /// Type of coordinates.
-    gusset_scalar scalar;
-    gusset_scheme scheme;
-    /// 1: closed in u; the last row repeats the first.
-    uint32_t closed_u;
-    /// 1: closed in v; the last column repeats the first.
-    uint32_t closed_v;
-} gusset_nodes;
-
-/// Tangents at nodes: x, y, z each, packed, row after row. The parameter step between nodes is 1.
-typedef struct gusset_tangents {
-    size_t struct_size;
-    /// S_u at each node, towards the next row.
-    const double *u;
-    /// S_v at each node, towards the next column.
-    const double *v;
-    /// For GUSSET_TWISTS_GIVEN: S_uv at each node.
-    const double *twists;
-    gusset_twists twist;
+    /// With GUSSET_POINT_SPACING_CHORD: largest distance of the curve from its chords, above 0 and finite. Estimated:
+    /// rare chords exceed it by about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    double chord;
+    /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
+    /// surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
+    /// tolerances may be lost.
+    double tolerance;
+    /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
+    gusset_spacing_rule spacing;
     uint32_t reserved;
-} gusset_tangents;
+} gusset_intersection_options;
 
-/// Makes a sheet through nodes, or the C1 bicubic Hermite surface with given tangents.
-/// Repeated nodes and rows that are one point (poles) are allowed.
-/// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are destroyed. They are f64,
-/// with address and strides that are multiples of 8.
-/// @param nodes finite; at any alignment, unless borrowed.
-/// @param tangents NULL: the scheme of the nodes applies. Else rows x columns finite vectors in each array. A repeated
-///     closing line must exist, but its tangents are not used.
-/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents the sheet keeps only patches.
-/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or twist), SIDES_DIFFER
-///     (closed, but the ends differ; names the largest gap)
-/// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus, "Carcasses on smooth surfaces".
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_create(const struct gusset_context *context,
-    const struct gusset_nodes *nodes, const struct gusset_tangents *tangents, uint32_t borrow,
-    struct gusset_sheet **sheet);
-
-/// Frees a sheet. Results made of it stay valid.
-GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
-
-/* ---- Curves and surfaces: Curves through points, along sheets, and near lines. */
-
-/// Direction of a coordinate curve of a sheet.
-typedef uint32_t gusset_sheet_direction;
-/// Along rows: u is constant.
-#define GUSSET_ALONG_ROWS 0
-/// Along columns: v is constant.
-#define GUSSET_ALONG_COLUMNS 1
-
-/// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between adjacent points.
-/// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first (closed paths of a
-///     surface lack it).
-/// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
-/// @complexity O(count).
-/// @source Leus, "Carcasses on smooth surfaces".
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_through_create(const struct gusset_context *context,
-    const double *nodes, size_t count, uint32_t closed, gusset_scheme scheme, struct gusset_curve **curve);
-
-/// Makes an exact coordinate curve of a sheet, one segment for each cell.
-/// @param parameter the constant u or v, 0 to the number of cells in its direction.
-/// @errors OUT_OF_RANGE (parameter)
-/// @complexity O(cells along the curve).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
-    const struct gusset_sheet *sheet, gusset_sheet_direction along, double parameter, struct gusset_curve **curve);
-
-struct gusset_line;
-
-/// Finds where a curve meets a line, ray or segment, or comes within a distance of it.
-/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches. Otherwise it has the minima of
-/// distance, each once. The other places have segment 0 and the line's parameter as t.
-/// @param within a length, finite; in space raised to 1e-12 of the curve's size.
-/// @param places overlaps are parts that stay within the distance or cannot be separated.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
-/// @complexity Bounded for each segment whose box meets the line.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
-    const struct gusset_curve *curve, const struct gusset_line *line, double within, struct gusset_places **places);
-
-/* ---- Lines: Intersections of lines, rays, segments and curves with a surface. */
-
-/// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
-typedef struct gusset_line {
-    /// x, y, z of the point at t = 0; -1e150 to 1e150.
-    double origin[3];
-    /// x, y, z. Its squared length must not underflow or overflow: lengths from 1e-150 to 1e150 are safe.
-    double direction[3];
-    /// Least t: -INFINITY for a line, 0 for a ray or segment; not INFINITY.
-    double from;
-    /// Greatest t: INFINITY for a line or ray; at least `from`, not -INFINITY.
-    double to;
-} gusset_line;
-
-/// The hits to return.
-typedef uint32_t gusset_hit_selection;
-/// All hits, ordered along the line.
-#define GUSSET_HITS_ALL 0
-/// The first hit.
-#define GUSSET_HITS_FIRST 1
-/// Any one hit, if one exists.
-#define GUSSET_HITS_ANY 2
-
-/// Kind of a hit.
-typedef uint32_t gusset_hit_kind;
-/// No hit.
-#define GUSSET_HIT_NONE 0
-/// It passes through the surface. Proved, except at poles.
-#define GUSSET_HIT_CROSSING 1
-/// It touches within the tolerance, in one point, two close points, or none.
-#define GUSSET_HIT_TOUCH 2
-/// It runs in the surface, within the tolerance, over the whole span.
-#define GUSSET_HIT_INSIDE 3
-
-/// A common point of a surface and a line or curve.
-typedef struct gusset_surface_hit {
-    /// Parameter on the line; for a curve, segment number + parameter on the segment.
-    double t;
-    /// Parameters between which line and surface agree within the tolerance; at a crossing, t twice.
-    double span[2];
-    /// Place on the surface.
-    struct gusset_surface_place place;
-    /// x, y, z on the surface.
-    double point[3];
-    /// x, y, z of the unit normal; at a pole its limit; 0 if undefined.
-    double normal[3];
-    gusset_hit_kind kind;
-    uint32_t reserved;
-} gusset_surface_hit;
-
-/// Hits of lines and a curve on a surface.
-typedef struct gusset_surface_hits gusset_surface_hits;
-
-/// Lent hits.
-typedef struct gusset_surface_hits_view {
-    size_t struct_size;
-    /// Number of queries: the lines, then the curve if given.
-    size_t query_count;
-    /// Number of hits of all queries.
-    size_t hit_count;
-    /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
-    const uint64_t *ends;
-    /// The hits, by rising t in each query.
-    const struct gusset_surface_hit *hits;
-    /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
-    const struct gusset_place *on_curve;
-    /// Number of places on the curve.
-    size_t on_curve_count;
-} gusset_surface_hits_view;
-
-/// Finds the hits of lines, rays, segments and a curve on a surface.
-/// No hit is missed or repeated, also at cell sides, common sides of sheets, joints of the curve and poles. Each line
-/// has the same hits as in a call with that line alone.
-/// @param lines NULL: none.
-/// @param curve of degree 7 at most; NULL: none.
-/// @errors OUT_OF_RANGE (a line that is not finite, has no direction, or ends before it begins; degree), EMPTY_CURVE
-/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each cell that a line or
-///     segment runs in. Parallel.
-/// @source Leus, "Carcasses on smooth surfaces", task c.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_hits_create(const struct gusset_context *context,
-    const struct gusset_surface *surface, const struct gusset_line *lines, size_t count,
-    const struct gusset_curve *curve, gusset_hit_selection selection, struct gusset_surface_hits **hits);
-
-/// Finds the first hit, of least t, of each line, ray or segment.
-/// @param hits receives count hits. Without a hit, or after an error, kind is GUSSET_HIT_NONE and all else 0.
-/// @errors as gusset_surface_hits_create
-/// @complexity About O(log cells) a line; parallel.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_first_hits(const struct gusset_context *context,
-    const struct gusset_surface *surface, const struct gusset_line *lines, size_t count,
-    struct gusset_surface_hit *hits);
-
-/// Lends the hits.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
-    struct gusset_surface_hits_view *view);
-
-/// Frees hits.
-GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+/// Finds the curves in which two surfaces meet, or one surface meets itself.
+/// Each curve is returned once. It runs along N x N', the normals at `places` and `others`. Points and normals lie on
+/// the first surface; on the second they differ by rounding, at crossings by up to the tolerance.
+/// Two surfaces: all branches are found, except
+/// - branches shorter than the tolerance, or than the surfaces' tolerance if it is smaller (near poles, four times
+///   that);
+/// - branches within four times that length of another branch;
+/// - parts within contacts and unresolved cells.
+/// An open path ends at a sheet's border or in an unresolved cell.
+/// A point where the surfaces touch or branches cross is a contact if three conditions are proved:
+/// - Near it, both surfaces are graphs over a plane.
+/// - The second derivatives of their difference are definite (GUSSET_CONTACT_POINT) or indefinite
+///   (GUSSET_CONTACT_CROSSING).
+/// - The gap is within the tolerance. A larger gap leaves a loop, nothing, or two separate branches.
+/// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is at most about 4
+/// sqrt(2 tolerance / c), where c is the least curvature of the difference. At a crossing, a path turns into the branch
+/// that closes it, if one exists. A figure of eight becomes two closed paths with a common point.
+/// Unresolved cells of the first surface are those where
+/// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
+/// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly along cell sides of both
+///   surfaces.
+/// There, curves may end, split or be missing. Curves are joined across a cell if a chord is as near to both surfaces
+/// as elsewhere.
+/// Self-intersections:
+/// - Along a closed curve the two pieces may swap (Klein bottle): it ends at its first point with `places` and `others`
+///   exchanged. A seam that turns the sheet over (Möbius band) also reverses the direction.
+/// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie at opposite borders
+///   of a sheet with equal control points, in either order, to 64 units of rounding of the largest coordinate.
+/// - A common border of different sheets is an intersection.
+/// - All branches longer than the tolerance are found, except in unresolved cells: at pinches, creases and singular
+///   poles, and where pieces touch or coincide.
+/// - A curve stops before a pinch, where its pieces come within the tolerance (on rough surfaces, tens of tolerances
+///   away).
+/// - A curve along cell sides may come in many parts.
+/// - Contacts are not sought.
+/// Exchanging the surfaces may change rounding and the proved contacts.
+/// @param other NULL: self-intersections. If it equals `surface`, everything coincides.
+/// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
+/// @complexity Proportional to the pairs of cells within the tolerance, with a limit for each, and to the points, about
+///     1 / sqrt(chord); parallel. Self-intersections: also to the cells, and n^2 / 2 for n cells round a pole.
+/// @source Leus, "Carcasses on smooth surfaces", task e.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_intersection_create(const struct gusset_context *context,
+    const struct gusset_surface *surface, const struct gusset_surface *other,
+    const struct gusset_intersection_options *options, struct gusset_surface_paths **paths);
 
 /* ---- Distances: Nearest points of a surface and a line, a plane, a curve or another surface. */
 
@@ -598,155 +709,6 @@ typedef struct gusset_distance_report {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_distance(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_target *target, double tolerance,
     struct gusset_distance_report *report);
-
-/* ---- Points: Points, normals and curvatures at places of a surface. */
-
-/// Kind of a normal.
-typedef uint32_t gusset_normal_kind;
-/// Undefined: the tangents are 0, or parallel along all lines to the point.
-#define GUSSET_NORMAL_NONE 0
-/// Normal of the tangent plane.
-#define GUSSET_NORMAL_REGULAR 1
-/// Limit along the coordinate line where the tangents span no plane, as at poles.
-#define GUSSET_NORMAL_LIMIT 2
-
-/// Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the cell.
-typedef struct gusset_surface_point {
-    /// The point.
-    double point[3];
-    /// S_u.
-    double u[3];
-    /// S_v.
-    double v[3];
-    /// S_uu.
-    double uu[3];
-    /// S_uv.
-    double uv[3];
-    /// S_vv.
-    double vv[3];
-    /// Unit normal along S_u x S_v; 0 if undefined.
-    double normal[3];
-    /// For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth pole, large at a
-    /// cone's tip.
-    double spread;
-    /// Principal curvatures, the greater first; positive where the surface bends towards the normal.
-    double principal[2];
-    /// Principal directions: two unit tangents, x, y, z each.
-    double directions[6];
-    /// Mean curvature.
-    double mean;
-    /// Gaussian curvature.
-    double gaussian;
-    gusset_normal_kind normal_kind;
-    /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
-    uint32_t is_curved;
-} gusset_surface_point;
-
-/// Evaluates points, derivatives, normals and curvatures at places of a surface.
-/// @param results receives count points; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (place: sheet or cell does not exist, or a parameter is outside 0 to 1)
-/// @complexity O(1) a place, at a pole O(cells round it); parallel.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_evaluate(const struct gusset_context *context,
-    const struct gusset_surface *surface, const struct gusset_surface_place *places, size_t count,
-    struct gusset_surface_point *results);
-
-/// Converts parameters of a whole sheet to places: node (i, j) has u = i and v = j.
-/// Parameters wrap round in closed directions, and are clamped to open sides. A place has the parameters row + u and
-/// column + v.
-/// @param sheet index.
-/// @param parameters u, v of each place, packed.
-/// @param places receives count places; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if the sheet does not exist)
-/// @complexity O(1) a place.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_locate(const struct gusset_context *context,
-    const struct gusset_surface *surface, uint32_t sheet, const double *parameters, size_t count,
-    struct gusset_surface_place *places);
-
-/* ---- Nearest points: Nearest points and local minima of the distance. */
-
-/// Properties of a nearest point.
-/// @bits
-typedef uint32_t gusset_nearest_flags;
-/// A point was found. Not set: no point is within the limit; distance and bound are infinite, all else is 0.
-#define GUSSET_NEAREST_FOUND 1
-/// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes too long, as near
-/// centres of curvature; `bound` still holds.
-#define GUSSET_NEAREST_PROVEN 2
-/// Another point, farther from this one than 1/100 of the distance, is equally near within the tolerance.
-#define GUSSET_NEAREST_AMBIGUOUS 4
-
-/// A surface point near a query.
-typedef struct gusset_surface_nearest_point {
-    /// Place on the surface.
-    struct gusset_surface_place place;
-    /// x, y, z.
-    double point[3];
-    /// Unit normal; at a pole its limit; 0 if undefined. The query is on its side if (query - point) . normal > 0.
-    double normal[3];
-    /// Distance from the query.
-    double distance;
-    /// Lower bound of the distance from the surface; for minima, from the piece round the point.
-    double bound;
-    gusset_nearest_flags flags;
-    uint32_t reserved;
-} gusset_surface_nearest_point;
-
-/// Limits of a search for near points.
-typedef struct gusset_nearest_options {
-    size_t struct_size;
-    /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
-    double limit;
-    /// For minima: maximum number, the nearest first; 0: all.
-    size_t max_count;
-} gusset_nearest_options;
-
-/// Points of a surface.
-typedef struct gusset_surface_points gusset_surface_points;
-
-/// Lent points.
-typedef struct gusset_surface_points_view {
-    size_t struct_size;
-    /// The points, nearest first.
-    const struct gusset_surface_nearest_point *points;
-    /// Number of points.
-    size_t count;
-    /// Distance below which no minimum is missing.
-    double bound;
-    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the surface.
-    uint32_t complete;
-    uint32_t reserved;
-} gusset_surface_points_view;
-
-/// Finds the nearest point of a surface for each query.
-/// Among equally near points, the first by sheet, row and column is returned. Answers do not depend on other queries.
-/// @param queries x, y, z of each, packed.
-/// @param points receives count answers in the order of the queries; after an error, none is found.
-/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
-/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
-/// @source Leus, "Carcasses on smooth surfaces", task a.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest(const struct gusset_context *context,
-    const struct gusset_surface *surface, const double *queries, size_t count,
-    const struct gusset_nearest_options *options, struct gusset_surface_nearest_point *points);
-
-/// Finds the local minima of the distance from a query.
-/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells that touch there,
-/// GUSSET_NEAREST_AMBIGUOUS and not GUSSET_NEAREST_PROVEN. On borders and creases, no path on the surface from a
-/// minimum leads nearer.
-/// @param query x, y, z, up to 1e150.
-/// @param points receives the minima, nearest first.
-/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
-/// @complexity O(cells within the limit, or up to the last of max_count minima).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_minima_create(const struct gusset_context *context,
-    const struct gusset_surface *surface, const double *query, const struct gusset_nearest_options *options,
-    struct gusset_surface_points **points);
-
-/// Lends the points.
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
-    struct gusset_surface_points_view *view);
-
-/// Frees points.
-GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
 
 /* ---- Reports on surfaces: Facts about a surface and its sheets. */
 
@@ -912,50 +874,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_offset_create(const struct
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_frame_create(const struct gusset_context *context,
     const struct gusset_frame *frame, gusset_frame_surface kind, struct gusset_sheet **sheet);
 
-/* ---- Meshes of sheets: Meshes of points of a sheet. */
-
-/// Options of gusset_sheet_to_mesh. By default each cell becomes one quad.
-typedef struct gusset_sheet_mesh_options {
-    size_t struct_size;
-    /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
-    double tolerance;
-    /// Minimum parts of each cell in u; 0: 1.
-    uint32_t min_u;
-    /// Minimum parts of each cell in v; 0: 1.
-    uint32_t min_v;
-    /// 1: triangles only; 0: quads, with triangles at poles.
-    /// @flag
-    uint32_t triangles;
-    uint32_t reserved;
-} gusset_sheet_mesh_options;
-
-/// Places and normals of the mesh of a sheet.
-typedef struct gusset_sheet_mesh_report {
-    size_t struct_size;
-    /// Number of vertices.
-    size_t vertex_count;
-    /// Place of each vertex; its sheet is 0.
-    const struct gusset_surface_place *places;
-    /// Unit normal of each vertex: x, y, z; 0 if undefined.
-    const double *normals;
-    /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
-    double deviation;
-} gusset_sheet_mesh_report;
-
-/// Makes a mesh of a sheet.
-/// Cells of a row have the same number of parts in u, cells of a column in v. Seams and poles are closed. Faces are
-/// counter-clockwise seen from the side of S_u x S_v. The mesh may have no faces.
-/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
-/// @complexity O(cells + vertices).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_to_mesh(const struct gusset_context *context,
-    const struct gusset_sheet *sheet, const struct gusset_sheet_mesh_options *options, struct gusset_result **result);
-
-/// Lends places and normals of a result of gusset_sheet_to_mesh.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (result of another operation)
-/// @complexity O(1).
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sheet_mesh(const struct gusset_result *result,
-    struct gusset_sheet_mesh_report *report);
-
 /* ---- Reports on sheets: Sizes, estimates and bounds. */
 
 /// Facts about a sheet.
@@ -1046,67 +964,147 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_measure(const struct gusse
     const struct gusset_sheet *sheet, gusset_sheet_measure_flags parts, const struct gusset_cell_arrays *cells,
     struct gusset_sheet_measures *measures);
 
-/* ---- Intersections of surfaces: Curves in which two surfaces meet, or one meets itself. */
+/* ---- Meshes of sheets: Meshes of points of a sheet. */
 
-/// Options of gusset_surface_intersection_create.
-typedef struct gusset_intersection_options {
+/// Options of gusset_sheet_to_mesh. By default each cell becomes one quad.
+typedef struct gusset_sheet_mesh_options {
     size_t struct_size;
-    /// With GUSSET_POINT_SPACING_CHORD: largest distance of the curve from its chords, above 0 and finite. Estimated:
-    /// rare chords exceed it by about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
-    double chord;
-    /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
-    /// surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
-    /// tolerances may be lost.
+    /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     double tolerance;
-    /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
-    gusset_spacing_rule spacing;
+    /// Minimum parts of each cell in u; 0: 1.
+    uint32_t min_u;
+    /// Minimum parts of each cell in v; 0: 1.
+    uint32_t min_v;
+    /// 1: triangles only; 0: quads, with triangles at poles.
+    /// @flag
+    uint32_t triangles;
     uint32_t reserved;
-} gusset_intersection_options;
+} gusset_sheet_mesh_options;
 
-/// Finds the curves in which two surfaces meet, or one surface meets itself.
-/// Each curve is returned once. It runs along N x N', the normals at `places` and `others`. Points and normals lie on
-/// the first surface; on the second they differ by rounding, at crossings by up to the tolerance.
-/// Two surfaces: all branches are found, except
-/// - branches shorter than the tolerance, or than the surfaces' tolerance if it is smaller (near poles, four times
-///   that);
-/// - branches within four times that length of another branch;
-/// - parts within contacts and unresolved cells.
-/// An open path ends at a sheet's border or in an unresolved cell.
-/// A point where the surfaces touch or branches cross is a contact if three conditions are proved:
-/// - Near it, both surfaces are graphs over a plane.
-/// - The second derivatives of their difference are definite (GUSSET_CONTACT_POINT) or indefinite
-///   (GUSSET_CONTACT_CROSSING).
-/// - The gap is within the tolerance. A larger gap leaves a loop, nothing, or two separate branches.
-/// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is at most about 4
-/// sqrt(2 tolerance / c), where c is the least curvature of the difference. At a crossing, a path turns into the branch
-/// that closes it, if one exists. A figure of eight becomes two closed paths with a common point.
-/// Unresolved cells of the first surface are those where
-/// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
-/// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly along cell sides of both
-///   surfaces.
-/// There, curves may end, split or be missing. Curves are joined across a cell if a chord is as near to both surfaces
-/// as elsewhere.
-/// Self-intersections:
-/// - Along a closed curve the two pieces may swap (Klein bottle): it ends at its first point with `places` and `others`
-///   exchanged. A seam that turns the sheet over (Möbius band) also reverses the direction.
-/// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie at opposite borders
-///   of a sheet with equal control points, in either order, to 64 units of rounding of the largest coordinate.
-/// - A common border of different sheets is an intersection.
-/// - All branches longer than the tolerance are found, except in unresolved cells: at pinches, creases and singular
-///   poles, and where pieces touch or coincide.
-/// - A curve stops before a pinch, where its pieces come within the tolerance (on rough surfaces, tens of tolerances
-///   away).
-/// - A curve along cell sides may come in many parts.
-/// - Contacts are not sought.
-/// Exchanging the surfaces may change rounding and the proved contacts.
-/// @param other NULL: self-intersections. If it equals `surface`, everything coincides.
-/// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
-/// @complexity Proportional to the pairs of cells within the tolerance, with a limit for each, and to the points, about
-///     1 / sqrt(chord); parallel. Self-intersections: also to the cells, and n^2 / 2 for n cells round a pole.
-/// @source Leus, "Carcasses on smooth surfaces", task e.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_intersection_create(const struct gusset_context *context,
-    const struct gusset_surface *surface, const struct gusset_surface *other,
-    const struct gusset_intersection_options *options, struct gusset_surface_paths **paths);
+/// Places and normals of the mesh of a sheet.
+typedef struct gusset_sheet_mesh_report {
+    size_t struct_size;
+    /// Number of vertices.
+    size_t vertex_count;
+    /// Place of each vertex; its sheet is 0.
+    const struct gusset_surface_place *places;
+    /// Unit normal of each vertex: x, y, z; 0 if undefined.
+    const double *normals;
+    /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
+    double deviation;
+} gusset_sheet_mesh_report;
+
+/// Makes a mesh of a sheet.
+/// Cells of a row have the same number of parts in u, cells of a column in v. Seams and poles are closed. Faces are
+/// counter-clockwise seen from the side of S_u x S_v. The mesh may have no faces.
+/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
+/// @complexity O(cells + vertices).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_to_mesh(const struct gusset_context *context,
+    const struct gusset_sheet *sheet, const struct gusset_sheet_mesh_options *options, struct gusset_result **result);
+
+/// Lends places and normals of a result of gusset_sheet_to_mesh.
+/// @errors as gusset_result_get_mesh, WRONG_HANDLE (result of another operation)
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sheet_mesh(const struct gusset_result *result,
+    struct gusset_sheet_mesh_report *report);
+
+/* ---- Cells: Pairs of near cells, and cells of a region. */
+
+/// A cell of a surface.
+typedef struct gusset_surface_cell {
+    /// Index of the sheet.
+    uint32_t sheet;
+    /// Row of the cell.
+    uint32_t row;
+    /// Column of the cell.
+    uint32_t column;
+} gusset_surface_cell;
+
+/// Cells of a surface, or pairs of cells of two.
+typedef struct gusset_surface_cells gusset_surface_cells;
+
+/// Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0.
+typedef struct gusset_surface_cells_view {
+    size_t struct_size;
+    /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both sheets, then row, column.
+    const struct gusset_surface_cell *cells;
+    /// Number of cells or pairs.
+    size_t cell_count;
+    /// Cells of the second surface.
+    const struct gusset_surface_cell *others;
+    /// By cell: 1 if all of it is within the radius.
+    const uint32_t *whole;
+    /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k]
+    /// + i * c + j: mask[b / 64] >> (b % 64) & 1.
+    const uint64_t *mask;
+    /// Words of the mask.
+    size_t word_count;
+    /// First bit of each sheet, then the number of bits.
+    const uint64_t *first;
+    /// Number of sheets.
+    size_t sheet_count;
+} gusset_surface_cells_view;
+
+/// Finds the cells that have a point within a radius of a query.
+/// No cell is missed. A returned cell may lie outside by the tolerance, or more if bounded work cannot decide.
+/// @param query x, y, z, up to 1e150.
+/// @param radius at least 0; INFINITY: all cells.
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
+/// @complexity O(cells found), and one bit a cell.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_region_create(const struct gusset_context *context,
+    const struct gusset_surface *surface, const double *query, double radius, struct gusset_surface_cells **cells);
+
+/// Finds the pairs of cells of two surfaces that may be within a distance of each other.
+/// No pair is missed; a few pairs may be farther apart.
+/// @param within a length, finite; 0: cells that may meet.
+/// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
+/// @complexity Proportional to the pairs and the index levels; 24 bytes a pair.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_cell_pairs_create(const struct gusset_context *context,
+    const struct gusset_surface *surface, const struct gusset_surface *other, double within,
+    struct gusset_surface_cells **cells);
+
+/// Lends the cells.
+/// @complexity O(1).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_cells_get_view(const struct gusset_surface_cells *cells,
+    struct gusset_surface_cells_view *view);
+
+/// Frees cells.
+GUSSET_API void gusset_surface_cells_destroy(struct gusset_surface_cells *cells);
+
+/* ---- Curves and surfaces: Curves through points, along sheets, and near lines. */
+
+/// Direction of a coordinate curve of a sheet.
+typedef uint32_t gusset_sheet_direction;
+/// Along rows: u is constant.
+#define GUSSET_ALONG_ROWS 0
+/// Along columns: v is constant.
+#define GUSSET_ALONG_COLUMNS 1
+
+/// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between adjacent points.
+/// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first (closed paths of a
+///     surface lack it).
+/// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
+/// @complexity O(count).
+/// @source Leus, "Carcasses on smooth surfaces".
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_through_create(const struct gusset_context *context,
+    const double *nodes, size_t count, uint32_t closed, gusset_scheme scheme, struct gusset_curve **curve);
+
+/// Makes an exact coordinate curve of a sheet, one segment for each cell.
+/// @param parameter the constant u or v, 0 to the number of cells in its direction.
+/// @errors OUT_OF_RANGE (parameter)
+/// @complexity O(cells along the curve).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
+    const struct gusset_sheet *sheet, gusset_sheet_direction along, double parameter, struct gusset_curve **curve);
+
+/// Finds where a curve meets a line, ray or segment, or comes within a distance of it.
+/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches. Otherwise it has the minima of
+/// distance, each once. The other places have segment 0 and the line's parameter as t.
+/// @param within a length, finite; in space raised to 1e-12 of the curve's size.
+/// @param places overlaps are parts that stay within the distance or cannot be separated.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
+/// @complexity Bounded for each segment whose box meets the line.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
+    const struct gusset_curve *curve, const struct gusset_line *line, double within, struct gusset_places **places);
 
 #ifdef __cplusplus
 }

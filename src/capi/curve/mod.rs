@@ -2,13 +2,13 @@
 //!
 //! @source Textbook properties of Bezier curves: Bernstein bases, de Casteljau, hodographs.
 
+pub mod outline;
+pub mod outline_options;
+pub mod measure;
+pub mod intersect;
 pub mod construct;
 pub mod export;
 pub mod frame;
-pub mod intersect;
-pub mod measure;
-pub mod outline;
-pub mod outline_options;
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};

@@ -1,26 +1,26 @@
 //! Meshes: Views of polygon meshes in memory of the caller or of a result.
 
+pub mod result;
+pub mod join;
+pub mod join_options;
+pub mod join_report;
+pub mod stitch;
+pub mod stitch_options;
+pub mod fill;
+pub mod fill_report;
+pub mod strip;
+pub mod weld;
+pub mod sew;
+pub mod orient;
 pub mod align;
-pub mod attributes;
+pub mod trim;
 pub mod boundary;
 pub mod check;
 pub mod develop;
 pub mod develop_report;
 pub mod facing;
-pub mod fill;
-pub mod fill_report;
-pub mod join;
-pub mod join_options;
-pub mod join_report;
-pub mod orient;
 pub mod origins;
-pub mod result;
-pub mod sew;
-pub mod stitch;
-pub mod stitch_options;
-pub mod strip;
-pub mod trim;
-pub mod weld;
+pub mod attributes;
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, Choice, choice, lent};

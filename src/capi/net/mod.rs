@@ -2,24 +2,24 @@
 //!
 //! @source Deryagin, tetragonal regular networks; functions beyond the paper are our own.
 
-pub mod analyse;
-pub mod arrange;
-pub mod classify;
-pub mod complex;
-pub mod field;
-pub mod glue;
+mod net_handle;
 pub mod gluing;
-pub mod join;
+pub mod glue;
+pub mod classify;
+pub mod primitive;
+pub mod transform;
+pub mod field;
 pub mod measure;
 pub mod mesh;
+pub mod arrange;
+pub mod resample;
+pub mod join;
+pub mod analyse;
+pub mod complex;
 pub mod morph;
-mod net_handle;
 pub mod normals;
 pub mod planarise;
-pub mod primitive;
-pub mod resample;
 pub mod settle;
-pub mod transform;
 pub mod validate;
 
 use crate::capi::context::{create, guard, guard_change, gusset_context, lend};

@@ -3,19 +3,19 @@
 //!
 //! @source Leus, "Carcasses on smooth surfaces".
 
-pub mod cells;
-pub mod contour;
-pub mod curve;
-pub mod distance;
+pub mod sheet;
+pub mod nearest;
 pub mod evaluate;
 pub mod line_intersection;
-pub mod nearest;
-pub mod report;
-pub mod sheet;
-pub mod sheet_construct;
-pub mod sheet_mesh;
-pub mod sheet_report;
+pub mod contour;
 pub mod surface_intersection;
+pub mod distance;
+pub mod report;
+pub mod sheet_construct;
+pub mod sheet_report;
+pub mod sheet_mesh;
+pub mod cells;
+pub mod curve;
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
