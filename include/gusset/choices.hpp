@@ -117,26 +117,26 @@ enum class CorrespondenceRule : uint32_t {
 /// Direction in which nodes move. See ::gusset_offset_direction.
 enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
 
-/// The type of coordinates. See ::gusset_scalar.
+/// Type of coordinates. See ::gusset_scalar.
 enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
 
-/// The type of indices. See ::gusset_index.
+/// Type of indices. See ::gusset_index.
 enum class Index : uint32_t { u32 = GUSSET_U32, u64 = GUSSET_U64 };
 
-/// The treatment of coincident borders of pieces. See ::gusset_welding.
+/// Treatment of coincident borders. See ::gusset_welding.
 enum class Welding : uint32_t {
     sew = GUSSET_WELDING_SEW,
     none = GUSSET_WELDING_NONE,
     edge_to_edge = GUSSET_WELDING_EDGE_TO_EDGE
 };
 
-/// The widest gap that is closed. See ::gusset_gap.
+/// Widest gap to close. See ::gusset_gap.
 enum class Gap : uint32_t { automatic = GUSSET_GAP_AUTO, given = GUSSET_GAP_GIVEN };
 
-/// The treatment of pieces that overlap. See ::gusset_overlaps.
+/// Treatment of overlapping pieces. See ::gusset_overlaps.
 enum class Overlaps : uint32_t { keep = GUSSET_OVERLAPS_KEEP, trim = GUSSET_OVERLAPS_TRIM };
 
-/// The outcome for two loops that face each other. See ::gusset_joint_outcome.
+/// Outcome of a joint. See ::gusset_joint_outcome.
 enum class JointOutcome : uint32_t {
     joined = GUSSET_JOINT_JOINED,
     orientation_conflict = GUSSET_JOINT_ORIENTATION_CONFLICT,
@@ -145,7 +145,7 @@ enum class JointOutcome : uint32_t {
     would_cut = GUSSET_JOINT_WOULD_CUT
 };
 
-/// The reason why a loop has no strip. See ::gusset_left_reason.
+/// Reason for the lack of a strip. See ::gusset_left_reason.
 enum class LeftReason : uint32_t {
     alone = GUSSET_LEFT_ALONE,
     not_simple = GUSSET_LEFT_NOT_SIMPLE,
@@ -158,7 +158,7 @@ enum class LeftReason : uint32_t {
     excluded = GUSSET_LEFT_EXCLUDED
 };
 
-/// The rule that chooses meridians. See ::gusset_meridians.
+/// Rule for the meridians. See ::gusset_meridians.
 enum class Meridians : uint32_t {
     continuation = GUSSET_MERIDIANS_CONTINUATION,
     index = GUSSET_MERIDIANS_INDEX,
@@ -170,10 +170,10 @@ enum class Meridians : uint32_t {
     min_area = GUSSET_MERIDIANS_MIN_AREA
 };
 
-/// The effort of the search for the best strip. See ::gusset_strip_search.
+/// Search effort. See ::gusset_strip_search.
 enum class StripSearch : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
 
-/// The first meridian of a closed strip. See ::gusset_strip_start.
+/// First meridian of a closed strip. See ::gusset_strip_start.
 enum class StripStart : uint32_t {
     automatic = GUSSET_START_AUTO,
     closest = GUSSET_START_CLOSEST,
@@ -190,14 +190,14 @@ enum class Intersections : uint32_t {
     report = GUSSET_INTERSECTIONS_REPORT
 };
 
-/// The treatment of pieces that are oriented against each other. See ::gusset_orientation.
+/// Treatment of opposite orientations. See ::gusset_orientation.
 enum class Orientation : uint32_t {
     fix = GUSSET_ORIENTATION_FIX,
     refuse = GUSSET_ORIENTATION_REFUSE,
     keep = GUSSET_ORIENTATION_KEEP
 };
 
-/// The part of the loops that is joined. See ::gusset_stitch_extent.
+/// Part of the loops to join. See ::gusset_stitch_extent.
 enum class StitchExtent : uint32_t {
     whole_loops = GUSSET_EXTENT_WHOLE_LOOPS,
     open_arcs = GUSSET_EXTENT_OPEN_ARCS,
@@ -205,22 +205,22 @@ enum class StitchExtent : uint32_t {
     arcs = GUSSET_EXTENT_ARCS
 };
 
-/// Which of several runs of facing vertices is joined. See ::gusset_facing_run.
+/// Choice among runs of facing vertices. See ::gusset_facing_run.
 enum class FacingRun : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
 
-/// The definition of the centre of a loop. See ::gusset_centres.
+/// Centre of a loop. See ::gusset_centres.
 enum class Centres : uint32_t { vertices = GUSSET_CENTRES_VERTICES, length = GUSSET_CENTRES_LENGTH };
 
-/// The number of interior rows. See ::gusset_row_rule.
+/// Number of interior rows. See ::gusset_row_rule.
 enum class RowRule : uint32_t { none = GUSSET_ROWS_NONE, mean_edge = GUSSET_ROWS_MEAN_EDGE, count = GUSSET_ROWS_COUNT };
 
-/// The faces of strips. See ::gusset_strip_cells.
+/// Faces of the strip. See ::gusset_strip_cells.
 enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
-/// The surface between the rims. See ::gusset_finish.
+/// Surface between the rims. See ::gusset_finish.
 enum class Finish : uint32_t { strip = GUSSET_FINISH_STRIP, blend = GUSSET_FINISH_BLEND };
 
-/// The source of a tolerance. See ::gusset_tolerance_mode.
+/// Source of the tolerance. See ::gusset_tolerance_mode.
 enum class ToleranceMode : uint32_t {
     automatic = GUSSET_TOLERANCE_AUTO,
     given = GUSSET_TOLERANCE_GIVEN,
@@ -291,14 +291,14 @@ enum class Collapse : uint32_t { never = GUSSET_COLLAPSE_NEVER, allow = GUSSET_C
 /// Treatment of vertices that no face uses. See ::gusset_unused.
 enum class Unused : uint32_t { keep = GUSSET_UNUSED_KEEP, remove = GUSSET_UNUSED_REMOVE };
 
-/// The poses in which pieces begin. See ::gusset_alignment_start.
+/// Initial poses. See ::gusset_alignment_start.
 enum class AlignmentStart : uint32_t {
     as_given = GUSSET_ALIGN_AS_GIVEN,
     principal_axes = GUSSET_ALIGN_PRINCIPAL_AXES,
     rims = GUSSET_ALIGN_RIMS
 };
 
-/// Whether the pose of a piece can be trusted, and if not why. See ::gusset_aligned_reason.
+/// Verdict on the pose of a piece. See ::gusset_aligned_reason.
 enum class AlignedReason : uint32_t {
     trusted = GUSSET_ALIGNED_TRUSTED,
     no_overlap = GUSSET_ALIGNED_NO_OVERLAP,

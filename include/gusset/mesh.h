@@ -11,91 +11,83 @@ extern "C" {
 
 /* ---- Meshes: Views of polygon meshes in memory of the caller or of a result. */
 
-/// The type of coordinates.
+/// Type of coordinates.
 typedef uint32_t gusset_scalar;
-/// Coordinates are 32-bit floats.
+/// 32-bit floats.
 #define GUSSET_F32 1
-/// Coordinates are 64-bit floats.
+/// 64-bit floats.
 #define GUSSET_F64 2
 
-/// The type of indices.
+/// Type of indices.
 typedef uint32_t gusset_index;
-/// Indices and face offsets are 32-bit unsigned integers.
+/// 32-bit unsigned integers.
 #define GUSSET_U32 0
-/// Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
 #define GUSSET_U64 1
 
-/// Indices that a result lends, or that the caller gives.
+/// Array of indices.
 typedef struct gusset_indices {
-    /// The first one; may be NULL if count is 0.
+    /// First index; may be NULL if count is 0.
     const uint32_t *data;
-    /// How many.
+    /// Number of indices.
     size_t count;
 } gusset_indices;
 
-/// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way
-/// in.
-/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE);
-/// at least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates
-/// at all vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment.
-/// They must be as long as the counts say, which the library cannot see, and must not change during a call. Also
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
-/// BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read.
-/// As output: packed positions, face_offsets given, face_size 0.
+/// Polygon mesh in the caller's arrays (input), or in the arrays of a result (output). Input arrays may have any
+/// alignment, and must not change during the call; their lengths are not checked. Counts are checked before elements.
+/// An output has packed positions, face_offsets, and face_size 0. An input has
+/// - at least one vertex and one face (EMPTY_MESH),
+/// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
+/// - at least 3 corners in each face (FACE_TOO_SMALL),
+/// - indices below vertex_count (INDEX_OUT_OF_RANGE),
+/// - finite coordinates at vertices of faces (NOT_FINITE),
+/// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
 typedef struct gusset_mesh_view {
     size_t struct_size;
-    /// x, y, z at the start of every stride, of the type that scalar names.
+    /// x, y, z at the start of each stride.
     const void *positions;
-    /// Bytes from one position to the next; 0 if they are packed.
+    /// Bytes from one position to the next; 0 if packed.
     size_t position_stride;
-    /// The number of vertices.
+    /// Number of vertices.
     size_t vertex_count;
-    /// face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if face_size is
-    /// given.
+    /// face_count + 1 entries: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with face_size.
     const void *face_offsets;
-    /// The vertex at each corner, face after face. Corner h is also the name of the half-edge that starts there.
+    /// Vertex of each corner, face by face. Corner h also names the half-edge that starts there.
     const void *face_corners;
-    /// The number of faces.
+    /// Number of faces.
     size_t face_count;
-    /// GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
+    /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     gusset_scalar scalar;
-    /// GUSSET_U32.
     gusset_index index;
-    /// The number of corners of every face, or 0 if face_offsets is given.
+    /// Corners of every face, or 0 with face_offsets.
     uint32_t face_size;
     uint32_t reserved;
-    /// For each vertex the vertex that it is one with, of the type that index names: itself, or one that is one with
-    /// itself; NULL if none is one with another. So can vertices be kept apart that carry different values, as at seams
-    /// of texture coordinates, and the surface has no border there: see gusset_mesh_find_merge. Positions are those of
-    /// the vertices that others are one with. Results name these in lists of vertices; their faces have the vertices
-    /// that were given.
+    /// Representative of each vertex, itself or another vertex; or NULL. Vertices with the same representative are one
+    /// vertex of the surface, so texture seams are not borders; see gusset_mesh_find_merge. A representative represents
+    /// itself, and its position counts. Results list representatives; their faces keep the given vertices.
     const void *merge;
 } gusset_mesh_view;
 
 /* ---- Results: The mesh that an operation makes, with the report of the operation. */
 
-/// A mesh that an operation made, with the report of that operation. Opaque and immutable; it keeps nothing of the
-/// inputs.
-/// gusset_join, gusset_stitch, gusset_strip, gusset_fill, gusset_weld, gusset_sew, gusset_orient, gusset_develop,
-/// gusset_net_to_mesh and gusset_sheet_to_mesh make results. Each operation has a report of its own:
-/// gusset_result_get_join and so on.
+/// Mesh made by an operation, such as gusset_join, with its report, such as gusset_result_get_join lends.
 typedef struct gusset_result gusset_result;
 
-/// Measures of the new faces of a stitch or of filled holes, and of the connectivity of the whole result.
+/// Quality of the new faces of a stitch or a filling, and of the whole result.
 typedef struct gusset_quality_report {
     size_t struct_size;
-    /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
+    /// Smallest angle of new triangles, in radians; 0 if one is degenerate.
     double min_angle;
-    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
-    /// triangle, infinite for a degenerate one.
+    /// Largest aspect ratio of new triangles, longest side / (2 sqrt(3) inradius): 1 if equilateral, infinite if
+    /// degenerate.
     double max_aspect;
-    /// The longest edge of the new faces, in the unit of the positions.
+    /// Longest edge of new faces, in the unit of the positions.
     double max_edge;
-    /// Their area, in the square of that unit.
+    /// Area of new faces, in the square of that unit.
     double area;
-    /// New triangles without area.
+    /// New triangles of area 0.
     uint32_t degenerate_faces;
-    /// Boundary loops of the result; 0 if no edge has exactly one face.
+    /// Boundary loops of the result.
     uint32_t loops_left;
     /// Edges of the result with three or more faces.
     uint32_t non_manifold_edges;
@@ -103,35 +95,35 @@ typedef struct gusset_quality_report {
     uint32_t orientation_conflicts;
 } gusset_quality_report;
 
-/// Destroys a result; NULL is allowed.
+/// Destroys a result.
 GUSSET_API void gusset_result_destroy(struct gusset_result *result);
 
-/// Lends the mesh, valid until the result is destroyed.
+/// Lends the mesh.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_mesh(const struct gusset_result *result,
     struct gusset_mesh_view *view);
 
-/// Gives measures of the new faces and of the result, for results of gusset_stitch and gusset_fill.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Reports the quality of a result of gusset_stitch or gusset_fill.
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct gusset_result *result,
     struct gusset_quality_report *quality);
 
 struct gusset_origins;
 
-/// Finds where the vertices, corners and faces of a result come from.
-/// The inputs are the meshes or pieces of the operation in their order, or its one mesh, net or sheet:
-/// - a strip has two polylines, which have neither corners nor faces; nor have its corners and faces any sources;
-/// - a corner that gusset_sew added on an edge has the corners of its face at both ends of that edge;
-/// - each vertex of a development comes from one vertex, and its corners and faces are those of the surface;
-/// - a vertex of the mesh of a net has the first of its nodes, and a face its cell. A corner has the node of the cell
-///   of its own face, which differs on either side of a seam: an image need not run back there;
-/// - the nodes of a sheet are those between its cells, (rows + 1) * (columns + 1) of them, row after row. A vertex and
-///   a corner have the nodes of their cell, by its parameters, and faces have their cells. On a line that closes the
-///   sheet each corner has the nodes on the side of its own face.
+/// Finds the sources of the vertices, corners and faces of a result. The inputs are the meshes, pieces, net or sheet of
+/// the operation, in order:
+/// - A strip has two polylines; its corners and faces lack sources.
+/// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
+/// - A vertex of a development comes from one vertex; its corners and faces are the ones of the surface.
+/// - A vertex of the mesh of a net has the first of its nodes, a face its cell. A corner has the node of its own cell,
+///   so both sides of a seam differ.
+/// - A sheet has (rows + 1) * (columns + 1) nodes between its cells, row by row. Vertices and corners have the nodes of
+///   their cell, by parameters; faces have their cells. Where the sheet closes, corners have the nodes on the side of
+///   their face.
 /// @errors TOO_LARGE
-/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and face (of a sheet
-///     52 for each vertex and corner), and linear in n.
+/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and face (sheet: 52
+///     for each vertex and corner), plus linear in n.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_origins_create(const struct gusset_context *context,
     const struct gusset_result *result, struct gusset_origins **origins);
 
@@ -139,28 +131,27 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_origins_create(const stru
 
 struct gusset_join_options;
 
-/// Joins open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
-/// across a gap stitched, holes filled, and closed components turned outwards, as the options say.
-/// That two loops cannot be joined is no failure: each joint has its outcome.
-/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the
-/// other loop, and from similar distances (the ninth decile is at most four times the first, or the spacing of the
-/// vertices) or so that the nearest vertices go round the other loop once; else runs of neighbouring vertices that are
-/// nearest to each other face each other, and are joined by open strips. What faces nothing is left alone. Pieces that
-/// overlap are not cut unless overlaps says so: where two lie on each other, their borders face each other and enclose
-/// what is between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the
-/// patches; faces in the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
-/// @param pieces piece_count mesh views one after another, each as large as the first one's struct_size says, at least
-///     one; each may have several components.
-/// @param piece_count see pieces.
-/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces), MIXED_SCALARS (a piece
-///     has f64 positions and the first one f32), OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded:
-///     the report's index is its number, its input is 0 or 1 for the first or the second loop, its value the piece that
-///     does not exist, else the vertex, and the message says what is wrong: there is no such piece, or no such vertex
-///     of it; of pairs also: no vertex is named, no loop that can be joined passes it or several do, it is on the
-///     pair's other loop, or its loop is in a pair before), TOO_LARGE
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V vertices on loops, the
-///     time of each strip as for gusset_stitch, and of each hole as for gusset_fill; a pass over all faces for each
-///     strip that is faired or tested for intersections. Extra memory is linear in the pieces and the result.
+/// Joins open pieces into one mesh. As the options say, sews coincident borders, orients components, joins facing loops
+/// by strips, fills holes, and turns closed components outwards. A pair that cannot be joined is not an error; see the
+/// outcome of each joint.
+/// The result has the vertices of pieces, strips, then patches; faces likewise. Positions have the scalar type of the
+/// first piece; old ones keep their bits. Unless overlaps says so, overlapping pieces are not trimmed; strips then
+/// enclose the overlap.
+/// Facing loops of different components are joined, by the best one-to-one choice:
+/// - Whole loops, if the conormals (tangents off the surface) of each point to the other, with no much nearer loop
+///   between.
+/// - Whole loops, if 9/10 of the vertices of each are nearest to the other, at similar distances or once round it.
+///   Similar: the ninth decile is at most 4 times the first, or the vertex spacing.
+/// - Else runs of mutually nearest vertices, by open strips.
+/// @param pieces at least one, each of one or more components; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces), MIXED_SCALARS (a piece
+///     has f64 positions and the first f32), OUT_OF_RANGE (a tolerance, max_gap, or an entry of pairs or excluded: the
+///     report has its number as index, 0 or 1 for its loop as input, and the missing piece, else the vertex, as value.
+///     The piece or vertex does not exist; or in pairs, no vertex is named, no or several joinable loops pass it, or
+///     its loop is named before), TOO_LARGE
+/// @complexity O(H log d + V log V) for H half-edges, at most d edges at a vertex and V vertices on loops, plus
+///     gusset_stitch for each strip, gusset_fill for each hole, and a pass over all faces for each strip faired or
+///     tested for intersections. Memory linear.
 /// @source Nesterenko for a single gap; the rest is our own.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_join(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_join_options *options,
@@ -168,255 +159,237 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_join(const struct gusset_context
 
 struct gusset_join_report;
 
-/// Lends the report on pieces, joints, loops and holes, for results of gusset_join.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the report of a join.
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_join(const struct gusset_result *result,
     struct gusset_join_report *report);
 
 /* ---- Options of stitching: How a strip is chosen, subdivided and smoothed. */
 
-/// The rule that chooses meridians.
+/// Rule for the meridians. A meridian is an edge of the strip from rim A to rim B.
 typedef uint32_t gusset_meridians;
-/// The strip of triangles that best continues both surfaces, near the strip of least area: little turn between
-/// neighbours, along the rims above all, and meridians that lie on the surface which the faces beside the rims suggest.
-/// Between lines without faces (gusset_strip) the strip of least area.
+/// Triangle strip that best continues both surfaces. It bends little, above all along the rims, and follows the tangent
+/// planes there. The default search stays near the strip of least area. In gusset_strip it is the strip of least area.
 #define GUSSET_MERIDIANS_CONTINUATION 0
-/// The paper's rule by index, O(N + M): good for evenly spaced rims.
+/// Vertices paired in proportion to their indices, O(N + M); suits evenly spaced rims.
 #define GUSSET_MERIDIANS_INDEX 1
-/// Both rims walked at the same pace, by arc length, O(N + M).
+/// Vertices paired in proportion to arc length, O(N + M). GUSSET_MERIDIANS_MIN_DIAGONAL applies if that repeats an
+/// edge.
 #define GUSSET_MERIDIANS_ARC_LENGTH 2
-/// Always on to the shorter of the two next meridians, O(N + M).
+/// Always the shorter of the two next meridians, O(N + M). GUSSET_MERIDIANS_MIN_DIAGONAL applies if that repeats an
+/// edge.
 #define GUSSET_MERIDIANS_GREEDY 3
-/// The strip of triangles whose meridians have the least total length.
+/// Triangle strip of least total meridian length.
 #define GUSSET_MERIDIANS_MIN_DIAGONAL 4
-/// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the
-/// angle between the normals).
+/// Triangle strip of least bend: the sum, over its edges and rims, of length * (1 - cos(angle between normals)).
 #define GUSSET_MERIDIANS_SMOOTH 5
-/// The least sum of the meridians' squared lengths where steps on both rims at once are allowed (dynamic time warping):
-/// quads where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+/// Least sum of squared meridian lengths (dynamic time warping): quads where both rims advance, else triangles. Suits
+/// strips with interior rows.
 #define GUSSET_MERIDIANS_QUAD 6
-/// The strip of triangles of least area through the first meridian.
+/// Triangle strip of least area through the first meridian.
 #define GUSSET_MERIDIANS_MIN_AREA 7
 
-/// The effort of the search for the best strip.
+/// Search effort.
 typedef uint32_t gusset_strip_search;
-/// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear
-/// time, linear memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+/// Exact up to 2^21 pairs of vertices. Beyond that coarse to fine, in nearly linear time and linear memory, usually
+/// within 0.1 % of the optimum.
 #define GUSSET_SEARCH_AUTO 0
-/// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch.
+/// Exact, in O(N M) time; gusset_stitch states the memory.
 #define GUSSET_SEARCH_EXACT 1
 
-/// The first meridian of a closed strip.
+/// First meridian of a closed strip.
 typedef uint32_t gusset_strip_start;
-/// The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been
-/// turned along rim A to where it fits best; the better strip of the two is kept.
+/// The closest pair of vertices, or the closest one after rotating rim B along rim A to the best fit. The better strip
+/// is kept.
 #define GUSSET_START_AUTO 0
-/// The closest pair.
+/// The closest pair of vertices.
 #define GUSSET_START_CLOSEST 1
-/// gusset_strip only: the first points.
+/// The first points; gusset_strip only.
 #define GUSSET_START_GIVEN 2
 
 /// The positions of new vertices.
 typedef uint32_t gusset_fairing;
-/// New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it,
-/// those of a patch lie on the triangles of its first triangulation.
+/// New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a patch.
 #define GUSSET_FAIRING_NONE 0
-/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of
-/// the squared Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they
-/// are.
+/// The new surface bends like a thin plate and meets the old one smoothly. The sum of squared Laplacians over new
+/// vertices and rims is least. Rims and ends of an open strip stay fixed.
 #define GUSSET_FAIRING_THIN_PLATE 1
 
 /// The treatment of faces that intersect each other.
 typedef uint32_t gusset_intersections;
-/// Faces of the strip that cut others are looked for, and what can be done about them is done:
-/// - a strip of triangles without rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it cuts, and of the
-///   strips tried the one that cuts least is kept;
-/// - faired rows are taken back in places, up to 12 times, until nothing cuts or nothing is left to take back; if the
-///   straight rows cut less in the end, they are kept;
-/// - blends are taken back likewise, and made with less fairing where they still cut; the one that cuts least is kept,
-///   or the strip if that cuts less than every blend.
-/// All other strips stay as they are: rows that are not faired, quads, and other meridians.
+/// Intersections of the strip are found, and reduced in these cases:
+/// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip tried is kept.
+/// - Faired rows move back locally, at most 12 times; straight rows are kept if they intersect less.
+/// - Blends move back likewise, then get less fairing. The best blend is kept, or the strip if every blend intersects
+///   more.
 #define GUSSET_INTERSECTIONS_AUTO 0
-/// They are not looked for: rows are faired in full, and the first blend is kept.
+/// No search: rows are faired in full, and the first blend is kept.
 #define GUSSET_INTERSECTIONS_IGNORE 1
-/// They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO, and no strip goes
-/// another way, nor does the strip that a blend follows.
+/// As GUSSET_INTERSECTIONS_AUTO, but no strip is rerouted.
 #define GUSSET_INTERSECTIONS_REPORT 2
 
-/// The treatment of pieces that are oriented against each other.
+/// Treatment of opposite orientations.
 typedef uint32_t gusset_orientation;
-/// A second piece that is oriented against the first is turned over: the component that rim B is on. Which of the two
-/// is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in the end. Two loops of one connected
-/// piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off
-/// them to the same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
+/// If the component of rim B is oriented against rim A, it is reversed, whichever is inside out. Within one component
+/// nothing is reversed. Whole rims are compared as curves. If both face the same way, as in a U-bend, the sides of
+/// their surfaces decide. An inconclusive comparison reverses nothing.
 #define GUSSET_ORIENTATION_FIX 0
-/// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
+/// Opposite orientations return GUSSET_ERROR_ORIENTATION_CONFLICT.
 #define GUSSET_ORIENTATION_REFUSE 1
-/// The rims are not compared: the faces are taken to be right as they are.
+/// Orientations are not compared.
 #define GUSSET_ORIENTATION_KEEP 2
 
-/// The part of the loops that is joined.
+/// Part of the loops to join.
 typedef uint32_t gusset_stitch_extent;
-/// All of both loops, by a closed band.
+/// Whole loops, by a closed band.
 #define GUSSET_EXTENT_WHOLE_LOOPS 0
-/// The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot
-/// tell.
+/// Runs of facing vertices, as in gusset_facing_create; may return GUSSET_ERROR_PLANES_UNDECIDED.
 #define GUSSET_EXTENT_OPEN_ARCS 1
-/// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or
-/// if the planes cannot tell; else open arcs.
+/// Whole loops if their normals make less than 60 degrees with the line of centres (mean of cosines), or if the planes
+/// are undecided. Else open arcs.
 #define GUSSET_EXTENT_AUTO 2
-/// The arcs given in arc_a and arc_b. Of a loop that is not given, place 0 is where gusset_boundary_get_loop has it.
+/// The arcs arc_a and arc_b. A loop that is not given is indexed as by gusset_boundary_get_loop.
 #define GUSSET_EXTENT_ARCS 3
 
-/// Which of several runs of facing vertices is joined.
+/// Choice among runs of facing vertices.
 typedef uint32_t gusset_facing_run;
-/// Of several runs of facing vertices, on each loop the one with the closest pair.
+/// On each loop the run with the closest pair.
 #define GUSSET_RUN_CLOSEST 0
-/// On each loop the one of the most vertices.
+/// On each loop the run with the most vertices; of equal runs the first.
 #define GUSSET_RUN_LONGEST 1
 
-/// The definition of the centre of a loop.
+/// Centre of a loop.
 typedef uint32_t gusset_centres;
-/// The centre of a loop is the mean of its vertices, as the paper has it.
+/// Mean of the vertices.
 #define GUSSET_CENTRES_VERTICES 0
-/// The mean of its points: vertices that lie close together do not draw it to them.
+/// Mean along the curve, independent of the vertex spacing.
 #define GUSSET_CENTRES_LENGTH 1
 
-/// The number of interior rows.
+/// Number of interior rows.
 typedef uint32_t gusset_row_rule;
-/// No interior rows: every meridian is one edge.
+/// 0: each meridian is one edge.
 #define GUSSET_ROWS_NONE 0
-/// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
+/// max(0, round(mean meridian length / mean edge length of both meshes) - 1).
 #define GUSSET_ROWS_MEAN_EDGE 1
-/// As many as row_count says.
+/// row_count.
 #define GUSSET_ROWS_COUNT 2
 
-/// The faces of strips.
+/// Faces of the strip.
 typedef uint32_t gusset_strip_cells;
-/// Triangles throughout; quads are split by their shorter diagonals.
+/// Triangles; quads are split by their shorter diagonals.
 #define GUSSET_CELLS_TRIANGLES 0
-/// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+/// Quads, and triangles where a rim repeats a vertex.
 #define GUSSET_CELLS_QUADS 1
 
-/// The surface between the rims.
+/// Surface between the rims.
 typedef uint32_t gusset_finish;
-/// The strip of meridians, with its rows.
+/// Strip of meridians, with interior rows.
 #define GUSSET_FINISH_STRIP 0
-/// The best-looking joint: triangles about as fine as those round the rims, graded between them, without sharp angles
-/// where the rims allow it, on a surface that leaves both pieces along their tangents. The strip, without rows, says
-/// which way it goes: meridians and matrix are its own, and no edges of the result; rows, cells and fairing are not
-/// read (the log says so if they are set). Where every blend would cut more faces than the strip does, the strip stays;
-/// the log says so. The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged by a
-/// tube, to within some per cent of its radius across a few radii. Time and memory grow with the number of new
-/// triangles. Where sides as short as those round the rims would take more than about 50,000 new vertices, or 16 for
-/// each of the rims', the sides are up to twice as long; where that is not enough, the strip stays, and the log says
-/// so.
+/// Smooth joint, tangent to both pieces. Its triangles are about as fine as along the rims, graded in between, without
+/// sharp angles where the rims allow. It follows a strip without rows, and smooths its ridges. A tube closes a gap in a
+/// tube, within some per cent of the radius across a few radii. Meridians and matrix describe the strip, not edges of
+/// the result. The options rows, cells and fairing are ignored, with a log message if set.
+/// The strip is kept, with a log message, if every blend intersects more or needs too many vertices. The limit is about
+/// 50,000 new vertices, or 16 for each rim vertex if more. To meet it, edges grow up to twice as long.
 #define GUSSET_FINISH_BLEND 1
 
-/// The source of a tolerance.
+/// Source of the tolerance.
 typedef uint32_t gusset_tolerance_mode;
-/// No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that face another loop
-/// that is at most 2^-16 of the loops' largest coordinate for 32-bit positions, 2^-45 for 64-bit ones; for vertices
-/// that are welded see gusset_weld_options.
+/// Rounding error of the coordinates. For facing vertices, at most 2^-16 (32-bit positions) or 2^-45 (64-bit) of the
+/// largest coordinate of the loops. For welding, see gusset_weld_options.
 #define GUSSET_TOLERANCE_AUTO 0
-/// The tolerance is the one given.
+/// The given tolerance.
 #define GUSSET_TOLERANCE_GIVEN 1
-/// The tolerance is 0: of vertices that are welded, the positions are equal.
+/// 0; welding requires equal positions.
 #define GUSSET_TOLERANCE_EXACT 2
 
 /// The side that closed components of a result face.
 typedef uint32_t gusset_outward;
-/// As the operation does by default: gusset_join as GUSSET_OUTWARD_CLOSED, all others as GUSSET_OUTWARD_KEEP.
+/// GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP.
 #define GUSSET_OUTWARD_AUTO 0
-/// Closed components stay as they are; gusset_orient turns each to the side that most of its faces had.
+/// Closed components stay unchanged; gusset_orient chooses the original side of most faces.
 #define GUSSET_OUTWARD_KEEP 1
-/// Closed components face outwards, each by its own volume. A shell within another one encloses its own inside, and the
-/// wall of a cavity is turned over too. A component whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
-/// Except in gusset_orient, only components that are closed (every edge has two faces), consistently oriented and
-/// inside out are turned over, each as a whole; all others stay as they are.
+/// Closed components face outwards, each by its own volume; walls of cavities are reversed too. If the volume is 0 up
+/// to rounding, GUSSET_OUTWARD_KEEP applies. Except in gusset_orient, only components that are closed (two faces at
+/// every edge), consistently oriented and inside out are reversed.
 #define GUSSET_OUTWARD_CLOSED 2
 
-/// How to stitch; all zero is the default.
+/// Options of gusset_stitch.
 typedef struct gusset_stitch_options {
     size_t struct_size;
     gusset_meridians meridians;
     gusset_orientation orientation;
-    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim
-    /// B so many places later, counted in the direction in which rim A runs (negative: earlier), and no other start is
-    /// tried. Any value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and with
-    /// GUSSET_EXTENT_OPEN_ARCS also if there are none to join.
+    /// Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
+    /// direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
+    /// (OUT_OF_RANGE).
     int64_t twist;
     gusset_stitch_extent extent;
     gusset_facing_run run;
     gusset_row_rule rows;
-    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
     uint32_t row_count;
     gusset_strip_cells cells;
     gusset_tolerance_mode tolerance_mode;
-    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0;
-    /// read for GUSSET_TOLERANCE_GIVEN.
+    /// Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
+    /// least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
-    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its
-    /// length. The arc runs along the loop as it was given, and may pass its end.
+    /// First index on loop A, and number of vertices, 1 to the loop's length, for GUSSET_EXTENT_ARCS. The arc follows
+    /// the loop as given, and may pass its end.
     uint32_t arc_a[2];
-    /// The same on loop B.
+    /// As arc_a, for loop B.
     uint32_t arc_b[2];
     gusset_strip_search search;
     gusset_strip_start start;
-    /// Read if interior rows are asked for; otherwise the log says that it is not.
+    /// Positions of interior rows; ignored without rows, with a log message if set.
     gusset_fairing fairing;
     gusset_intersections intersections;
     gusset_centres centres;
-    /// What becomes of closed components of the result, the strip and all.
     gusset_outward outward;
-    /// What lies between the rims in the end.
     gusset_finish finish;
     uint32_t reserved;
 } gusset_stitch_options;
 
 /* ---- Options of joining: Which borders are joined, and how. */
 
-/// The treatment of coincident borders of pieces.
+/// Treatment of coincident borders.
 typedef uint32_t gusset_welding;
-/// Coincident borders are sewn, by default up to what rounding can have done; see gusset_weld_options. Where their
-/// vertices do not match, edges are split; see gusset_sew.
+/// Sewn, with the tolerance of weld_options; edges are split where vertices do not match, as in gusset_sew.
 #define GUSSET_WELDING_SEW 0
 /// Nothing is welded.
 #define GUSSET_WELDING_NONE 1
-/// Coincident borders are sewn where they match vertex by vertex; see gusset_weld.
+/// Sewn where they match vertex by vertex, as in gusset_weld.
 #define GUSSET_WELDING_EDGE_TO_EDGE 2
 
-/// The widest gap that is closed.
+/// Widest gap to close.
 typedef uint32_t gusset_gap;
-/// Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's size along an axis,
-/// or the mean radius of the smaller loop (the mean distance of its vertices from their centre) if that is more; two
-/// loops that are the only ones, of two pieces, whatever it is. Runs of loops are joined where the gap is at most half
-/// that radius wide, and four edges of the loop with the longer ones. The width is the mean distance from each loop to
-/// the nearest points of the other, the larger of the two. Loops must look at each other, or lie round each other: of
-/// all that do, the best one-to-one choice is joined. What sewing left of two borders is joined with itself if it is at
-/// most one of its mean edges wide, and half its radius; wider it may be a hole that the seam crosses. Between pieces
-/// whose overlaps are trimmed, the gap is at most two and a half mean edges of the coarsest wide, or four where a part
-/// would be left alone.
+/// Limits by size. The width of a gap is the mean distance from a loop to the nearest points of the other, the larger
+/// of both.
+/// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean radius if more. The mean
+///   radius is the mean distance of the vertices from their centre. The only two loops, on two pieces, are always
+///   joined.
+/// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
+/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 #define GUSSET_GAP_AUTO 0
-/// Gaps are closed up to max_gap.
+/// max_gap.
 #define GUSSET_GAP_GIVEN 1
 
-/// The treatment of pieces that overlap.
+/// Treatment of overlapping pieces.
 typedef uint32_t gusset_overlaps;
-/// Pieces that overlap stay as they are.
+/// Overlapping pieces stay unchanged.
 #define GUSSET_OVERLAPS_KEEP 0
-/// Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves are closed as others
-/// are. Strips that would cut other faces are left to the holes.
+/// One piece of each overlap is kept, as by gusset_trim_create, and the gaps are closed. Strips that would intersect
+/// other faces are left to hole filling.
 #define GUSSET_OVERLAPS_TRIM 1
 
-/// Two loops of the input.
+/// Two loops of the pieces.
 typedef struct gusset_loop_pair {
-    /// The piece of each.
+    /// Piece of each loop.
     uint32_t piece[2];
-    /// A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in exclusions only.
+    /// Vertex of the piece on each loop. In exclusions, UINT32_MAX for all loops of the piece.
     uint32_t vertex[2];
 } gusset_loop_pair;
 
@@ -426,141 +399,133 @@ struct gusset_trim_options;
 
 struct gusset_weld_options;
 
-/// How pieces are joined; all zero is the default.
+/// Options of gusset_join.
 typedef struct gusset_join_options {
     size_t struct_size;
     gusset_welding weld;
-    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face
-    /// each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned, nor in the end.
+    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
+    /// they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     gusset_orientation orientation;
     gusset_gap gap;
-    /// 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or 1.
+    /// 1 joins whole loops only, not runs and slits.
     /// @flag
     uint32_t whole_loops_only;
-    /// 1: loops of one component may be joined without being asked for. 0 or 1.
+    /// 1 also joins loops of one component that pairs does not name.
     /// @flag
     uint32_t within_components;
-    /// 1: holes that are left in the end are filled. 0 or 1.
+    /// 1 fills the remaining holes.
     /// @flag
     uint32_t fill;
-    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0
-    /// leaves all open.
+    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     double max_gap;
-    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, or the
-    /// same one twice if sewing left it of two borders (see gusset_joint), and none is named in two pairs. Errors name
-    /// a pair by its number from 0, and say what is wrong with it.
+    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
+    /// gusset_joint). No loop is in two pairs.
     const struct gusset_loop_pair *pairs;
-    /// How many.
+    /// Number of pairs.
     size_t pair_count;
-    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that
-    /// no loop passes, as it was welded, excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
     const struct gusset_loop_pair *excluded;
-    /// How many.
+    /// Number of excluded pairs.
     size_t excluded_count;
-    /// How to weld; NULL for the defaults.
+    /// Options of welding; NULL for the defaults.
     const struct gusset_weld_options *weld_options;
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing, intersections and
-    /// finish are read; the other fields must be valid too.
+    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count, cells, fairing,
+    /// intersections and finish are used; all must be valid.
     const struct gusset_stitch_options *strip_options;
-    /// How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last two must be valid
-    /// too; intersections REPORT is as IGNORE.
+    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but outward and plan_only
+    /// must be valid. GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     const struct gusset_fill_options *fill_options;
-    /// The side that closed components of the result face; outwards by default. The wall of a cavity within another
-    /// component is turned too. A result that is not turned is mostly as the first piece has it.
+    /// Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
+    /// the orientation of the first piece.
     gusset_outward outward;
-    /// GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
     gusset_overlaps overlaps;
-    /// Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+    /// Options of trimming; NULL for the defaults.
     /// @when overlaps GUSSET_OVERLAPS_TRIM
     const struct gusset_trim_options *trim_options;
 } gusset_join_options;
 
 /* ---- Joining: reports: What became of each joint and each loop. */
 
-/// The outcome for two loops that face each other.
+/// Outcome of a joint.
 typedef uint32_t gusset_joint_outcome;
 /// A strip joins them.
 #define GUSSET_JOINT_JOINED 0
-/// Left: joining them would make a one-sided surface with what is joined already.
+/// Left open: the surface would become one-sided.
 #define GUSSET_JOINT_ORIENTATION_CONFLICT 1
-/// Left: they pass the same vertex.
+/// Left open: the sides share a vertex.
 #define GUSSET_JOINT_SHARE_VERTEX 2
-/// Left: every strip would repeat an edge that the mesh already has.
+/// Left open: every strip would repeat an edge of the mesh.
 #define GUSSET_JOINT_NO_STRIP 3
-/// Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a part of a hole then.
+/// Left to hole filling: the strip between trimmed pieces would intersect other faces.
 #define GUSSET_JOINT_WOULD_CUT 4
 
-/// The reason why a loop has no strip.
+/// Reason for the lack of a strip.
 typedef uint32_t gusset_left_reason;
-/// There is no other loop.
+/// It is the only loop.
 #define GUSSET_LEFT_ALONE 0
-/// It is open, or the faces along it disagree in orientation or are not manifold there.
+/// The loop is open, or its faces are non-manifold or not consistently oriented.
 #define GUSSET_LEFT_NOT_SIMPLE 1
-/// It has fewer than three vertices.
+/// The loop has fewer than 3 vertices.
 #define GUSSET_LEFT_TOO_SHORT 2
-/// It faces another loop, but no strip could be made: see the joints.
+/// The loop faces another, but no strip could be made; see joints.
 #define GUSSET_LEFT_NOT_JOINED 3
-/// The nearest loop is farther away than is allowed; or the loop is what sewing left of two borders, and its two sides
-/// are. See gap and allowed_gap.
+/// The nearest loop, or the other side of a slit, is farther than allowed_gap.
 #define GUSSET_LEFT_TOO_FAR 4
-/// All other loops are of its own component, and within_components is not set.
+/// All other loops are on its component, and within_components is 0.
 #define GUSSET_LEFT_SAME_COMPONENT 5
-/// The nearest loop is near enough, but they do not look at each other along enough of both.
+/// The nearest loop is close enough, but they face each other too little.
 #define GUSSET_LEFT_LOOKS_AWAY 6
 /// The nearest loop is joined with another.
 #define GUSSET_LEFT_TAKEN 7
-/// It is not to be joined with the nearest loop.
+/// The pair with the nearest loop is excluded.
 #define GUSSET_LEFT_EXCLUDED 8
 
-/// Where a piece went.
+/// Indices of a piece in the result.
 typedef struct gusset_piece_map {
-    /// Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if it was left out.
+    /// Index in the result of each vertex, or UINT32_MAX if removed; several may share one.
     struct gusset_indices vertices;
-    /// Per face, its index in the result, or UINT32_MAX; of a triangle that was cut, that of the first part, which the
-    /// others follow.
+    /// Index in the result of each face, or UINT32_MAX if removed. A split triangle has the index of its first part;
+    /// the others follow.
     struct gusset_indices faces;
 } gusset_piece_map;
 
 /// Two loops, or runs of loops, that face each other across a gap.
-/// Of two borders that coincide along a part only, sewing leaves loops that run along the rest of one and back along
-/// the other; they turn at two vertices that sewing made of several. Such a loop may be joined with itself: both sides
-/// are on it, one of them with both ends, whole is 0, and the strip has no interior rows whatever the options say.
+/// If borders coincide along a part only, sewing leaves a slit: a loop along the rest of both borders. A slit may be
+/// joined with itself. Then both sides are on it, one with both ends; whole is 0, and the strip lacks interior rows.
 typedef struct gusset_joint {
-    /// The vertices of each side in the result, in order; if joined, side by side from the first meridian on. The order
-    /// is that of before closed components were turned outwards.
+    /// Vertices of each side in the result, in order, before components are turned outwards. If joined, the sides run
+    /// together from the first meridian on.
     struct gusset_indices side[2];
-    /// The mean width of the gap; of a loop that is joined with itself the mean distance of its sides.
+    /// Mean width of the gap.
     double gap;
-    /// The strip's first new vertex in the result.
+    /// First new vertex in the result.
     size_t vertex_first;
-    /// How many new vertices it has.
+    /// New vertices.
     size_t vertex_count;
-    /// The strip's first face in the result.
+    /// First face of the strip in the result.
     size_t face_first;
-    /// How many faces it has.
+    /// Faces of the strip.
     size_t face_count;
-    /// Pairs of faces that cut each other, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, as in gusset_stitch_report.
     struct gusset_indices intersections;
-    /// 1 if they were looked for.
+    /// 1 if intersections were searched for.
     uint32_t intersections_known;
     gusset_joint_outcome outcome;
     /// 1 if both sides are whole loops.
     uint32_t whole;
-    /// What the strip is. A blend that was asked for may have had to give way to the strip.
+    /// Surface that was made; a strip may replace a blend.
     gusset_finish finish;
 } gusset_joint;
 
-/// A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled afterwards: holes says
-/// what became of it then.
+/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
 typedef struct gusset_left_loop {
-    /// Its vertices in the result, in order.
+    /// Vertices in the result, in order.
     struct gusset_indices vertices;
-    /// The mean distance from its vertices to the nearest of the loop that is nearest to most of them, of another
-    /// component where there is one; infinite if there is none, or if this loop cannot carry a strip. Of what sewing
-    /// left of two borders, whose sides are too far from each other, the mean distance of these.
+    /// Mean distance to the loop nearest to most vertices, on another component if any. Infinite without one, or if
+    /// this loop cannot carry a strip. For a slit that is too wide, the mean distance of its sides.
     double gap;
-    /// How far that loop, or that side, may be to be joined; 0 if there is none.
+    /// Largest gap that could be joined; 0 without another loop.
     double allowed_gap;
     gusset_left_reason reason;
     uint32_t reserved;
@@ -568,149 +533,132 @@ typedef struct gusset_left_loop {
 
 struct gusset_hole;
 
-/// The report of a join. Pointers are valid until the result is destroyed.
+/// Report of a join.
 typedef struct gusset_join_report {
     size_t struct_size;
-    /// One for each piece.
+    /// Indices of each piece in the result.
     const struct gusset_piece_map *pieces;
-    /// How many.
+    /// Number of pieces.
     size_t piece_count;
-    /// The pairs that face each other: those that were given, in their order, then the others, nearest first.
+    /// Joints: given pairs in their order, then the others, nearest first.
     const struct gusset_joint *joints;
-    /// How many.
+    /// Number of joints.
     size_t joint_count;
-    /// The loops that no strip hangs on, by their smallest vertices; those that were filled in the end are among them.
-    /// loops_left counts what is open now.
+    /// Loops without a strip, even if filled later, by smallest vertex.
     const struct gusset_left_loop *left;
-    /// How many.
+    /// Number of loops.
     size_t left_count;
-    /// The holes that were looked at in the end.
+    /// Holes considered for filling.
     const struct gusset_hole *holes;
-    /// How many.
+    /// Number of holes.
     size_t hole_count;
-    /// The vertices of their rims, in the order of before closed components were turned outwards.
+    /// Vertices of the rims of holes, in the order before components are turned outwards.
     struct gusset_indices hole_rims;
-    /// Faces of the pieces that run the other way than they did in their pieces, by their indices in the result: turned
-    /// to agree with others, or with their component to face outwards, but not both. Faces of strips and patches were
-    /// nothing before, and are not listed: they run as the faces of pieces beside them do.
+    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces are never listed.
     struct gusset_indices turned;
-    /// A face of each component that cannot be oriented.
+    /// A face of each non-orientable component.
     struct gusset_indices one_sided;
-    /// A face of each closed component of the result that encloses no volume up to rounding, as a piece does that is
-    /// given twice. Empty with GUSSET_ORIENTATION_KEEP or GUSSET_OUTWARD_KEEP.
+    /// A face of each closed component of volume 0 up to rounding. Empty with GUSSET_ORIENTATION_KEEP or
+    /// GUSSET_OUTWARD_KEEP.
     struct gusset_indices zero_volume;
-    /// Vertices that became one with another.
+    /// Vertices merged into another.
     uint32_t welded_vertices;
-    /// Edges that were two free edges.
+    /// Edges made from two boundary edges.
     uint32_t sewn_edges;
     /// Boundary loops of the result.
     uint32_t loops_left;
     /// Edges of the result with three or more faces.
     uint32_t non_manifold_edges;
-    /// Points at which free edges were split for borders to match.
+    /// Points at which boundary edges were split.
     uint32_t splits;
-    /// Entries of left that have another loop within the gap that is allowed: those that look away, whose partner is
-    /// taken, or that no strip could join.
+    /// Loops left by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED.
     uint32_t near_loops_left;
-    /// Faces that were trimmed from overlaps.
+    /// Faces removed from overlaps.
     uint32_t trimmed_faces;
     uint32_t reserved;
 } gusset_join_report;
 
 /* ---- Stitching: Joins two loops by a strip of new faces. */
 
-/// The parts of a stitch. Pointers are valid until the result is destroyed. Index 0 is the first mesh, 1 the second.
+/// Parts of a stitch. Index 0 is the first mesh, 1 the second.
 typedef struct gusset_stitch_report {
     size_t struct_size;
-    /// Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
+    /// Index in the result of each old vertex; empty for a missing second mesh.
     struct gusset_indices vertex_map[2];
-    /// Per old face, its index in the result.
+    /// Index in the result of each old face.
     struct gusset_indices face_map[2];
-    /// The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has
-    /// its surface on the left, rim 1 on the right, as they were before closed components were turned outwards. They
-    /// are also the strip's own first vertices in order: rim 0, then rim 1.
+    /// Vertices of each rim in the result, side by side from the first meridian on. Rim 0 has its surface on the left,
+    /// rim 1 on the right, before components are turned outwards. The mesh of the strip begins with rim 0, then rim 1.
     struct gusset_indices rim[2];
-    /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k
-    /// + 1]). They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
-    /// (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or
-    /// both: by the rule by index and with GUSSET_MERIDIANS_QUAD.
+    /// Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole rims of N and M
+    /// vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1;
+    /// with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD also both.
     struct gusset_indices meridians;
-    /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+    /// The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each meridian.
     struct gusset_indices matrix;
-    /// Of each new vertex (they are the last ones of the result), three vertices of the rims that it lies between: in a
-    /// row the ends of its meridian, that on rim 1 twice; of a blend the corners of the triangle of the strip that it
-    /// would be on without fairing.
+    /// Three rim vertices for each new vertex; new vertices are the last of the result. In a row: the ends of the
+    /// meridian, the one on rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired vertex.
     struct gusset_indices parents;
-    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; in row k of r rows 1 - k / (r +
-    /// 1), k / (r + 1) and 0. NULL without new vertices.
+    /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r + 1), k / (r + 1),
+    /// 0.
     const double *weights;
-    /// The first of the strip's faces in the result; they are the last ones.
+    /// First face of the strip, which comes last in the result.
     size_t strip_face_first;
-    /// How many there are; N + M triangles for whole rims without interior rows. A blend has as many as it needs, and
-    /// meridians and matrix are those of the strip that it follows.
+    /// Faces of the strip: N + M triangles for whole rims without interior rows, except for a blend.
     size_t strip_face_count;
-    /// Interior rows; the matrix has two rows more. 0 of a blend.
+    /// Interior rows, two less than in the matrix; 0 for a blend.
     uint32_t row_count;
-    /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
+    /// 1 for a closed band, 0 for a strip between arcs.
     uint32_t closed;
-    /// 1 if the component that rim 1 is on was turned over to agree with the other, else 0: its faces run the other
-    /// way, each from its own first corner. Other components stay as they are.
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first corners.
     uint32_t turned;
-    /// 1 if faces that cut each other were looked for, else 0.
+    /// 1 if intersections were searched for.
     uint32_t intersections_known;
-    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are.
-    /// What they share, a vertex or an edge, is no cut, nor are vertices and edges at the same place; any other touch
-    /// is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others as fans from their
-    /// first corners; a polygon that cuts itself is paired with itself.
+    /// Pairs of intersecting faces of the result: first a strip face, the larger one if both are. Shared or coincident
+    /// vertices and edges do not count; any other contact does. The test is exact. Quads are split by their shorter
+    /// diagonals, other polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
     struct gusset_indices intersections;
-    /// How often the fairing, of rows or of the blend that was kept, had to be taken back in places.
+    /// Times that the fairing of rows, or of the kept blend, was moved back.
     uint32_t back_off_count;
-    /// What the strip is. A blend that was asked for may have had to give way to the strip.
+    /// Surface that was made; a strip may replace a blend.
     gusset_finish finish;
-    /// Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the end, ascending. Each
-    /// keeps its first corner and has the others in reverse order.
+    /// Faces of the result that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     struct gusset_indices turned_outwards;
 } gusset_stitch_report;
 
-/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a
-/// strip between the arcs that face each other.
-/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
-/// strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one
-/// vertex gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no
-/// face.
-/// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair (and the last with the
-///     first) an edge with exactly one face. If both are NULL, the loops that lie nearest to each other are taken; if
-///     one is, the loop of its mesh that is nearest to the one given. Those to choose from are not open, have three
-///     vertices or more, and the faces along them agree in orientation and are manifold there; two of one mesh share no
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces. The strip is a closed band between whole
+/// loops, or open between facing arcs.
+/// Vertices of the result: A, B, then new ones; faces: A, B, then the strip. Every old face is kept. Positions have the
+/// scalar type of A; old ones keep their bits. An arc of one vertex gets a fan, which touches its piece there only. Two
+/// arcs of one vertex each get one meridian and no face.
+/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by edges with exactly one face.
+///     If both loops are NULL, the two nearest ones are joined. If one is NULL, the nearest to the other is chosen.
+///     Candidates are closed, of at least 3 vertices, manifold and consistently oriented; two of one mesh share no
 ///     vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
-/// @param loop_b see loop_a.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no
+/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (one mesh: no two loops without a shared
 ///     vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
 ///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21
-///     pairs of vertices, beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and
-///     fairing and intersection tests where asked for (O(n log n) and a test for each pair of triangles whose boxes
-///     overlap, which is all pairs in the worst case); plus, for a blend of n new vertices, O(n log n) and the solution
-///     of up to five plates, O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair of
-///     loops where the choice is left open. Extra memory is linear in the meshes and the strip; GUSSET_SEARCH_EXACT
-///     takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
-///     GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each pair, where the best strip would use an edge twice 8;
-///     twice that with more than one thread and two starts.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex. Meridians O(N M), above 2^21 pairs of
+///     vertices and for simple rules O((N + M) log M). Fairing and intersections O(n log n), and a test for each pair
+///     of overlapping triangle boxes. Blend of n vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops: a
+///     box test for each pair. Memory linear. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M
+///     bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes for each pair, 8 if the
+///     best strip would repeat an edge. Several threads and two starts double that.
 /// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1
 ///     points.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stitch(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh_a, const struct gusset_indices *loop_a, const struct gusset_mesh_view *mesh_b,
     const struct gusset_indices *loop_b, const struct gusset_stitch_options *options, struct gusset_result **result);
 
-/// Lends the strip of a stitch alone: the vertices of the two rims, the new ones, and the faces between them.
+/// Lends the strip of a stitch alone: the vertices of both rims, the new vertices and the new faces.
 /// @errors as gusset_result_get_stitch
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip_mesh(const struct gusset_result *result,
     struct gusset_mesh_view *view);
 
-/// Lends the maps, rims and meridians, for results of gusset_stitch.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the report of a stitch.
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_stitch(const struct gusset_result *result,
     struct gusset_stitch_report *report);
@@ -932,65 +880,58 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_fill(const struct gus
 
 /* ---- Strips: Builds a strip of triangles between two polylines that belong to no mesh. */
 
-/// How a strip is made; all zero is the default.
+/// Options of gusset_strip.
 typedef struct gusset_strip_options {
     size_t struct_size;
     gusset_meridians meridians;
     gusset_strip_search search;
-    /// For closed polylines; open ones begin at their first points.
+    /// First meridian of closed polylines; open ones start at their first points.
     gusset_strip_start start;
-    /// 1: the polylines are closed; 0: they are open.
+    /// 1 if the polylines are closed.
     /// @flag
     uint32_t closed;
-    /// The mean edge is the mean segment of both polylines.
+    /// Number of interior rows; the mean edge is of both polylines.
     gusset_row_rule rows;
-    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
     uint32_t row_count;
     gusset_strip_cells cells;
     uint32_t reserved;
 } gusset_strip_options;
 
-/// The parts of a strip. Pointers are valid until the result is destroyed.
+/// Parts of a strip.
 typedef struct gusset_strip_report {
     size_t struct_size;
-    /// The points of A and of B that the first meridian joins.
+    /// Points of A and B that the first meridian joins.
     uint32_t start[2];
-    /// The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N
-    /// and M points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of
-    /// meridians.
+    /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N and M points: from (0,
+    /// 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
     struct gusset_indices meridians;
-    /// The paper's matrix P, row by row from A to B, one column for each meridian: vertices of the mesh.
+    /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
     struct gusset_indices matrix;
-    /// Of each new vertex (they are the last ones of the mesh), the two that it lies between, on A and on B, by turns:
-    /// the ends of its meridian.
+    /// Ends on A and B of the meridian of each new vertex; new vertices come last.
     struct gusset_indices parents;
-    /// Of each new vertex, the weight of its second parent, 0 to 1: in row k of r rows k / (r + 1).
+    /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
     const double *weights;
-    /// Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no face.
+    /// Interior rows, two less than in the matrix; 0 without a face.
     uint32_t row_count;
     uint32_t reserved;
 } gusset_strip_report;
 
-/// Makes a strip of faces between two polylines that run side by side, as gusset_stitch does between two rims: the
-/// third, intermediate mesh alone.
-/// The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
-/// against polyline A, and along B. Where both sides advance at once triangles split a quad by its shorter diagonal.
-/// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
-///     least 3, and the last point is not the first again.
-/// @param count_a see points_a.
-/// @param points_b see points_a.
-/// @param count_b see points_a.
-/// @param options NULL for the defaults (open polylines).
+/// Builds a strip of faces between two polylines side by side, as gusset_stitch does between rims.
+/// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against A, along B. If both
+/// sides advance at once, the shorter diagonal splits a quad into triangles.
+/// @param points_a x, y, z of count_a points in order, at least 1; if closed at least 3, the first not repeated.
+/// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
-/// @complexity Time and memory of the meridians of gusset_stitch, and linear in the mesh.
+/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best strips.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_strip(const struct gusset_context *context, const double *points_a,
     size_t count_a, const double *points_b, size_t count_b, const struct gusset_strip_options *options,
     struct gusset_result **result);
 
-/// Lends the meridians and the matrix, for results of gusset_strip.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// Lends the report of a strip.
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip(const struct gusset_result *result,
     struct gusset_strip_report *report);
@@ -1183,208 +1124,191 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct g
 
 /* ---- Alignment: Finds the rigid poses at which overlapping pieces fit. */
 
-/// The poses in which pieces begin.
+/// Initial poses.
 typedef uint32_t gusset_alignment_start;
-/// The pieces begin where their positions say, or where poses move them if these are given.
+/// As given, moved by poses if any.
 #define GUSSET_ALIGN_AS_GIVEN 0
-/// Each piece begins with its principal axes on those of the first one, in the one of the four ways to do so after
-/// which most of it lies on the first. For pieces that show the same object whole.
+/// Principal axes on the ones of the first piece, in the one of four ways that puts most of the piece on it. For pieces
+/// that show the same object whole.
 #define GUSSET_ALIGN_PRINCIPAL_AXES 1
-/// The pieces are put together by rims that run alike, and it is their rims that hold them then: for pieces of one
-/// surface that was cut or broken and do not overlap.
+/// Rims of like shape put together; the rims then hold the pieces. For parts of one cut or broken surface that do not
+/// overlap.
 #define GUSSET_ALIGN_RIMS 2
 
-/// Whether the pose of a piece can be trusted, and if not why.
+/// Verdict on the pose of a piece.
 typedef uint32_t gusset_aligned_reason;
-/// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What fits is judged by mean
-/// edges: a smooth surface that lies within one of another, as a slightly scaled one or its mirror image may, passes
-/// for it. The rms of its overlaps, and converged, say more. Pieces that hold each other fast, but could slide together
-/// along the rest, pass, too.
+/// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a slightly scaled or
+/// mirrored smooth surface may pass. See rms and converged. Pieces that could only slide together also pass.
 #define GUSSET_ALIGNED_TRUSTED 0
-/// It has no faces with an area, or too little of it lies on other pieces.
+/// The piece lacks faces with area, or overlaps others too little.
 #define GUSSET_ALIGNED_NO_OVERLAP 1
-/// Where it is near others, too much of it lies off them.
+/// Too much of the piece near others is off their surfaces.
 #define GUSSET_ALIGNED_POOR_FIT 2
-/// The overlaps leave it free to slide or to turn, as planes, spheres or cylinders do.
+/// Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or cylinders.
 #define GUSSET_ALIGNED_UNDETERMINED 3
-/// Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
+/// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
 #define GUSSET_ALIGNED_FACES_OTHER_WAY 4
-/// It lies on no other piece, and is more than fifty times as large or small as the first one: its unit of length is
-/// another, most likely.
+/// The piece overlaps nothing, and is over 50 times larger or smaller than the first; its unit probably differs.
 #define GUSSET_ALIGNED_OTHER_SIZE 5
-/// It fits pieces that cannot be trusted only.
+/// The piece fits untrusted pieces only.
 #define GUSSET_ALIGNED_TRUSTED_BY_NONE 6
 
-/// How pieces are aligned; all zero is the default.
+/// Options of gusset_alignment_create.
 typedef struct gusset_alignment_options {
     size_t struct_size;
-    /// Where the pieces begin.
     gusset_alignment_start start;
-    /// So many points of each piece are looked for on the others; 0: 2,000.
+    /// Points of each piece to match; 0: 2,000.
     uint32_t samples;
-    /// Read for GUSSET_ALIGN_AS_GIVEN: motions of the pieces, rotations and translations, or NULL.
+    /// Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
     const struct gusset_transform *poses;
-    /// Their number: that of the pieces, or 0.
+    /// Number of pieces, or 0.
     size_t pose_count;
-    /// Points that are farther than this from another piece are no pair with it, in the unit of the positions, finite
-    /// and at least 0; 0: a tenth of the diagonal of the largest piece's box. Pieces may begin that far from where they
-    /// belong, or a little less.
+    /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
+    /// piece's box diagonal. Pieces may start about this far from their final poses.
     double max_distance;
-    /// Rounds at the most, in each of two stages; 0: 100.
+    /// Rounds in each of two stages, at most; 0: 100.
     uint32_t max_rounds;
     uint32_t reserved;
 } gusset_alignment_options;
 
-/// One piece, aligned.
+/// Pose of one piece.
 typedef struct gusset_aligned_piece {
-    /// Takes the piece's positions to their new places: a rotation and a translation.
+    /// Rigid motion from the given positions.
     struct gusset_transform pose;
-    /// How well the overlaps hold it, from 0 to 1: by how much the motion of length 1 that changes the distances of
-    /// pairs least changes them, as a root of a mean square; turns count in radii of the piece. Of the first piece 1.
+    /// How firmly overlaps hold the piece, 0 to 1; 1 for the first piece. The RMS change of matched distances under the
+    /// unit motion that changes them least. Turns are in radii of the piece.
     double hold;
     gusset_aligned_reason reason;
     uint32_t reserved;
 } gusset_aligned_piece;
 
-/// What two pieces have in common where they lie in the end.
+/// Overlap of two pieces in their final poses.
 typedef struct gusset_overlap {
-    /// The pieces, the smaller number first.
+    /// The pieces, ascending.
     uint32_t pieces[2];
-    /// The shares of their points that lie on the other, within a mean edge of it; 0 to 1.
+    /// Fraction of points of each piece that lie on the other, within a mean edge; 0 to 1.
     double shares[2];
-    /// The mean distance of these from the other's surface, in the unit of the positions.
+    /// Mean distance of the points on the other surface from it, in the unit of the positions.
     double mean;
-    /// The root of the mean square.
+    /// RMS distance of these points.
     double rms;
-    /// The share of the points within eight mean edges of the other piece that lie on it, 0 to 1.
+    /// Fraction of points within 8 mean edges of the other piece that lie on it, 0 to 1.
     double fit;
-    /// Of how many points this is known.
+    /// Points on the other piece.
     uint32_t count;
-    /// 1: they fit, as at least 30 points lie on each other and fit is at least two thirds. 0 or 1.
+    /// 1 if count is at least 30 and fit at least 2/3, else 0.
     uint32_t trusted;
 } gusset_overlap;
 
-/// Where pieces lie. Pointers are valid until it is destroyed.
+/// Poses and overlaps.
 typedef struct gusset_alignment_view {
     size_t struct_size;
-    /// The pieces, in their order.
+    /// Pieces in order.
     const struct gusset_aligned_piece *pieces;
-    /// How many.
+    /// Number of pieces.
     size_t piece_count;
-    /// The pairs with anything in common.
+    /// Pairs of overlapping pieces.
     const struct gusset_overlap *overlaps;
-    /// How many.
+    /// Number of overlaps.
     size_t overlap_count;
-    /// Rounds that were done.
+    /// Rounds done.
     uint32_t rounds;
-    /// 1: nothing moved any more in the end; 0: the rounds were not enough.
+    /// 1 if the pieces stopped moving, 0 if the rounds ran out.
     uint32_t converged;
 } gusset_alignment_view;
 
-/// Where pieces that overlap belong. Opaque and immutable; it keeps nothing of them.
+/// Poses of overlapping pieces.
 typedef struct gusset_alignment gusset_alignment;
 
-/// Finds where pieces that overlap belong: rigid motions after which they fit, all at once, so that no error adds up
-/// round a ring of them. The first piece stays.
-/// Points of each piece look for the nearest ones on the others, those beyond a border of the other apart and those
-/// whose normals differ by more than 45 degrees; the motions that bring pairs onto the planes of their normals, with
-/// less weight for those far off, are found in one system of equations; and so on until nothing moves. Pieces have to
-/// begin within max_distance of where they belong, see start. A piece that lies on no other stays where it begins;
-/// where overlaps leave it free it may slide.
-/// What is not known is no failure, but said for each piece: a piece is trusted if it fits others, overlaps hold it in
-/// all six directions by more than the noise of normals, and pieces lead from it to the first one by pairs that fit.
-/// @param pieces piece_count mesh views one after another, each as large as the first one's struct_size says, at least
-///     one.
-/// @param piece_count see pieces.
-/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces), OUT_OF_RANGE
-///     (max_distance; or a pose that is no rotation and translation, whose number is the report's index), COUNT_DIFFERS
-///     (fewer poses than pieces), TOO_LARGE
-/// @complexity O(V log V) for V vertices of a piece, and O(samples log V) for each piece and each one near it in each
-///     round, of which 10 to 30 are common; with GUSSET_ALIGN_RIMS 512^2 for each two pieces. Linear extra memory.
+/// Finds rigid motions after which overlapping pieces fit, all at once. The first piece stays.
+/// Points match the nearest points of other pieces, except beyond borders, or if normals differ by over 45 degrees.
+/// Distant matches weigh less. A piece without overlap stays where it starts; an underdetermined piece may slide. An
+/// untrusted pose is not an error; see reason.
+/// @param pieces at least one; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces), OUT_OF_RANGE
+///     (max_distance; or a pose that is not rigid, its number is the report's index), COUNT_DIFFERS (fewer poses than
+///     pieces), TOO_LARGE
+/// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds O(samples log V) for each
+///     piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for each two pieces. Memory linear.
 /// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994); P. Neugebauer
 ///     (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_alignment_options *options,
     struct gusset_alignment **alignment);
 
-/// Destroys an alignment; NULL is allowed.
+/// Destroys an alignment.
 GUSSET_API void gusset_alignment_destroy(struct gusset_alignment *alignment);
 
-/// Lends the poses and what is known of them.
+/// Lends the poses and overlaps.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_get_view(const struct gusset_alignment *alignment,
     struct gusset_alignment_view *view);
 
 /* ---- Trimming: Keeps one piece of each overlap. */
 
-/// How pieces that overlap are trimmed; all zero is the default.
+/// Options of gusset_trim_create.
 typedef struct gusset_trim_options {
     size_t struct_size;
-    /// Surfaces that are no farther apart than this are one, in the unit of the positions, finite and at least 0; 0:
-    /// four mean edges of the coarser of two pieces.
+    /// Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
+    /// edges of the coarser piece.
     double max_distance;
-    /// Surfaces whose normals differ by more are two, in radians, from 0 and below pi / 2; 0: 60 degrees.
+    /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
     double max_angle;
-    /// x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL: what was seen under a
-    /// flat angle counts for less.
+    /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
     const double *viewpoints;
-    /// Their number: that of the pieces, or 0.
+    /// Number of pieces, or 0.
     size_t viewpoint_count;
-    /// What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others show the same, and as
-    /// small holes do not come about.
+    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
+    /// show. Holes below that limit are not made.
     uint32_t min_faces;
     uint32_t reserved;
 } gusset_trim_options;
 
-/// The faces of a piece that are kept.
+/// Kept faces of a piece.
 typedef struct gusset_trimmed_piece {
-    /// Ascending.
+    /// Indices of the faces, ascending.
     struct gusset_indices kept;
-    /// How many of the piece's vertices lie on another piece.
+    /// Vertices that lie on another piece.
     size_t covered_vertices;
 } gusset_trimmed_piece;
 
-/// What is left of pieces. Pointers are valid until it is destroyed.
+/// Result of trimming.
 typedef struct gusset_trim_view {
     size_t struct_size;
-    /// One for each piece.
+    /// Kept faces of each piece.
     const struct gusset_trimmed_piece *pieces;
-    /// How many.
+    /// Number of pieces.
     size_t piece_count;
-    /// Faces that cut some of an earlier piece after all else; they went, with those round them.
+    /// Faces removed at last, with their neighbours, as they intersect an earlier piece.
     uint32_t crossings;
     uint32_t reserved;
 } gusset_trim_view;
 
-/// What is left of pieces that overlap. Opaque and immutable; it keeps nothing of them.
+/// Result of trimming.
 typedef struct gusset_trim gusset_trim;
 
-/// Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the others, which
-/// gusset_join closes; see GUSSET_OVERLAPS_TRIM there for both at once.
-/// The pieces are cut along lines on which both are equally good. A vertex is the better the farther it is from the
-/// borders of its piece, in mean edges of it, so that the finer of two pieces counts for more, and the less flat the
-/// angle it was seen under, if viewpoints are given; loops of fewer than 32 vertices are small holes and no borders in
-/// that sense. A vertex lies on another piece if the nearest place there is near, faces the same way, and is on no
-/// border. Where two are equally good but for noise, the earlier one is kept. No vertex moves, and no face is cut. What
-/// would be thinner than two faces goes, so do small islands, faces that hang on others by one vertex, and faces that
-/// cut those of an earlier piece.
-/// @param pieces piece_count mesh views one after another, each as large as the first one's struct_size says, at least
-///     one, all in one coordinate system; see gusset_alignment_create.
-/// @param piece_count see pieces.
-/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces), OUT_OF_RANGE
+/// Chooses the faces to keep where pieces overlap. One piece of each overlap is kept, with a narrow gap that
+/// gusset_join closes; see GUSSET_OVERLAPS_TRIM.
+/// Cuts run where two pieces are equally good; up to noise, the earlier piece is kept. A vertex is better farther from
+/// borders of its piece, in mean edges, and seen less flat from its viewpoint. Loops of under 32 vertices are holes,
+/// not borders. A vertex lies on another piece if the nearest point is close, faces the same way, and is not on a
+/// border. No vertex moves, and no face is split. Removed are parts thinner than two faces, small islands, faces
+/// attached by one vertex, and faces that intersect an earlier piece.
+/// @param pieces as in gusset_alignment_create, in one coordinate system.
+/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces), OUT_OF_RANGE
 ///     (max_distance, max_angle), NOT_FINITE (a viewpoint), COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
-/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to the square of the
-///     number of faces that lie in one place; linear extra memory.
+/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, up to quadratic in the faces at
+///     one place. Memory linear.
 /// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images (1994), who clip one
 ///     mesh at the other's border.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_trim_options *options,
     struct gusset_trim **trim);
 
-/// Destroys what is left of pieces; NULL is allowed.
+/// Destroys a result of trimming.
 GUSSET_API void gusset_trim_destroy(struct gusset_trim *trim);
 
-/// Lends which faces are kept.
+/// Lends the kept faces.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
     struct gusset_trim_view *view);
@@ -1749,69 +1673,63 @@ typedef struct gusset_develop_report {
 
 /* ---- Facing arcs: Finds which vertices of two loops face each other. */
 
-/// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
+/// Facing vertices of two loops.
 typedef struct gusset_facing gusset_facing;
 
-/// How facing vertices are found; all zero is the default.
+/// Options of gusset_facing_create.
 typedef struct gusset_facing_options {
     size_t struct_size;
     gusset_facing_run run;
     gusset_tolerance_mode tolerance_mode;
-    /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read for
-    /// GUSSET_TOLERANCE_GIVEN.
+    /// Facing vertices are farther than this from the plane of their loop. In the unit of the points; finite, at least
+    /// 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
     gusset_centres centres;
     uint32_t reserved;
 } gusset_facing_options;
 
-/// What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is destroyed.
+/// Facing vertices; index 0 is loop A, 1 is loop B.
 typedef struct gusset_facing_view {
     size_t struct_size;
-    /// The centres C_1 and C_2 (5): x, y, z of each.
+    /// Centres C_1 and C_2, equation 5.
     double centre[2][3];
-    /// The vectors C_2 - C_1 and C_1 - C_2 (6), the normals of the planes (7).
+    /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     double normal[2][3];
-    /// The distance of each vertex from its loop's plane, positive on the side of the other loop; as many as the loop
-    /// has.
+    /// Distance of each vertex from the plane of its loop, positive towards the other loop.
     const double *distances[2];
-    /// All runs of facing vertices: first place and number of vertices, by turns; a run may pass the loop's end.
+    /// First index and number of vertices of each run of facing vertices, alternating. A run may pass the end of the
+    /// loop.
     struct gusset_indices runs[2];
-    /// The run taken: first place and number of vertices, as gusset_stitch_options takes them in arc_a and arc_b.
+    /// First index and number of vertices of the chosen run, as arc_a and arc_b of gusset_stitch_options.
     uint32_t taken[2][2];
 } gusset_facing_view;
 
-/// Finds which vertices of two loops face each other.
-/// @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
-/// @param count_a see points_a.
-/// @param points_b see points_a.
-/// @param count_b see points_a.
-/// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is beyond the
-///     tolerance, as with coaxial rims, or the centres coincide)
-/// @complexity O((N + M) log M); linear extra memory.
+/// Finds the vertices of two loops that face each other.
+/// @param points_a x, y, z of count_a vertices in order, at least 1.
+/// @param points_b as points_a.
+/// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres coincide, or no vertex of
+///     a loop exceeds the tolerance, as with coaxial rims)
+/// @complexity O((N + M) log M); memory linear.
 /// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_create(const struct gusset_context *context,
     const double *points_a, size_t count_a, const double *points_b, size_t count_b,
     const struct gusset_facing_options *options, struct gusset_facing **facing);
 
-/// Destroys what gusset_facing_create made; NULL is allowed.
+/// Destroys facing vertices.
 GUSSET_API void gusset_facing_destroy(struct gusset_facing *facing);
 
-/// Lends what was found.
-/// @param facing what was found.
+/// Lends the facing vertices.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_get_view(const struct gusset_facing *facing,
     struct gusset_facing_view *view);
 
-/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones
-/// the later.
-/// @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N -
-///     1, a closed one N.
-/// @param m see n.
-/// @param j receives n + 1 numbers; NULL with capacity 0 asks for how many.
-/// @param capacity of j.
-/// @param written receives their number; may not be NULL.
-/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the number is written)
+/// Computes GUSSET_MERIDIANS_INDEX. For each i = 0 .. n, j of 0 .. m makes |m i - n j| least; on ties the later one.
+/// @param n segments of the longer polyline: N - 1 if open with N vertices, N if closed.
+/// @param m segments of the other polyline, at most n (OUT_OF_RANGE).
+/// @param j receives n + 1 numbers; NULL with capacity 0 asks for the count.
+/// @param written receives the count.
+/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (only the count is written)
 /// @complexity O(n).
 /// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_meridians_index(uint32_t n, uint32_t m, uint32_t *j, size_t capacity,

@@ -57,48 +57,47 @@ class BoundaryOptions(TypedDict, total=False):
 class StitchOptions(TypedDict, total=False):
     """Fields of ``gusset_stitch_options``; what is not given is as by default."""
 
-    #: The rule that chooses meridians.
+    #: Rule for the meridians.
     meridians: Literal['continuation', 'index', 'arc_length', 'greedy', 'min_diagonal', 'smooth', 'quad', 'min_area']
-    #: The treatment of pieces that are oriented against each other.
+    #: Treatment of opposite orientations.
     orientation: Literal['fix', 'refuse', 'keep']
-    #: The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of
-    #: rim B so many places later, counted in the direction in which rim A runs (negative: earlier), and no other
-    #: start is tried. Any value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and
-    #: with GUSSET_EXTENT_OPEN_ARCS also if there are none to join.
+    #: Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
+    #: direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
+    #: (OUT_OF_RANGE).
     twist: int
-    #: The part of the loops that is joined.
+    #: Part of the loops to join.
     extent: Literal['whole_loops', 'open_arcs', 'auto', 'arcs']
-    #: Which of several runs of facing vertices is joined.
+    #: Choice among runs of facing vertices.
     run: Literal['closest', 'longest']
-    #: The number of interior rows.
+    #: Number of interior rows.
     rows: Literal['none', 'mean_edge', 'count']
-    #: Interior rows, read for GUSSET_ROWS_COUNT.
+    #: Interior rows.
     row_count: int
-    #: The faces of strips.
+    #: Faces of the strip.
     cells: Literal['triangles', 'quads']
-    #: The source of a tolerance.
+    #: Source of the tolerance.
     tolerance_mode: Literal['auto', 'given', 'exact']
-    #: How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least
-    #: 0; read for GUSSET_TOLERANCE_GIVEN.
+    #: Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
+    #: least 0.
     tolerance: float
-    #: Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its
-    #: length. The arc runs along the loop as it was given, and may pass its end.
+    #: First index on loop A, and number of vertices, 1 to the loop's length, for GUSSET_EXTENT_ARCS. The arc follows
+    #: the loop as given, and may pass its end.
     arc_a: Sequence[float]
-    #: The same on loop B.
+    #: As arc_a, for loop B.
     arc_b: Sequence[float]
-    #: The effort of the search for the best strip.
+    #: Search effort.
     search: Literal['auto', 'exact']
-    #: The first meridian of a closed strip.
+    #: First meridian of a closed strip.
     start: Literal['auto', 'closest', 'given']
-    #: Read if interior rows are asked for; otherwise the log says that it is not.
+    #: Positions of interior rows; ignored without rows, with a log message if set.
     fairing: Literal['none', 'thin_plate']
     #: The treatment of faces that intersect each other.
     intersections: Literal['auto', 'ignore', 'report']
-    #: The definition of the centre of a loop.
+    #: Centre of a loop.
     centres: Literal['vertices', 'length']
-    #: What becomes of closed components of the result, the strip and all.
+    #: The side that closed components of a result face.
     outward: Literal['auto', 'keep', 'closed']
-    #: What lies between the rims in the end.
+    #: Surface between the rims.
     finish: Literal['strip', 'blend']
 
 
@@ -146,33 +145,31 @@ class FillOptions(TypedDict, total=False):
 class TrimOptions(TypedDict, total=False):
     """Fields of ``gusset_trim_options``; what is not given is as by default."""
 
-    #: Surfaces that are no farther apart than this are one, in the unit of the positions, finite and at least 0; 0:
-    #: four mean edges of the coarser of two pieces.
+    #: Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
+    #: edges of the coarser piece.
     max_distance: float
-    #: Surfaces whose normals differ by more are two, in radians, from 0 and below pi / 2; 0: 60 degrees.
+    #: Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
     max_angle: float
-    #: x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL: what was seen under
-    #: a flat angle counts for less.
+    #: x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
     viewpoints: ArrayLike
-    #: What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others show the same, and as
-    #: small holes do not come about.
+    #: Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
+    #: show. Holes below that limit are not made.
     min_faces: int
 
 
 class AlignOptions(TypedDict, total=False):
     """Fields of ``gusset_alignment_options``; what is not given is as by default."""
 
-    #: Where the pieces begin.
+    #: Initial poses.
     start: Literal['as_given', 'principal_axes', 'rims']
-    #: So many points of each piece are looked for on the others; 0: 2,000.
+    #: Points of each piece to match; 0: 2,000.
     samples: int
-    #: Read for GUSSET_ALIGN_AS_GIVEN: motions of the pieces, rotations and translations, or NULL.
+    #: Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
     poses: ArrayLike
-    #: Points that are farther than this from another piece are no pair with it, in the unit of the positions, finite
-    #: and at least 0; 0: a tenth of the diagonal of the largest piece's box. Pieces may begin that far from where
-    #: they belong, or a little less.
+    #: Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
+    #: piece's box diagonal. Pieces may start about this far from their final poses.
     max_distance: float
-    #: Rounds at the most, in each of two stages; 0: 100.
+    #: Rounds in each of two stages, at most; 0: 100.
     max_rounds: int
 
 
@@ -337,43 +334,40 @@ class DevelopOptions(TypedDict, total=False):
 class JoinOptions(TypedDict, total=False):
     """Fields of ``gusset_join_options``; what is not given is as by default."""
 
-    #: The treatment of coincident borders of pieces.
+    #: Treatment of coincident borders.
     weld: Literal['sew', 'none', 'edge_to_edge']
-    #: GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face
-    #: each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned, nor in the end.
+    #: GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
+    #: they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     orientation: Literal['fix', 'refuse', 'keep']
-    #: The widest gap that is closed.
+    #: Widest gap to close.
     gap: Literal['auto', 'given']
-    #: 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or 1.
+    #: 1 joins whole loops only, not runs and slits.
     whole_loops_only: bool
-    #: 1: loops of one component may be joined without being asked for. 0 or 1.
+    #: 1 also joins loops of one component that pairs does not name.
     within_components: bool
-    #: 1: holes that are left in the end are filled. 0 or 1.
+    #: 1 fills the remaining holes.
     fill: bool
-    #: Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0;
-    #: 0 leaves all open.
+    #: Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
     max_gap: float
-    #: Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, or the
-    #: same one twice if sewing left it of two borders (see gusset_joint), and none is named in two pairs. Errors name
-    #: a pair by its number from 0, and say what is wrong with it.
+    #: Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
+    #: gusset_joint). No loop is in two pairs.
     pairs: ArrayLike
-    #: Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that
-    #: no loop passes, as it was welded, excludes nothing.
+    #: Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
     excluded: ArrayLike
-    #: How to weld; NULL for the defaults.
+    #: Options of welding; NULL for the defaults.
     weld_options: WeldOptions
-    #: The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing, intersections and
-    #: finish are read; the other fields must be valid too.
+    #: Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count, cells, fairing,
+    #: intersections and finish are used; all must be valid.
     strip_options: StitchOptions
-    #: How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last two must be valid
-    #: too; intersections REPORT is as IGNORE.
+    #: Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but outward and plan_only
+    #: must be valid. GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     fill_options: FillOptions
-    #: The side that closed components of the result face; outwards by default. The wall of a cavity within another
-    #: component is turned too. A result that is not turned is mostly as the first piece has it.
+    #: Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
+    #: the orientation of the first piece.
     outward: Literal['auto', 'keep', 'closed']
-    #: GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
+    #: Treatment of overlapping pieces.
     overlaps: Literal['keep', 'trim']
-    #: Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+    #: Options of trimming; NULL for the defaults.
     trim_options: TrimOptions
 
 

@@ -15,120 +15,118 @@ use crate::error::Error;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 
-/// The poses in which pieces begin.
+/// Initial poses.
 pub type gusset_alignment_start = u32;
-/// The pieces begin where their positions say, or where poses move them if these are given.
+/// As given, moved by poses if any.
 pub const GUSSET_ALIGN_AS_GIVEN: gusset_alignment_start = 0;
-/// Each piece begins with its principal axes on those of the first one, in the one of the four ways
-/// to do so after which most of it lies on the first. For pieces that show the same object whole.
+/// Principal axes on the ones of the first piece, in the one of four ways that puts most of the
+/// piece on it. For pieces that show the same object whole.
 pub const GUSSET_ALIGN_PRINCIPAL_AXES: gusset_alignment_start = 1;
-/// The pieces are put together by rims that run alike, and it is their rims that hold them then:
-/// for pieces of one surface that was cut or broken and do not overlap.
+/// Rims of like shape put together; the rims then hold the pieces. For parts of one cut or broken
+/// surface that do not overlap.
 pub const GUSSET_ALIGN_RIMS: gusset_alignment_start = 2;
 
-/// Whether the pose of a piece can be trusted, and if not why.
+/// Verdict on the pose of a piece.
 pub type gusset_aligned_reason = u32;
-/// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What
-/// fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
-/// scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
-/// more.
-/// Pieces that hold each other fast, but could slide together along the rest, pass, too.
+/// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a
+/// slightly scaled or mirrored smooth surface may pass. See rms and converged. Pieces that could
+/// only slide together also pass.
 pub const GUSSET_ALIGNED_TRUSTED: gusset_aligned_reason = 0;
-/// It has no faces with an area, or too little of it lies on other pieces.
+/// The piece lacks faces with area, or overlaps others too little.
 pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
-/// Where it is near others, too much of it lies off them.
+/// Too much of the piece near others is off their surfaces.
 pub const GUSSET_ALIGNED_POOR_FIT: gusset_aligned_reason = 2;
-/// The overlaps leave it free to slide or to turn, as planes, spheres or cylinders do.
+/// Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or
+/// cylinders.
 pub const GUSSET_ALIGNED_UNDETERMINED: gusset_aligned_reason = 3;
-/// Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
+/// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
 pub const GUSSET_ALIGNED_FACES_OTHER_WAY: gusset_aligned_reason = 4;
-/// It lies on no other piece, and is more than fifty times as large or small as the first one: its
-/// unit of length is another, most likely.
+/// The piece overlaps nothing, and is over 50 times larger or smaller than the first; its unit
+/// probably differs.
 pub const GUSSET_ALIGNED_OTHER_SIZE: gusset_aligned_reason = 5;
-/// It fits pieces that cannot be trusted only.
+/// The piece fits untrusted pieces only.
 pub const GUSSET_ALIGNED_TRUSTED_BY_NONE: gusset_aligned_reason = 6;
 
-/// How pieces are aligned; all zero is the default.
+/// Options of gusset_alignment_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_alignment_options {
-    /// sizeof(gusset_alignment_options), set by the caller.
+    /// sizeof(gusset_alignment_options).
     pub struct_size: usize,
-    /// Where the pieces begin.
+    /// Initial poses.
     pub start: gusset_alignment_start,
-    /// So many points of each piece are looked for on the others; 0: 2,000.
+    /// Points of each piece to match; 0: 2,000.
     pub samples: u32,
-    /// Read for GUSSET_ALIGN_AS_GIVEN: motions of the pieces, rotations and translations, or NULL.
+    /// Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
     pub poses: *const gusset_transform,
-    /// Their number: that of the pieces, or 0.
+    /// Number of pieces, or 0.
     pub pose_count: usize,
-    /// Points that are farther than this from another piece are no pair with it, in the unit of the
-    /// positions, finite and at least 0; 0: a tenth of the diagonal of the largest piece's box.
-    /// Pieces may begin that far from where they belong, or a little less.
+    /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a
+    /// tenth of the largest piece's box diagonal. Pieces may start about this far from their final
+    /// poses.
     pub max_distance: f64,
-    /// Rounds at the most, in each of two stages; 0: 100.
+    /// Rounds in each of two stages, at most; 0: 100.
     pub max_rounds: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// One piece, aligned.
+/// Pose of one piece.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_aligned_piece {
-    /// Takes the piece's positions to their new places: a rotation and a translation.
+    /// Rigid motion from the given positions.
     pub pose: gusset_transform,
-    /// How well the overlaps hold it, from 0 to 1: by how much the motion of length 1 that changes
-    /// the distances of pairs least changes them, as a root of a mean square; turns count in radii
-    /// of the piece. Of the first piece 1.
+    /// How firmly overlaps hold the piece, 0 to 1; 1 for the first piece. The RMS change of matched
+    /// distances under the unit motion that changes them least. Turns are in radii of the piece.
     pub hold: f64,
-    /// Whether the pose of a piece can be trusted, and if not why.
+    /// Verdict on the pose of a piece.
     pub reason: gusset_aligned_reason,
     /// 0.
     pub reserved: u32,
 }
 
-/// What two pieces have in common where they lie in the end.
+/// Overlap of two pieces in their final poses.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_overlap {
-    /// The pieces, the smaller number first.
+    /// The pieces, ascending.
     pub pieces: [u32; 2],
-    /// The shares of their points that lie on the other, within a mean edge of it; 0 to 1.
+    /// Fraction of points of each piece that lie on the other, within a mean edge; 0 to 1.
     pub shares: [f64; 2],
-    /// The mean distance of these from the other's surface, in the unit of the positions.
+    /// Mean distance of the points on the other surface from it, in the unit of the positions.
     pub mean: f64,
-    /// The root of the mean square.
+    /// RMS distance of these points.
     pub rms: f64,
-    /// The share of the points within eight mean edges of the other piece that lie on it, 0 to 1.
+    /// Fraction of points within 8 mean edges of the other piece that lie on it, 0 to 1.
     pub fit: f64,
-    /// Of how many points this is known.
+    /// Points on the other piece.
     pub count: u32,
-    /// 1: they fit, as at least 30 points lie on each other and fit is at least two thirds. 0 or 1.
+    /// 1 if count is at least 30 and fit at least 2/3, else 0.
     pub trusted: u32,
 }
 
-/// Where pieces lie. Pointers are valid until it is destroyed.
+/// Poses and overlaps.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_alignment_view {
-    /// sizeof(gusset_alignment_view), set by the caller.
+    /// sizeof(gusset_alignment_view).
     pub struct_size: usize,
-    /// The pieces, in their order.
+    /// Pieces in order.
     pub pieces: *const gusset_aligned_piece,
-    /// How many.
+    /// Number of pieces.
     pub piece_count: usize,
-    /// The pairs with anything in common.
+    /// Pairs of overlapping pieces.
     pub overlaps: *const gusset_overlap,
-    /// How many.
+    /// Number of overlaps.
     pub overlap_count: usize,
-    /// Rounds that were done.
+    /// Rounds done.
     pub rounds: u32,
-    /// 1: nothing moved any more in the end; 0: the rounds were not enough.
+    /// 1 if the pieces stopped moving, 0 if the rounds ran out.
     pub converged: u32,
 }
 
-/// Where pieces that overlap belong. Opaque and immutable; it keeps nothing of them.
+/// Poses of overlapping pieces.
 pub struct gusset_alignment {
     pieces: Vec<gusset_aligned_piece>,
     overlaps: Vec<gusset_overlap>,
@@ -191,29 +189,19 @@ impl gusset_alignment {
     }
 }
 
-/// Finds where pieces that overlap belong: rigid motions after which they fit, all at once, so that
-/// no error adds up round a ring of them. The first piece stays.
+/// Finds rigid motions after which overlapping pieces fit, all at once. The first piece stays.
 ///
-/// Points of each piece look for the nearest ones on the others, those beyond a border of the other
-/// apart and those whose normals differ by more than 45 degrees; the motions that bring pairs onto
-/// the planes of their normals, with less weight for those far off, are found in one system of
-/// equations; and so on until nothing moves. Pieces have to begin within max_distance of where they
-/// belong, see start. A piece that lies on no other stays where it begins; where
-/// overlaps leave it free it may slide.
+/// Points match the nearest points of other pieces, except beyond borders, or if normals differ by
+/// over 45 degrees. Distant matches weigh less. A piece without overlap stays where it starts; an
+/// underdetermined piece may slide. An untrusted pose is not an error; see reason.
 ///
-/// What is not known is no failure, but said for each piece: a piece is trusted if it fits others,
-/// overlaps hold it in all six directions by more than the noise of normals, and pieces lead from
-/// it to the first one by pairs that fit.
-///
-/// @param pieces piece_count mesh views one after another, each as large as the first one's
-///     struct_size says, at least one.
-/// @param piece_count see pieces.
-/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces),
-///     OUT_OF_RANGE (max_distance; or a pose that is no rotation and translation, whose number is
-///     the report's index), COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
-/// @complexity O(V log V) for V vertices of a piece, and O(samples log V) for each piece and each
-///     one near it in each round, of which 10 to 30 are common; with GUSSET_ALIGN_RIMS 512^2 for
-///     each two pieces. Linear extra memory.
+/// @param pieces at least one; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces),
+///     OUT_OF_RANGE (max_distance; or a pose that is not rigid, its number is the report's index),
+///     COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
+/// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds
+///     O(samples log V) for each piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for each two pieces.
+///     Memory linear.
 /// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
 ///     P. Neugebauer (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
 #[unsafe(no_mangle)]
@@ -243,13 +231,13 @@ pub unsafe extern "C" fn gusset_alignment_create(
     })
 }
 
-/// Destroys an alignment; NULL is allowed.
+/// Destroys an alignment.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_alignment_destroy(alignment: *mut gusset_alignment) {
     handle::destroy(alignment);
 }
 
-/// Lends the poses and what is known of them.
+/// Lends the poses and overlaps.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

@@ -17,8 +17,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use std::ptr;
 
-/// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
-/// points.
+/// Facing vertices of two loops.
 pub struct gusset_facing {
     found: Facing,
     runs: [Vec<[u32; 2]>; 2],
@@ -26,45 +25,43 @@ pub struct gusset_facing {
 
 handle! { gusset_facing }
 
-/// How facing vertices are found; all zero is the default.
+/// Options of gusset_facing_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_facing_options {
-    /// sizeof(gusset_facing_options), set by the caller.
+    /// sizeof(gusset_facing_options).
     pub struct_size: usize,
-    /// Which of several runs of facing vertices is joined.
+    /// Choice among runs of facing vertices.
     pub run: gusset_facing_run,
-    /// The source of a tolerance.
+    /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read
-    /// for GUSSET_TOLERANCE_GIVEN.
+    /// Facing vertices are farther than this from the plane of their loop. In the unit of the
+    /// points; finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// The definition of the centre of a loop.
+    /// Centre of a loop.
     pub centres: gusset_centres,
     /// 0.
     pub reserved: u32,
 }
 
-/// What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is
-/// destroyed.
+/// Facing vertices; index 0 is loop A, 1 is loop B.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_facing_view {
-    /// sizeof(gusset_facing_view), set by the caller.
+    /// sizeof(gusset_facing_view).
     pub struct_size: usize,
-    /// The centres C_1 and C_2 (5): x, y, z of each.
+    /// Centres C_1 and C_2, equation 5.
     pub centre: [[f64; 3]; 2],
-    /// The vectors C_2 - C_1 and C_1 - C_2 (6), the normals of the planes (7).
+    /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     pub normal: [[f64; 3]; 2],
-    /// The distance of each vertex from its loop's plane, positive on the side of the other loop;
-    /// as many as the loop has.
+    /// Distance of each vertex from the plane of its loop, positive towards the other loop.
     pub distances: [*const f64; 2],
-    /// All runs of facing vertices: first place and number of vertices, by turns; a run may pass
-    /// the loop's end.
+    /// First index and number of vertices of each run of facing vertices, alternating. A run may
+    /// pass the end of the loop.
     pub runs: [gusset_indices; 2],
-    /// The run taken: first place and number of vertices, as gusset_stitch_options takes them in
-    /// arc_a and arc_b.
+    /// First index and number of vertices of the chosen run, as arc_a and arc_b of
+    /// gusset_stitch_options.
     pub taken: [[u32; 2]; 2],
 }
 
@@ -88,16 +85,13 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
 }
 
-/// Finds which vertices of two loops face each other.
+/// Finds the vertices of two loops that face each other.
 ///
-/// @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of
-///     them, at least 1 each.
-/// @param count_a see points_a.
-/// @param points_b see points_a.
-/// @param count_b see points_a.
-/// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a
-///     loop is beyond the tolerance, as with coaxial rims, or the centres coincide)
-/// @complexity O((N + M) log M); linear extra memory.
+/// @param points_a x, y, z of count_a vertices in order, at least 1.
+/// @param points_b as points_a.
+/// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres
+///     coincide, or no vertex of a loop exceeds the tolerance, as with coaxial rims)
+/// @complexity O((N + M) log M); memory linear.
 /// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -121,15 +115,14 @@ pub unsafe extern "C" fn gusset_facing_create(
     })
 }
 
-/// Destroys what gusset_facing_create made; NULL is allowed.
+/// Destroys facing vertices.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
     handle::destroy(facing);
 }
 
-/// Lends what was found.
+/// Lends the facing vertices.
 ///
-/// @param facing what was found.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -147,16 +140,14 @@ pub unsafe extern "C" fn gusset_facing_get_view(
     })
 }
 
-/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least,
-/// of two equal ones the later.
+/// Computes GUSSET_MERIDIANS_INDEX. For each i = 0 .. n, j of 0 .. m makes |m i - n j| least; on
+/// ties the later one.
 ///
-/// @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
-///     N vertices has N - 1, a closed one N.
-/// @param m see n.
-/// @param j receives n + 1 numbers; NULL with capacity 0 asks for how many.
-/// @param capacity of j.
-/// @param written receives their number; may not be NULL.
-/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the number is written)
+/// @param n segments of the longer polyline: N - 1 if open with N vertices, N if closed.
+/// @param m segments of the other polyline, at most n (OUT_OF_RANGE).
+/// @param j receives n + 1 numbers; NULL with capacity 0 asks for the count.
+/// @param written receives the count.
+/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (only the count is written)
 /// @complexity O(n).
 /// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
 #[unsafe(no_mangle)]

@@ -13,37 +13,32 @@ use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use gusset_base::alloc;
 
-/// Joins open pieces into one mesh: coincident borders are sewn, components oriented alike,
-/// loops that face each other across a gap stitched, holes filled, and closed components turned
-/// outwards, as the options say.
+/// Joins open pieces into one mesh. As the options say, sews coincident borders, orients
+/// components, joins facing loops by strips, fills holes, and turns closed components outwards. A
+/// pair that cannot be joined is not an error; see the outcome of each joint.
 ///
-/// That two loops cannot be joined is no failure: each joint has its outcome.
+/// The result has the vertices of pieces, strips, then patches; faces likewise. Positions have the
+/// scalar type of the first piece; old ones keep their bits. Unless overlaps says so, overlapping
+/// pieces are not trimmed; strips then enclose the overlap.
 ///
-/// Loops of different components face each other as wholes if nearly all vertices of each (9/10)
-/// are nearest to the other loop, and from similar distances (the ninth decile is at most four
-/// times the first, or the spacing of the vertices) or so that the nearest vertices go round the
-/// other loop once; else runs of neighbouring vertices that are nearest to each other face each
-/// other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
-/// not cut unless overlaps says so: where two lie on each other, their borders face each other and
-/// enclose what is between.
-/// Vertices of the result: those of the pieces in order, then those of the strips, then those of
-/// the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
-/// ones keep their bits.
+/// Facing loops of different components are joined, by the best one-to-one choice:
+/// - Whole loops, if the conormals (tangents off the surface) of each point to the other, with no
+///   much nearer loop between.
+/// - Whole loops, if 9/10 of the vertices of each are nearest to the other, at similar distances or
+///   once round it. Similar: the ninth decile is at most 4 times the first, or the vertex spacing.
+/// - Else runs of mutually nearest vertices, by open strips.
 ///
-/// @param pieces piece_count mesh views one after another, each as large as the first one's
-///     struct_size says, at least one; each may have several components.
-/// @param piece_count see pieces.
-/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces),
-///     MIXED_SCALARS (a piece has f64 positions and the first one f32), OUT_OF_RANGE (a tolerance,
-///     max_gap, or one of pairs or of excluded: the report's index is its number, its input is 0 or
-///     1 for the first or the second loop, its value the piece that does not exist, else the
-///     vertex, and the message says what is wrong: there is no such piece, or no such vertex of it;
-///     of pairs also: no vertex is named, no loop that can be joined passes it or several do, it is
-///     on the pair's other loop, or its loop is in a pair before), TOO_LARGE
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
-///     vertices on loops, the time of each strip as for gusset_stitch, and of each hole as for
-///     gusset_fill; a pass over all faces for each strip that is faired or tested for
-///     intersections. Extra memory is linear in the pieces and the result.
+/// @param pieces at least one, each of one or more components; struct_size of the first holds for
+///     all.
+/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces),
+///     MIXED_SCALARS (a piece has f64 positions and the first f32), OUT_OF_RANGE (a tolerance,
+///     max_gap, or an entry of pairs or excluded: the report has its number as index, 0 or 1 for
+///     its loop as input, and the missing piece, else the vertex, as value. The piece or vertex
+///     does not exist; or in pairs, no vertex is named, no or several joinable loops pass it, or
+///     its loop is named before), TOO_LARGE
+/// @complexity O(H log d + V log V) for H half-edges, at most d edges at a vertex and V vertices on
+///     loops, plus gusset_stitch for each strip, gusset_fill for each hole, and a pass over all
+///     faces for each strip faired or tested for intersections. Memory linear.
 /// @source Nesterenko for a single gap; the rest is our own.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -74,9 +69,9 @@ pub unsafe extern "C" fn gusset_join(
     })
 }
 
-/// Lends the report on pieces, joints, loops and holes, for results of gusset_join.
+/// Lends the report of a join.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

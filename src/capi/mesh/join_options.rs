@@ -16,109 +16,101 @@ use crate::repair::orient::Outward;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// The treatment of coincident borders of pieces.
+/// Treatment of coincident borders.
 pub type gusset_welding = u32;
-/// Coincident borders are sewn, by default up to what rounding can have done; see
-/// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew.
+/// Sewn, with the tolerance of weld_options; edges are split where vertices do not match, as in
+/// gusset_sew.
 pub const GUSSET_WELDING_SEW: gusset_welding = 0;
 /// Nothing is welded.
 pub const GUSSET_WELDING_NONE: gusset_welding = 1;
-/// Coincident borders are sewn where they match vertex by vertex; see gusset_weld.
+/// Sewn where they match vertex by vertex, as in gusset_weld.
 pub const GUSSET_WELDING_EDGE_TO_EDGE: gusset_welding = 2;
 
-/// The widest gap that is closed.
+/// Widest gap to close.
 pub type gusset_gap = u32;
-/// Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
-/// size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
-/// from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
-/// is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
-/// the loop with the longer ones. The width is the mean distance from each loop to the nearest
-/// points of the other, the larger of the two. Loops must look at each other, or lie round each
-/// other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
-/// joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
-/// may be a hole that the seam crosses.
-/// Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
-/// coarsest wide, or four where a part would be left alone.
+/// Limits by size. The width of a gap is the mean distance from a loop to the nearest points of the
+/// other, the larger of both.
+/// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
+///   radius if more. The mean radius is the mean distance of the vertices from their centre. The
+///   only two loops, on two pieces, are always joined.
+/// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
+/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
-/// Gaps are closed up to max_gap.
+/// max_gap.
 pub const GUSSET_GAP_GIVEN: gusset_gap = 1;
 
-/// The treatment of pieces that overlap.
+/// Treatment of overlapping pieces.
 pub type gusset_overlaps = u32;
-/// Pieces that overlap stay as they are.
+/// Overlapping pieces stay unchanged.
 pub const GUSSET_OVERLAPS_KEEP: gusset_overlaps = 0;
 
-/// Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
-/// are closed as others are. Strips that would cut other faces are left to the holes.
+/// One piece of each overlap is kept, as by gusset_trim_create, and the gaps are closed. Strips
+/// that would intersect other faces are left to hole filling.
 pub const GUSSET_OVERLAPS_TRIM: gusset_overlaps = 1;
 
-/// Two loops of the input.
+/// Two loops of the pieces.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_loop_pair {
-    /// The piece of each.
+    /// Piece of each loop.
     pub piece: [u32; 2],
-    /// A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in
-    /// exclusions only.
+    /// Vertex of the piece on each loop. In exclusions, UINT32_MAX for all loops of the piece.
     pub vertex: [u32; 2],
 }
 
-/// How pieces are joined; all zero is the default.
+/// Options of gusset_join.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_join_options {
-    /// sizeof(gusset_join_options), set by the caller.
+    /// sizeof(gusset_join_options).
     pub struct_size: usize,
-    /// The treatment of coincident borders of pieces.
+    /// Treatment of coincident borders.
     pub weld: gusset_welding,
-    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
-    /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
-    /// turned, nor in the end.
+    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components
+    /// against the ones that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores
+    /// outward.
     pub orientation: gusset_orientation,
-    /// The widest gap that is closed.
+    /// Widest gap to close.
     pub gap: gusset_gap,
-    /// 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
-    /// 1.
+    /// 1 joins whole loops only, not runs and slits.
     /// @flag
     pub whole_loops_only: u32,
-    /// 1: loops of one component may be joined without being asked for. 0 or 1.
+    /// 1 also joins loops of one component that pairs does not name.
     /// @flag
     pub within_components: u32,
-    /// 1: holes that are left in the end are filled. 0 or 1.
+    /// 1 fills the remaining holes.
     /// @flag
     pub fill: u32,
-    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
-    /// finite and at least 0; 0 leaves all open.
+    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     pub max_gap: f64,
-    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-    /// different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
-    /// and none is named in two pairs. Errors name a pair by its number from 0, and say what is
-    /// wrong with it.
+    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit
+    /// twice (see gusset_joint). No loop is in two pairs.
     pub pairs: *const gusset_loop_pair,
-    /// How many.
+    /// Number of pairs.
     pub pair_count: usize,
-    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same,
-    /// and a vertex that no loop passes, as it was welded, excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after
+    /// welding excludes nothing.
     pub excluded: *const gusset_loop_pair,
-    /// How many.
+    /// Number of excluded pairs.
     pub excluded_count: usize,
-    /// How to weld; NULL for the defaults.
+    /// Options of welding; NULL for the defaults.
     pub weld_options: *const gusset_weld_options,
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
-    /// fairing, intersections and finish are read; the other fields must be valid too.
+    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count,
+    /// cells, fairing, intersections and finish are used; all must be valid.
     pub strip_options: *const gusset_stitch_options,
-    /// How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
-    /// two must be valid too; intersections REPORT is as IGNORE.
+    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but
+    /// outward and plan_only must be valid. GUSSET_INTERSECTIONS_REPORT acts as
+    /// GUSSET_INTERSECTIONS_IGNORE.
     pub fill_options: *const gusset_fill_options,
-    /// The side that closed components of the result face; outwards by default. The wall of
-    /// a cavity within another component is turned too. A result that is not turned is
-    /// mostly as the first piece has it.
+    /// Side that closed components face, by default outwards, walls of cavities included. Other
+    /// components mostly keep the orientation of the first piece.
     pub outward: gusset_outward,
-    /// GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
+    /// Treatment of overlapping pieces.
     pub overlaps: gusset_overlaps,
-    /// Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+    /// Options of trimming; NULL for the defaults.
     /// @when overlaps GUSSET_OVERLAPS_TRIM
     pub trim_options: *const gusset_trim_options,
 }

@@ -10,171 +10,159 @@ use crate::error::Error;
 use crate::stitch::IndexMap;
 use gusset_base::alloc;
 
-/// The outcome for two loops that face each other.
+/// Outcome of a joint.
 pub type gusset_joint_outcome = u32;
 /// A strip joins them.
 pub const GUSSET_JOINT_JOINED: gusset_joint_outcome = 0;
 
-/// Left: joining them would make a one-sided surface with what is joined already.
+/// Left open: the surface would become one-sided.
 pub const GUSSET_JOINT_ORIENTATION_CONFLICT: gusset_joint_outcome = 1;
 
-/// Left: they pass the same vertex.
+/// Left open: the sides share a vertex.
 pub const GUSSET_JOINT_SHARE_VERTEX: gusset_joint_outcome = 2;
 
-/// Left: every strip would repeat an edge that the mesh already has.
+/// Left open: every strip would repeat an edge of the mesh.
 pub const GUSSET_JOINT_NO_STRIP: gusset_joint_outcome = 3;
 
-/// Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
-/// part of a hole then.
+/// Left to hole filling: the strip between trimmed pieces would intersect other faces.
 pub const GUSSET_JOINT_WOULD_CUT: gusset_joint_outcome = 4;
 
-/// The reason why a loop has no strip.
+/// Reason for the lack of a strip.
 pub type gusset_left_reason = u32;
-/// There is no other loop.
+/// It is the only loop.
 pub const GUSSET_LEFT_ALONE: gusset_left_reason = 0;
 
-/// It is open, or the faces along it disagree in orientation or are not manifold there.
+/// The loop is open, or its faces are non-manifold or not consistently oriented.
 pub const GUSSET_LEFT_NOT_SIMPLE: gusset_left_reason = 1;
 
-/// It has fewer than three vertices.
+/// The loop has fewer than 3 vertices.
 pub const GUSSET_LEFT_TOO_SHORT: gusset_left_reason = 2;
 
-/// It faces another loop, but no strip could be made: see the joints.
+/// The loop faces another, but no strip could be made; see joints.
 pub const GUSSET_LEFT_NOT_JOINED: gusset_left_reason = 3;
 
-/// The nearest loop is farther away than is allowed; or the loop is what sewing left of two
-/// borders, and its two sides are. See gap and allowed_gap.
+/// The nearest loop, or the other side of a slit, is farther than allowed_gap.
 pub const GUSSET_LEFT_TOO_FAR: gusset_left_reason = 4;
 
-/// All other loops are of its own component, and within_components is not set.
+/// All other loops are on its component, and within_components is 0.
 pub const GUSSET_LEFT_SAME_COMPONENT: gusset_left_reason = 5;
 
-/// The nearest loop is near enough, but they do not look at each other along enough of both.
+/// The nearest loop is close enough, but they face each other too little.
 pub const GUSSET_LEFT_LOOKS_AWAY: gusset_left_reason = 6;
 
 /// The nearest loop is joined with another.
 pub const GUSSET_LEFT_TAKEN: gusset_left_reason = 7;
 
-/// It is not to be joined with the nearest loop.
+/// The pair with the nearest loop is excluded.
 pub const GUSSET_LEFT_EXCLUDED: gusset_left_reason = 8;
 
-/// Where a piece went.
+/// Indices of a piece in the result.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_piece_map {
-    /// Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if
-    /// it was left out.
+    /// Index in the result of each vertex, or UINT32_MAX if removed; several may share one.
     pub vertices: gusset_indices,
-    /// Per face, its index in the result, or UINT32_MAX; of a triangle that was cut, that of the
-    /// first part, which the others follow.
+    /// Index in the result of each face, or UINT32_MAX if removed. A split triangle has the index
+    /// of its first part; the others follow.
     pub faces: gusset_indices,
 }
 
 /// Two loops, or runs of loops, that face each other across a gap.
 ///
-/// Of two borders that coincide along a part only, sewing leaves loops that run along the rest of
-/// one and back along the other; they turn at two vertices that sewing made of several. Such a loop
-/// may be joined with itself: both sides are on it, one of them with both ends, whole is 0, and the
-/// strip has no interior rows whatever the options say.
+/// If borders coincide along a part only, sewing leaves a slit: a loop along the rest of both
+/// borders. A slit may be joined with itself. Then both sides are on it, one with both ends; whole
+/// is 0, and the strip lacks interior rows.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
-    /// The vertices of each side in the result, in order; if joined, side by side from the first
-    /// meridian on. The order is that of before closed components were turned outwards.
+    /// Vertices of each side in the result, in order, before components are turned outwards. If
+    /// joined, the sides run together from the first meridian on.
     pub side: [gusset_indices; 2],
-    /// The mean width of the gap; of a loop that is joined with itself the mean distance of its
-    /// sides.
+    /// Mean width of the gap.
     pub gap: f64,
-    /// The strip's first new vertex in the result.
+    /// First new vertex in the result.
     pub vertex_first: usize,
-    /// How many new vertices it has.
+    /// New vertices.
     pub vertex_count: usize,
-    /// The strip's first face in the result.
+    /// First face of the strip in the result.
     pub face_first: usize,
-    /// How many faces it has.
+    /// Faces of the strip.
     pub face_count: usize,
-    /// Pairs of faces that cut each other, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, as in gusset_stitch_report.
     pub intersections: gusset_indices,
-    /// 1 if they were looked for.
+    /// 1 if intersections were searched for.
     pub intersections_known: u32,
-    /// The outcome for two loops that face each other.
+    /// Outcome of a joint.
     pub outcome: gusset_joint_outcome,
     /// 1 if both sides are whole loops.
     pub whole: u32,
-    /// What the strip is. A blend that was asked for may have had to give way to the strip.
+    /// Surface that was made; a strip may replace a blend.
     pub finish: gusset_finish,
 }
 
-/// A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
-/// afterwards: holes says what became of it then.
+/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_left_loop {
-    /// Its vertices in the result, in order.
+    /// Vertices in the result, in order.
     pub vertices: gusset_indices,
-    /// The mean distance from its vertices to the nearest of the loop that is nearest to most of
-    /// them, of another component where there is one; infinite if there is none, or if this loop
-    /// cannot carry a strip. Of what sewing left of two borders, whose sides are too far from each
-    /// other, the mean distance of these.
+    /// Mean distance to the loop nearest to most vertices, on another component if any. Infinite
+    /// without one, or if this loop cannot carry a strip. For a slit that is too wide, the mean
+    /// distance of its sides.
     pub gap: f64,
-    /// How far that loop, or that side, may be to be joined; 0 if there is none.
+    /// Largest gap that could be joined; 0 without another loop.
     pub allowed_gap: f64,
-    /// The reason why a loop has no strip.
+    /// Reason for the lack of a strip.
     pub reason: gusset_left_reason,
     /// 0.
     pub reserved: u32,
 }
 
-/// The report of a join. Pointers are valid until the result is destroyed.
+/// Report of a join.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_join_report {
-    /// sizeof(gusset_join_report), set by the caller.
+    /// sizeof(gusset_join_report).
     pub struct_size: usize,
-    /// One for each piece.
+    /// Indices of each piece in the result.
     pub pieces: *const gusset_piece_map,
-    /// How many.
+    /// Number of pieces.
     pub piece_count: usize,
-    /// The pairs that face each other: those that were given, in their order, then the others,
-    /// nearest first.
+    /// Joints: given pairs in their order, then the others, nearest first.
     pub joints: *const gusset_joint,
-    /// How many.
+    /// Number of joints.
     pub joint_count: usize,
-    /// The loops that no strip hangs on, by their smallest vertices; those that were filled in the
-    /// end are among them. loops_left counts what is open now.
+    /// Loops without a strip, even if filled later, by smallest vertex.
     pub left: *const gusset_left_loop,
-    /// How many.
+    /// Number of loops.
     pub left_count: usize,
-    /// The holes that were looked at in the end.
+    /// Holes considered for filling.
     pub holes: *const gusset_hole,
-    /// How many.
+    /// Number of holes.
     pub hole_count: usize,
-    /// The vertices of their rims, in the order of before closed components were turned outwards.
+    /// Vertices of the rims of holes, in the order before components are turned outwards.
     pub hole_rims: gusset_indices,
-    /// Faces of the pieces that run the other way than they did in their pieces, by their indices
-    /// in the result: turned to agree with others, or with their component to face outwards, but
-    /// not both. Faces of strips and patches were nothing before, and are not listed: they run as
-    /// the faces of pieces beside them do.
+    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces
+    /// are never listed.
     pub turned: gusset_indices,
-    /// A face of each component that cannot be oriented.
+    /// A face of each non-orientable component.
     pub one_sided: gusset_indices,
-    /// A face of each closed component of the result that encloses no volume up to rounding, as a
-    /// piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or GUSSET_OUTWARD_KEEP.
+    /// A face of each closed component of volume 0 up to rounding. Empty with
+    /// GUSSET_ORIENTATION_KEEP or GUSSET_OUTWARD_KEEP.
     pub zero_volume: gusset_indices,
-    /// Vertices that became one with another.
+    /// Vertices merged into another.
     pub welded_vertices: u32,
-    /// Edges that were two free edges.
+    /// Edges made from two boundary edges.
     pub sewn_edges: u32,
     /// Boundary loops of the result.
     pub loops_left: u32,
     /// Edges of the result with three or more faces.
     pub non_manifold_edges: u32,
-    /// Points at which free edges were split for borders to match.
+    /// Points at which boundary edges were split.
     pub splits: u32,
-    /// Entries of left that have another loop within the gap that is allowed: those that look away,
-    /// whose partner is taken, or that no strip could join.
+    /// Loops left by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED.
     pub near_loops_left: u32,
-    /// Faces that were trimmed from overlaps.
+    /// Faces removed from overlaps.
     pub trimmed_faces: u32,
     /// 0.
     pub reserved: u32,

@@ -32,73 +32,69 @@ use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// The type of coordinates.
+/// Type of coordinates.
 pub type gusset_scalar = u32;
-/// Coordinates are 32-bit floats.
+/// 32-bit floats.
 pub const GUSSET_F32: gusset_scalar = 1;
-/// Coordinates are 64-bit floats.
+/// 64-bit floats.
 pub const GUSSET_F64: gusset_scalar = 2;
-/// The type of indices.
+/// Type of indices.
 pub type gusset_index = u32;
-/// Indices and face offsets are 32-bit unsigned integers.
+/// 32-bit unsigned integers.
 pub const GUSSET_U32: gusset_index = 0;
-/// Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
 pub const GUSSET_U64: gusset_index = 1;
 
-/// Indices that a result lends, or that the caller gives.
+/// Array of indices.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_indices {
-    /// The first one; may be NULL if count is 0.
+    /// First index; may be NULL if count is 0.
     pub data: *const u32,
-    /// How many.
+    /// Number of indices.
     pub count: usize,
 }
 
-/// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing
-/// is copied on the way in.
-///
-/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many
-/// corners (TOO_LARGE); at least three corners a face (FACE_TOO_SMALL); indices below vertex_count
-/// (INDEX_OUT_OF_RANGE); finite coordinates at all vertices that faces use (NOT_FINITE), while
-/// unused ones may hold anything. The arrays may have any alignment. They must be as long as the
-/// counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
-/// BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read.
-///
-/// As output: packed positions, face_offsets given, face_size 0.
+/// Polygon mesh in the caller's arrays (input), or in the arrays of a result (output). Input arrays
+/// may have any alignment, and must not change during the call; their lengths are not checked.
+/// Counts are checked before elements. An output has packed positions, face_offsets, and face_size
+/// 0. An input has
+/// - at least one vertex and one face (EMPTY_MESH),
+/// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
+/// - at least 3 corners in each face (FACE_TOO_SMALL),
+/// - indices below vertex_count (INDEX_OUT_OF_RANGE),
+/// - finite coordinates at vertices of faces (NOT_FINITE),
+/// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_mesh_view {
-    /// sizeof(gusset_mesh_view), set by the caller.
+    /// sizeof(gusset_mesh_view).
     pub struct_size: usize,
-    /// x, y, z at the start of every stride, of the type that scalar names.
+    /// x, y, z at the start of each stride.
     pub positions: *const c_void,
-    /// Bytes from one position to the next; 0 if they are packed.
+    /// Bytes from one position to the next; 0 if packed.
     pub position_stride: usize,
-    /// The number of vertices.
+    /// Number of vertices.
     pub vertex_count: usize,
-    /// face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1.
-    /// NULL if face_size is given.
+    /// face_count + 1 entries: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL
+    /// with face_size.
     pub face_offsets: *const c_void,
-    /// The vertex at each corner, face after face. Corner h is also the name of the half-edge that
-    /// starts there.
+    /// Vertex of each corner, face by face. Corner h also names the half-edge that starts there.
     pub face_corners: *const c_void,
-    /// The number of faces.
+    /// Number of faces.
     pub face_count: usize,
-    /// GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
+    /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     pub scalar: gusset_scalar,
-    /// GUSSET_U32.
+    /// Type of indices.
     pub index: gusset_index,
-    /// The number of corners of every face, or 0 if face_offsets is given.
+    /// Corners of every face, or 0 with face_offsets.
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
-    /// For each vertex the vertex that it is one with, of the type that index names: itself, or one
-    /// that is one with itself; NULL if none is one with another. So can vertices be kept apart that
-    /// carry different values, as at seams of texture coordinates, and the surface has no border
-    /// there: see gusset_mesh_find_merge. Positions are those of the vertices that others are one
-    /// with. Results name these in lists of vertices; their faces have the vertices that were given.
+    /// Representative of each vertex, itself or another vertex; or NULL. Vertices with the same
+    /// representative are one vertex of the surface, so texture seams are not borders; see
+    /// gusset_mesh_find_merge. A representative represents itself, and its position counts. Results
+    /// list representatives; their faces keep the given vertices.
     pub merge: *const c_void,
 }
 

@@ -22,12 +22,8 @@ use crate::repair::weld::Weld;
 use crate::stitch::{Quality, Ruled, Stitch};
 use crate::surface::SurfaceMesh;
 
-/// A mesh that an operation made, with the report of that operation. Opaque and immutable; it keeps nothing of the
-/// inputs.
-///
-/// gusset_join, gusset_stitch, gusset_strip, gusset_fill, gusset_weld, gusset_sew, gusset_orient, gusset_develop,
-/// gusset_net_to_mesh and gusset_sheet_to_mesh make results. Each operation has a report of its own:
-/// gusset_result_get_join and so on.
+/// Mesh made by an operation, such as gusset_join, with its report, such as gusset_result_get_join
+/// lends.
 pub struct gusset_result(pub(crate) Made);
 
 handle! { gusset_result }
@@ -115,24 +111,24 @@ macro_rules! report {
 }
 pub(crate) use report;
 
-/// Measures of the new faces of a stitch or of filled holes, and of the connectivity of the whole result.
+/// Quality of the new faces of a stitch or a filling, and of the whole result.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_quality_report {
-    /// sizeof(gusset_quality_report), set by the caller.
+    /// sizeof(gusset_quality_report).
     pub struct_size: usize,
-    /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
+    /// Smallest angle of new triangles, in radians; 0 if one is degenerate.
     pub min_angle: f64,
-    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius),
-    /// 1 for an equilateral triangle, infinite for a degenerate one.
+    /// Largest aspect ratio of new triangles, longest side / (2 sqrt(3) inradius): 1 if
+    /// equilateral, infinite if degenerate.
     pub max_aspect: f64,
-    /// The longest edge of the new faces, in the unit of the positions.
+    /// Longest edge of new faces, in the unit of the positions.
     pub max_edge: f64,
-    /// Their area, in the square of that unit.
+    /// Area of new faces, in the square of that unit.
     pub area: f64,
-    /// New triangles without area.
+    /// New triangles of area 0.
     pub degenerate_faces: u32,
-    /// Boundary loops of the result; 0 if no edge has exactly one face.
+    /// Boundary loops of the result.
     pub loops_left: u32,
     /// Edges of the result with three or more faces.
     pub non_manifold_edges: u32,
@@ -158,13 +154,13 @@ impl From<&Quality> for gusset_quality_report {
     }
 }
 
-/// Destroys a result; NULL is allowed.
+/// Destroys a result.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_result_destroy(result: *mut gusset_result) {
     handle::destroy(result);
 }
 
-/// Lends the mesh, valid until the result is destroyed.
+/// Lends the mesh.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -176,9 +172,9 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
     lend!(result, view, |result| mesh::lend(result.0.mesh()))
 }
 
-/// Gives measures of the new faces and of the result, for results of gusset_stitch and gusset_fill.
+/// Reports the quality of a result of gusset_stitch or gusset_fill.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -193,21 +189,21 @@ pub unsafe extern "C" fn gusset_result_get_quality(
     })
 }
 
-/// Finds where the vertices, corners and faces of a result come from.
-///
-/// The inputs are the meshes or pieces of the operation in their order, or its one mesh, net or sheet:
-/// - a strip has two polylines, which have neither corners nor faces; nor have its corners and faces any sources;
-/// - a corner that gusset_sew added on an edge has the corners of its face at both ends of that edge;
-/// - each vertex of a development comes from one vertex, and its corners and faces are those of the surface;
-/// - a vertex of the mesh of a net has the first of its nodes, and a face its cell. A corner has the node of the cell
-/// of its own face, which differs on either side of a seam: an image need not run back there;
-/// - the nodes of a sheet are those between its cells, (rows + 1) * (columns + 1) of them, row after row. A vertex and
-/// a corner have the nodes of their cell, by its parameters, and faces have their cells. On a line that closes the
-/// sheet each corner has the nodes on the side of its own face.
+/// Finds the sources of the vertices, corners and faces of a result. The inputs are the meshes,
+/// pieces, net or sheet of the operation, in order:
+/// - A strip has two polylines; its corners and faces lack sources.
+/// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
+/// - A vertex of a development comes from one vertex; its corners and faces are the ones of the
+///   surface.
+/// - A vertex of the mesh of a net has the first of its nodes, a face its cell. A corner has the
+///   node of its own cell, so both sides of a seam differ.
+/// - A sheet has (rows + 1) * (columns + 1) nodes between its cells, row by row. Vertices and
+///   corners have the nodes of their cell, by parameters; faces have their cells. Where the sheet
+///   closes, corners have the nodes on the side of their face.
 ///
 /// @errors TOO_LARGE
 /// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner
-///     and face (of a sheet 52 for each vertex and corner), and linear in n.
+///     and face (sheet: 52 for each vertex and corner), plus linear in n.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_origins_create(

@@ -14,100 +14,89 @@ use crate::capi::status::gusset_status;
 use crate::stitch::{Request, stitch};
 use gusset_base::alloc;
 
-/// The parts of a stitch. Pointers are valid until the result is destroyed. Index 0 is the first mesh, 1
-/// the second.
+/// Parts of a stitch. Index 0 is the first mesh, 1 the second.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stitch_report {
-    /// sizeof(gusset_stitch_report), set by the caller.
+    /// sizeof(gusset_stitch_report).
     pub struct_size: usize,
-    /// Per old vertex of each mesh, its index in the result; empty for the second if there was only
-    /// one mesh.
+    /// Index in the result of each old vertex; empty for a missing second mesh.
     pub vertex_map: [gusset_indices; 2],
-    /// Per old face, its index in the result.
+    /// Index in the result of each old face.
     pub face_map: [gusset_indices; 2],
-    /// The vertices of each rim, by their indices in the result, from the first meridian on, side
-    /// by side: rim 0 has its surface on the left, rim 1 on the right, as they were before closed
-    /// components were turned outwards. They are also the strip's own first vertices in order: rim
-    /// 0, then rim 1.
+    /// Vertices of each rim in the result, side by side from the first meridian on. Rim 0 has its
+    /// surface on the left, rim 1 on the right, before components are turned outwards. The mesh of
+    /// the strip begins with rim 0, then rim 1.
     pub rim: [gusset_indices; 2],
-    /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is
-    /// (data[2 k], data[2 k + 1]). They go from (0, 0) to (N, M) for whole rims of N and M
-    /// vertices, where place N is place 0 again, and to (N - 1, M - 1) for arcs; count is twice the
-    /// number of meridians. From one to the next i advances by 1, or j, or both: by the rule
-    /// by index and with GUSSET_MERIDIANS_QUAD.
+    /// Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole
+    /// rims of N and M vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1,
+    /// M - 1). A step advances i or j by 1; with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD
+    /// also both.
     pub meridians: gusset_indices,
-    /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices
-    /// of the result.
+    /// The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each
+    /// meridian.
     pub matrix: gusset_indices,
-    /// Of each new vertex (they are the last ones of the result), three vertices of the rims that it
-    /// lies between: in a row the ends of its meridian, that on rim 1 twice; of a blend the corners
-    /// of the triangle of the strip that it would be on without fairing.
+    /// Three rim vertices for each new vertex; new vertices are the last of the result. In a row:
+    /// the ends of the meridian, the one on rim 1 twice. In a blend: the corners of the strip
+    /// triangle that holds the unfaired vertex.
     pub parents: gusset_indices,
-    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; in row k of r
-    /// rows 1 - k / (r + 1), k / (r + 1) and 0. NULL without new vertices.
+    /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r
+    /// + 1), k / (r + 1), 0.
     pub weights: *const f64,
-    /// The first of the strip's faces in the result; they are the last ones.
+    /// First face of the strip, which comes last in the result.
     pub strip_face_first: usize,
-    /// How many there are; N + M triangles for whole rims without interior rows. A blend has as
-    /// many as it needs, and meridians and matrix are those of the strip that it follows.
+    /// Faces of the strip: N + M triangles for whole rims without interior rows, except for a
+    /// blend.
     pub strip_face_count: usize,
-    /// Interior rows; the matrix has two rows more. 0 of a blend.
+    /// Interior rows, two less than in the matrix; 0 for a blend.
     pub row_count: u32,
-    /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
+    /// 1 for a closed band, 0 for a strip between arcs.
     pub closed: u32,
-    /// 1 if the component that rim 1 is on was turned over to agree with the other, else 0: its
-    /// faces run the other way, each from its own first corner. Other components stay as they are.
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first
+    /// corners.
     pub turned: u32,
-    /// 1 if faces that cut each other were looked for, else 0.
+    /// 1 if intersections were searched for.
     pub intersections_known: u32,
-    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the
-    /// larger one if both are. What they share, a vertex or an edge, is no cut, nor are vertices and
-    /// edges at the same place; any other touch is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
-    /// as fans from their first corners; a polygon that cuts itself is paired with itself.
+    /// Pairs of intersecting faces of the result: first a strip face, the larger one if both are.
+    /// Shared or coincident vertices and edges do not count; any other contact does. The test is
+    /// exact. Quads are split by their shorter diagonals, other polygons into fans from their first
+    /// corners. A self-intersecting polygon is paired with itself.
     pub intersections: gusset_indices,
-    /// How often the fairing, of rows or of the blend that was kept, had to be taken back in
-    /// places.
+    /// Times that the fairing of rows, or of the kept blend, was moved back.
     pub back_off_count: u32,
-    /// What the strip is. A blend that was asked for may have had to give way to the strip.
+    /// Surface that was made; a strip may replace a blend.
     pub finish: gusset_finish,
-    /// Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
-    /// end, ascending. Each keeps its first corner and has the others in reverse order.
+    /// Faces of the result that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first
+    /// corner.
     pub turned_outwards: gusset_indices,
 }
 
 versioned! { gusset_stitch_report: 192 }
 
-/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
-/// between whole loops, or a strip between the arcs that face each other.
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces. The strip is a
+/// closed band between whole loops, or open between facing arcs.
 ///
-/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A,
-/// then of B, then the strip. Positions are of the scalar type of A, old ones keep their bits, and
-/// every old face is kept. An arc of one vertex gets a fan, which touches its piece at that vertex
-/// only; two arcs of one vertex each get one meridian and no face.
+/// Vertices of the result: A, B, then new ones; faces: A, B, then the strip. Every old face is
+/// kept. Positions have the scalar type of A; old ones keep their bits. An arc of one vertex gets a
+/// fan, which touches its piece there only. Two arcs of one vertex each get one meridian and no
+/// face.
 ///
-/// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
-///     (and the last with the first) an edge with exactly one face. If both are NULL, the loops
-///     that lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to
-///     the one given. Those to choose from are not open, have three vertices or more, and the faces
-///     along them agree in orientation and are manifold there; two of one mesh share no vertex.
+/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by edges
+///     with exactly one face. If both loops are NULL, the two nearest ones are joined. If one is
+///     NULL, the nearest to the other is chosen. Candidates are closed, of at least 3 vertices,
+///     manifold and consistently oriented; two of one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
-/// @param loop_b see loop_a.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two
-///     that share no vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (one mesh: no two loops
+///     without a shared vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
 ///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
 ///     f32 and B f64 positions), TOO_LARGE
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians
-///     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
-///     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
-///     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
-///     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five
-///     plates, O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair
-///     of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
-///     GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes
-///     for each 2^26 pairs begun, with GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each
-///     pair, where the best strip would use an edge twice 8; twice that with more than one thread
-///     and two starts.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex. Meridians O(N M), above
+///     2^21 pairs of vertices and for simple rules O((N + M) log M). Fairing and intersections O(n
+///     log n), and a test for each pair of overlapping triangle boxes. Blend of n vertices
+///     O(n^1.5), nearly linear in narrow gaps. Choice of loops: a box test for each pair. Memory
+///     linear. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M bytes for each
+///     2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes for each pair, 8 if
+///     the best strip would repeat an edge. Several threads and two starts double that.
 /// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
 ///     start: N + 1 and M + 1 points.
 #[unsafe(no_mangle)]
@@ -137,7 +126,8 @@ pub unsafe extern "C" fn gusset_stitch(
     })
 }
 
-/// Lends the strip of a stitch alone: the vertices of the two rims, the new ones, and the faces between them.
+/// Lends the strip of a stitch alone: the vertices of both rims, the new vertices and the new
+/// faces.
 ///
 /// @errors as gusset_result_get_stitch
 /// @complexity O(1).
@@ -150,9 +140,9 @@ pub unsafe extern "C" fn gusset_result_get_strip_mesh(
     report!(result, view, "gusset_stitch", Made::Stitch(done) => mesh::lend(&done.strip))
 }
 
-/// Lends the maps, rims and meridians, for results of gusset_stitch.
+/// Lends the report of a stitch.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

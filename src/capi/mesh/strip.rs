@@ -15,54 +15,50 @@ use crate::capi::mesh::stitch_options::{
 use crate::capi::status::{Failure, gusset_status};
 use crate::stitch::{RuledOptions, Start, ruled};
 
-/// How a strip is made; all zero is the default.
+/// Options of gusset_strip.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_strip_options {
-    /// sizeof(gusset_strip_options), set by the caller.
+    /// sizeof(gusset_strip_options).
     pub struct_size: usize,
-    /// The rule that chooses meridians.
+    /// Rule for the meridians.
     pub meridians: gusset_meridians,
-    /// The effort of the search for the best strip.
+    /// Search effort.
     pub search: gusset_strip_search,
-    /// For closed polylines; open ones begin at their first points.
+    /// First meridian of closed polylines; open ones start at their first points.
     pub start: gusset_strip_start,
-    /// 1: the polylines are closed; 0: they are open.
+    /// 1 if the polylines are closed.
     /// @flag
     pub closed: u32,
-    /// The mean edge is the mean segment of both polylines.
+    /// Number of interior rows; the mean edge is of both polylines.
     pub rows: gusset_row_rule,
-    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
     pub row_count: u32,
-    /// The faces of strips.
+    /// Faces of the strip.
     pub cells: gusset_strip_cells,
     /// 0.
     pub reserved: u32,
 }
 
-/// The parts of a strip. Pointers are valid until the result is destroyed.
+/// Parts of a strip.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_strip_report {
-    /// sizeof(gusset_strip_report), set by the caller.
+    /// sizeof(gusset_strip_report).
     pub struct_size: usize,
-    /// The points of A and of B that the first meridian joins.
+    /// Points of A and B that the first meridian joins.
     pub start: [u32; 2],
-    /// The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for
-    /// closed polylines of N and M points, where place N is place 0 again, and to (N - 1, M - 1)
-    /// for open ones; count is twice the number of meridians.
+    /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N
+    /// and M points: from (0, 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
     pub meridians: gusset_indices,
-    /// The paper's matrix P, row by row from A to B, one column for each meridian: vertices of the
-    /// mesh.
+    /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
     pub matrix: gusset_indices,
-    /// Of each new vertex (they are the last ones of the mesh), the two that it lies between, on A
-    /// and on B, by turns: the ends of its meridian.
+    /// Ends on A and B of the meridian of each new vertex; new vertices come last.
     pub parents: gusset_indices,
-    /// Of each new vertex, the weight of its second parent, 0 to 1: in row k of r rows k / (r + 1).
+    /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
     pub weights: *const f64,
-    /// Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no
-    /// face.
+    /// Interior rows, two less than in the matrix; 0 without a face.
     pub row_count: u32,
     /// 0.
     pub reserved: u32,
@@ -85,20 +81,16 @@ impl gusset_strip_options {
     }
 }
 
-/// Makes a strip of faces between two polylines that run side by side, as gusset_stitch does
-/// between two rims: the third, intermediate mesh alone.
+/// Builds a strip of faces between two polylines side by side, as gusset_stitch does between rims.
 ///
-/// The mesh has the points of A, 0 to N - 1, then those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
-/// against polyline A, and along B. Where both sides advance at once triangles split a quad by its shorter diagonal.
+/// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against
+/// A, along B. If both sides advance at once, the shorter diagonal splits a quad into triangles.
 ///
-/// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
-///     each, closed ones at least 3, and the last point is not the first again.
-/// @param count_a see points_a.
-/// @param points_b see points_a.
-/// @param count_b see points_a.
-/// @param options NULL for the defaults (open polylines).
+/// @param points_a x, y, z of count_a points in order, at least 1; if closed at least 3, the first
+///     not repeated.
+/// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
-/// @complexity Time and memory of the meridians of gusset_stitch, and linear in the mesh.
+/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
 ///     strips.
 #[unsafe(no_mangle)]
@@ -120,9 +112,9 @@ pub unsafe extern "C" fn gusset_strip(
     })
 }
 
-/// Lends the meridians and the matrix, for results of gusset_strip.
+/// Lends the report of a strip.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (the result was made by another operation)
+/// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -13,57 +13,56 @@ use crate::trim::{Options, Trimmed, trim};
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// How pieces that overlap are trimmed; all zero is the default.
+/// Options of gusset_trim_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_trim_options {
-    /// sizeof(gusset_trim_options), set by the caller.
+    /// sizeof(gusset_trim_options).
     pub struct_size: usize,
-    /// Surfaces that are no farther apart than this are one, in the unit of the positions, finite
-    /// and at least 0; 0: four mean edges of the coarser of two pieces.
+    /// Largest distance of surfaces that count as one, in the unit of the positions, finite, at
+    /// least 0. 0: 4 mean edges of the coarser piece.
     pub max_distance: f64,
-    /// Surfaces whose normals differ by more are two, in radians, from 0 and below pi / 2; 0: 60
-    /// degrees.
+    /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
     pub max_angle: f64,
-    /// x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL:
-    /// what was seen under a flat angle counts for less.
+    /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles
+    /// weigh less.
     pub viewpoints: *const f64,
-    /// Their number: that of the pieces, or 0.
+    /// Number of pieces, or 0.
     pub viewpoint_count: usize,
-    /// What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others
-    /// show the same, and as small holes do not come about.
+    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that
+    /// other pieces also show. Holes below that limit are not made.
     pub min_faces: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// The faces of a piece that are kept.
+/// Kept faces of a piece.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_trimmed_piece {
-    /// Ascending.
+    /// Indices of the faces, ascending.
     pub kept: gusset_indices,
-    /// How many of the piece's vertices lie on another piece.
+    /// Vertices that lie on another piece.
     pub covered_vertices: usize,
 }
 
-/// What is left of pieces. Pointers are valid until it is destroyed.
+/// Result of trimming.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_trim_view {
-    /// sizeof(gusset_trim_view), set by the caller.
+    /// sizeof(gusset_trim_view).
     pub struct_size: usize,
-    /// One for each piece.
+    /// Kept faces of each piece.
     pub pieces: *const gusset_trimmed_piece,
-    /// How many.
+    /// Number of pieces.
     pub piece_count: usize,
-    /// Faces that cut some of an earlier piece after all else; they went, with those round them.
+    /// Faces removed at last, with their neighbours, as they intersect an earlier piece.
     pub crossings: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// What is left of pieces that overlap. Opaque and immutable; it keeps nothing of them.
+/// Result of trimming.
 pub struct gusset_trim {
     done: Trimmed,
     pieces: Vec<gusset_trimmed_piece>,
@@ -91,26 +90,22 @@ impl gusset_trim_options {
     }
 }
 
-/// Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the
-/// others, which gusset_join closes; see GUSSET_OVERLAPS_TRIM there for both at once.
+/// Chooses the faces to keep where pieces overlap. One piece of each overlap is kept, with a narrow
+/// gap that gusset_join closes; see GUSSET_OVERLAPS_TRIM.
 ///
-/// The pieces are cut along lines on which both are equally good. A vertex is the better the
-/// farther it is from the borders of its piece, in mean edges of it, so that the finer of two
-/// pieces counts for more, and the less flat the angle it was seen under, if viewpoints are given;
-/// loops of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on
-/// another piece if the nearest place there is near, faces the same way, and is on no border. Where
-/// two are equally good but for noise, the earlier one is kept. No vertex moves, and no face is
-/// cut. What would be thinner than two faces goes, so do small islands, faces that hang on others
-/// by one vertex, and faces that cut those of an earlier piece.
+/// Cuts run where two pieces are equally good; up to noise, the earlier piece is kept. A vertex is
+/// better farther from borders of its piece, in mean edges, and seen less flat from its viewpoint.
+/// Loops of under 32 vertices are holes, not borders. A vertex lies on another piece if the nearest
+/// point is close, faces the same way, and is not on a border. No vertex moves, and no face is
+/// split. Removed are parts thinner than two faces, small islands, faces attached by one vertex,
+/// and faces that intersect an earlier piece.
 ///
-/// @param pieces piece_count mesh views one after another, each as large as the first one's
-///     struct_size says, at least one, all in one coordinate system; see gusset_alignment_create.
-/// @param piece_count see pieces.
-/// @errors as gusset_mesh_view (the report's input is the piece), EMPTY_MESH (without pieces),
+/// @param pieces as in gusset_alignment_create, in one coordinate system.
+/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces),
 ///     OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint), COUNT_DIFFERS (fewer
 ///     viewpoints than pieces), TOO_LARGE
-/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to
-///     the square of the number of faces that lie in one place; linear extra memory.
+/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, up to
+///     quadratic in the faces at one place. Memory linear.
 /// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
 ///     (1994), who clip one mesh at the other's border.
 #[unsafe(no_mangle)]
@@ -137,13 +132,13 @@ pub unsafe extern "C" fn gusset_trim_create(
     })
 }
 
-/// Destroys what is left of pieces; NULL is allowed.
+/// Destroys a result of trimming.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_trim_destroy(trim: *mut gusset_trim) {
     handle::destroy(trim);
 }
 
-/// Lends which faces are kept.
+/// Lends the kept faces.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
