@@ -1,21 +1,21 @@
-// Of gusset_plugin.h and gusset.h, as they are laid out on 32 bits. Written by generate.mjs; do not edit.
+// Layouts and constants of the plugin's table, on 32 bits. Written by generate.mjs; do not edit.
 
-/** Of each struct its size, and of each field its place and how DataView reads it. */
+/** The size of each struct; the offset of each field, and how DataView reads it. */
 export const structs = {
-  gusset_choice: {"size":8,"fields":{"label":[0,"Uint32"],"help":[4,"Uint32"]}},
-  gusset_param_info: {"size":72,"fields":{"struct_size":[0,"Uint32"],"id":[4,"Uint32"],"label":[8,"Uint32"],"help":[12,"Uint32"],"kind":[16,"Uint32"],"arity":[20,"Uint32"],"min":[24,"Float64"],"max":[32,"Float64"],"default_values":[40,"Uint32"],"step":[48,"Float64"],"choices":[56,"Uint32"],"choice_count":[60,"Uint32"],"first_value":[64,"Uint32"]}},
-  gusset_input: {"size":16,"fields":{"struct_size":[0,"Uint32"],"view":[4,"Uint32"],"kind":[8,"Uint32"],"reserved":[12,"Uint32"]}},
-  gusset_host: {"size":24,"fields":{"struct_size":[0,"Uint32"],"user":[4,"Uint32"],"progress":[8,"Uint32"],"log":[12,"Uint32"],"threads":[16,"Uint32"],"origins":[20,"Uint32"]}},
-  gusset_filter: {"size":80,"fields":{"struct_size":[0,"Uint32"],"id":[4,"Uint32"],"name":[8,"Uint32"],"script_name":[12,"Uint32"],"category":[16,"Uint32"],"help":[20,"Uint32"],"reference":[24,"Uint32"],"input_kinds":[28,"Uint32"],"output_kinds":[32,"Uint32"],"input_kind_count":[36,"Uint32"],"min_inputs":[40,"Uint32"],"max_inputs":[44,"Uint32"],"output_count":[48,"Uint32"],"flags":[52,"Uint32"],"param_count":[56,"Uint32"],"value_count":[60,"Uint32"],"reserved":[64,"Uint32"],"param":[68,"Uint32"],"suggest":[72,"Uint32"],"run":[76,"Uint32"]}},
+  gusset_plugin_channel: {"size":28,"fields":{"struct_size":[0,"Uint32"],"domain":[4,"Uint32"],"value_type":[8,"Uint32"],"components":[12,"Uint32"],"rule":[16,"Uint32"],"max_influences":[20,"Uint32"],"reserved":[24,"Uint32"]}},
+  gusset_plugin_channel_values: {"size":12,"fields":{"values":[0,"Uint32"],"count":[4,"Uint32"],"stride":[8,"Uint32"]}},
+  gusset_plugin_origins: {"size":28,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"offsets":[8,"Uint32"],"sources":[12,"Uint32"],"weights":[16,"Uint32"],"input_count":[20,"Uint32"],"starts":[24,"Uint32"]}},
+  gusset_plugin_attributes: {"size":16,"fields":{"struct_size":[0,"Uint32"],"has_origins":[4,"Uint32"],"origins":[8,"Uint32"],"apply":[12,"Uint32"]}},
   gusset_plugin_mesh: {"size":48,"fields":{"struct_size":[0,"Uint32"],"positions":[4,"Uint32"],"position_stride":[8,"Uint32"],"vertex_count":[12,"Uint32"],"face_offsets":[16,"Uint32"],"face_corners":[20,"Uint32"],"face_count":[24,"Uint32"],"scalar":[28,"Uint32"],"index":[32,"Uint32"],"face_size":[36,"Uint32"],"reserved":[40,"Uint32"],"merge":[44,"Uint32"]}},
   gusset_plugin_curves: {"size":36,"fields":{"struct_size":[0,"Uint32"],"points":[4,"Uint32"],"point_stride":[8,"Uint32"],"point_count":[12,"Uint32"],"offsets":[16,"Uint32"],"closed":[20,"Uint32"],"curve_count":[24,"Uint32"],"scalar":[28,"Uint32"],"reserved":[32,"Uint32"]}},
+  gusset_input: {"size":16,"fields":{"struct_size":[0,"Uint32"],"view":[4,"Uint32"],"kind":[8,"Uint32"],"reserved":[12,"Uint32"]}},
+  gusset_host: {"size":24,"fields":{"struct_size":[0,"Uint32"],"user":[4,"Uint32"],"progress":[8,"Uint32"],"log":[12,"Uint32"],"threads":[16,"Uint32"],"origins":[20,"Uint32"]}},
+  gusset_choice: {"size":8,"fields":{"label":[0,"Uint32"],"help":[4,"Uint32"]}},
+  gusset_param_info: {"size":72,"fields":{"struct_size":[0,"Uint32"],"id":[4,"Uint32"],"label":[8,"Uint32"],"help":[12,"Uint32"],"kind":[16,"Uint32"],"arity":[20,"Uint32"],"min":[24,"Float64"],"max":[32,"Float64"],"default_values":[40,"Uint32"],"step":[48,"Float64"],"choices":[56,"Uint32"],"choice_count":[60,"Uint32"],"first_value":[64,"Uint32"]}},
+  gusset_filter: {"size":80,"fields":{"struct_size":[0,"Uint32"],"id":[4,"Uint32"],"name":[8,"Uint32"],"script_name":[12,"Uint32"],"category":[16,"Uint32"],"help":[20,"Uint32"],"reference":[24,"Uint32"],"input_kinds":[28,"Uint32"],"output_kinds":[32,"Uint32"],"input_kind_count":[36,"Uint32"],"min_inputs":[40,"Uint32"],"max_inputs":[44,"Uint32"],"output_count":[48,"Uint32"],"flags":[52,"Uint32"],"param_count":[56,"Uint32"],"value_count":[60,"Uint32"],"reserved":[64,"Uint32"],"param":[68,"Uint32"],"suggest":[72,"Uint32"],"run":[76,"Uint32"]}},
   gusset_failure: {"size":40,"fields":{"struct_size":[0,"Uint32"],"message":[4,"Uint32"],"status":[8,"Int32"],"param":[12,"Uint32"],"input":[16,"Uint32"],"element":[20,"Uint32"],"index":[24,"BigUint64"],"value":[32,"Float64"]}},
   gusset_plugin: {"size":76,"fields":{"struct_size":[0,"Uint32"],"abi":[4,"Uint32"],"filter_count":[8,"Uint32"],"id":[12,"Uint32"],"name":[16,"Uint32"],"version":[20,"Uint32"],"vendor":[24,"Uint32"],"description":[28,"Uint32"],"license":[32,"Uint32"],"filter":[36,"Uint32"],"find":[40,"Uint32"],"output_count":[44,"Uint32"],"output_kind":[48,"Uint32"],"output_mesh":[52,"Uint32"],"output_curves":[56,"Uint32"],"output_text":[60,"Uint32"],"output_failure":[64,"Uint32"],"output_free":[68,"Uint32"],"extension":[72,"Uint32"]}},
   gusset_plugin_values: {"size":16,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"name":[8,"Uint32"],"value":[12,"Uint32"]}},
-  gusset_plugin_origins: {"size":28,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"offsets":[8,"Uint32"],"sources":[12,"Uint32"],"weights":[16,"Uint32"],"input_count":[20,"Uint32"],"starts":[24,"Uint32"]}},
-  gusset_plugin_channel: {"size":28,"fields":{"struct_size":[0,"Uint32"],"domain":[4,"Uint32"],"value_type":[8,"Uint32"],"components":[12,"Uint32"],"rule":[16,"Uint32"],"max_influences":[20,"Uint32"],"reserved":[24,"Uint32"]}},
-  gusset_plugin_channel_values: {"size":12,"fields":{"values":[0,"Uint32"],"count":[4,"Uint32"],"stride":[8,"Uint32"]}},
-  gusset_plugin_attributes: {"size":16,"fields":{"struct_size":[0,"Uint32"],"has_origins":[4,"Uint32"],"origins":[8,"Uint32"],"apply":[12,"Uint32"]}},
 };
 
 /** Without GUSSET_. */
@@ -117,7 +117,7 @@ export const statuses = {
   9999: "panic",
 };
 
-/** What failures count. */
+/** Elements that failures name. */
 export const elements = {
   0: "none",
   1: "vertex",
