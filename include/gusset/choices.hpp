@@ -117,10 +117,10 @@ enum class CorrespondenceRule : uint32_t {
 /// Direction in which nodes move. See ::gusset_offset_direction.
 enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
 
-/// Type of coordinates. See ::gusset_scalar.
+/// The type of coordinates. See ::gusset_scalar.
 enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
 
-/// Type of indices. See ::gusset_index.
+/// The type of indices. See ::gusset_index.
 enum class Index : uint32_t { u32 = GUSSET_U32, u64 = GUSSET_U64 };
 
 /// Treatment of coincident borders. See ::gusset_welding.

@@ -11,14 +11,14 @@ extern "C" {
 
 /* ---- Meshes: Views of polygon meshes in memory of the caller or of a result. */
 
-/// Type of coordinates.
+/// The type of coordinates.
 typedef uint32_t gusset_scalar;
 /// 32-bit floats.
 #define GUSSET_F32 1
 /// 64-bit floats.
 #define GUSSET_F64 2
 
-/// Type of indices.
+/// The type of indices.
 typedef uint32_t gusset_index;
 /// 32-bit unsigned integers.
 #define GUSSET_U32 0
@@ -554,7 +554,8 @@ typedef struct gusset_join_report {
     size_t hole_count;
     /// Vertices of the rims of holes, in the order before components are turned outwards.
     struct gusset_indices hole_rims;
-    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces are never listed.
+    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces are never listed;
+    /// they agree with the faces beside them.
     struct gusset_indices turned;
     /// A face of each non-orientable component.
     struct gusset_indices one_sided;
@@ -921,7 +922,7 @@ typedef struct gusset_strip_report {
 /// Builds a strip of faces between two polylines side by side, as gusset_stitch does between rims.
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against A, along B. If both
 /// sides advance at once, the shorter diagonal splits a quad into triangles.
-/// @param points_a x, y, z of count_a points in order, at least 1; if closed at least 3, the first not repeated.
+/// @param points_a packed x, y, z of count_a points in order, at least 1; if closed at least 3, the first not repeated.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
 /// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
@@ -1706,7 +1707,7 @@ typedef struct gusset_facing_view {
 } gusset_facing_view;
 
 /// Finds the vertices of two loops that face each other.
-/// @param points_a x, y, z of count_a vertices in order, at least 1.
+/// @param points_a packed x, y, z of count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres coincide, or no vertex of
 ///     a loop exceeds the tolerance, as with coaxial rims)

@@ -32,6 +32,7 @@ typedef struct gusset_net_view {
     size_t row_stride;
     /// Bytes from number to number in a row; 0: no gaps.
     size_t column_stride;
+    /// Type of coordinates.
     gusset_scalar scalar;
     uint32_t reserved;
 } gusset_net_view;
@@ -454,6 +455,7 @@ typedef uint32_t gusset_box_kind;
 typedef struct gusset_net_primitive {
     size_t struct_size;
     gusset_net_shape shape;
+    /// Type of coordinates.
     gusset_scalar scalar;
     /// Rows of nodes; 0: 33. Boxes and lathes ignore it.
     size_t rows;

@@ -51,6 +51,7 @@ typedef struct gusset_stream_report {
     /// QUANTISED: distance of levels. Coordinates are off by at most step / 2 and half a unit in the last place. Else
     /// 0.
     double step[3];
+    /// Type of coordinates.
     gusset_scalar scalar;
     gusset_stream_mode mode;
     /// QUANTISED: bits of a coordinate. Else 0.

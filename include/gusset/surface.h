@@ -176,6 +176,7 @@ typedef struct gusset_nodes {
     size_t row_stride;
     /// Bytes from node to node in a row; 0: no gaps.
     size_t column_stride;
+    /// Type of coordinates.
     gusset_scalar scalar;
     gusset_scheme scheme;
     /// 1: closed in u; the last row repeats the first.

@@ -87,7 +87,7 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 
 /// Finds the vertices of two loops that face each other.
 ///
-/// @param points_a x, y, z of count_a vertices in order, at least 1.
+/// @param points_a packed x, y, z of count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres
 ///     coincide, or no vertex of a loop exceeds the tolerance, as with coaxial rims)

@@ -143,7 +143,7 @@ pub struct gusset_join_report {
     /// Vertices of the rims of holes, in the order before components are turned outwards.
     pub hole_rims: gusset_indices,
     /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces
-    /// are never listed.
+    /// are never listed; they agree with the faces beside them.
     pub turned: gusset_indices,
     /// A face of each non-orientable component.
     pub one_sided: gusset_indices,

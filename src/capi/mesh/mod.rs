@@ -32,13 +32,13 @@ use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// Type of coordinates.
+/// The type of coordinates.
 pub type gusset_scalar = u32;
 /// 32-bit floats.
 pub const GUSSET_F32: gusset_scalar = 1;
 /// 64-bit floats.
 pub const GUSSET_F64: gusset_scalar = 2;
-/// Type of indices.
+/// The type of indices.
 pub type gusset_index = u32;
 /// 32-bit unsigned integers.
 pub const GUSSET_U32: gusset_index = 0;
@@ -85,7 +85,7 @@ pub struct gusset_mesh_view {
     pub face_count: usize,
     /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     pub scalar: gusset_scalar,
-    /// Type of indices.
+    /// The type of indices.
     pub index: gusset_index,
     /// Corners of every face, or 0 with face_offsets.
     pub face_size: u32,

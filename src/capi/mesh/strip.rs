@@ -86,8 +86,8 @@ impl gusset_strip_options {
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against
 /// A, along B. If both sides advance at once, the shorter diagonal splits a quad into triangles.
 ///
-/// @param points_a x, y, z of count_a points in order, at least 1; if closed at least 3, the first
-///     not repeated.
+/// @param points_a packed x, y, z of count_a points in order, at least 1; if closed at least 3, the
+///     first not repeated.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
 /// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
