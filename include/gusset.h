@@ -26,29 +26,33 @@
  *
  * What holds for every function:
  *
- * Arguments. A function takes a context, handles, inputs, options and outputs, in this order. The context gives threads,
- * progress, cancellation and the report of an error; NULL selects the defaults, without a report. NULL options select the
- * defaults. An output handle receives the result, or NULL after an error.
+ * Arguments. A function takes a context, handles, inputs, options and outputs, in this order. The context gives
+ * threads, progress, cancellation and the report of an error; NULL selects the defaults, without a report. NULL
+ * options select the defaults. Input arrays may have any alignment.
  *
- * Units. Counts are in elements, strides in bytes, angles in radians, lengths in the unit of the positions. Indices begin
- * at 0. Coordinates are 32-bit or 64-bit floats, as `scalar` says.
+ * Units. Counts are in elements, strides in bytes, angles in radians, lengths in the unit of the positions. Indices
+ * begin at 0. Coordinates are 32-bit or 64-bit floats, as `scalar` says.
  *
  * Structs. Where a struct begins with struct_size, set it to sizeof the struct, and all other fields to 0 for the
- * defaults: `gusset_fill_options options = {.struct_size = sizeof options};`. Fields called reserved must be 0. A flag is 0 or 1.
+ * defaults: `gusset_fill_options options = {.struct_size = sizeof options};`. Fields called reserved must be 0.
  *
- * Ownership. The library borrows the caller's arrays during a call, and copies none of the positions. Destroy each handle
- * once; every _destroy function takes NULL. A view lends memory of its handle, and is valid until the handle is destroyed or
- * changed. A lent array without elements is NULL.
+ * Ownership. The library borrows the caller's arrays during a call, and copies none of the positions. Destroy each
+ * handle once; every _destroy function takes NULL. A view lends memory of its handle. It is valid until the handle is
+ * destroyed or changed. A lent array without elements is NULL.
  *
  * Errors. A function returns GUSSET_OK or a gusset_status; gusset_context_get_message explains it, and
- * gusset_context_get_report names the element, its index and its value. After an error, output handles, structs and
- * numbers are cleared; the content of an output array is unspecified; nothing else has changed. @errors lists the statuses
- * of a function without GUSSET_ERROR_; "as f" means those of f. Every function may also return NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, WRONG_HANDLE, BAD_STRUCT_SIZE, UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY, and with a context CONTEXT_BUSY
- * and CANCELLED.
+ * gusset_context_get_report names the element, its index and its value. After an error, output handles are NULL,
+ * output structs and numbers are cleared, the content of an output array is unspecified, and nothing else has
+ * changed. One exception: BUFFER_TOO_SMALL reports the size needed.
  *
- * Threads. Every function is reentrant. Handles are immutable, except nets, scenes and decoders: do not use one of these
- * while another thread changes it. A context serves one call at a time. Results do not depend on the number of threads.
+ * Comments. @errors lists the statuses of a function without GUSSET_ERROR_; "as f" adds the errors of f. Every
+ * function may also return NULL_ARGUMENT, MISALIGNED_ARGUMENT, WRONG_HANDLE, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, and with a context CONTEXT_BUSY and CANCELLED. @flag: 0 or 1. @bits: a sum of
+ * constants. "@when f X": read only if the field f is X.
+ *
+ * Threads. Every function is reentrant. Handles are immutable, except nets, scenes and decoders: do not use one of
+ * these while another thread changes it. A context serves one call at a time. Results do not depend on the number of
+ * threads.
  *
  * C99 or later, C++11 or later. Everything is available since version 0.1. */
 
