@@ -36,9 +36,10 @@
  * Structs. Where a struct begins with struct_size, set it to sizeof the struct, and all other fields to 0 for the
  * defaults: `gusset_fill_options options = {.struct_size = sizeof options};`. Fields called reserved must be 0.
  *
- * Ownership. The library borrows the caller's arrays during a call, and copies none of the positions. Destroy each
- * handle once; every _destroy function takes NULL. A view lends memory of its handle. It is valid until the handle is
- * destroyed or changed. A lent array without elements is NULL.
+ * Ownership. The library reads the caller's arrays during a call, without copying positions first. A handle keeps
+ * copies of what it needs, unless its comment says that it borrows. Destroy each handle once; every _destroy function takes NULL.
+ * A view lends memory of its handle, valid until the handle is destroyed or changed. A lent array without elements is
+ * NULL.
  *
  * Errors. A function returns GUSSET_OK or a gusset_status; gusset_context_get_message explains it, and
  * gusset_context_get_report names the element, its index and its value. After an error, output handles are NULL,

@@ -1,19 +1,21 @@
 /** @file
- * gusset as a plugin: what a host needs to know. Generated from src/capi/plugin; do not edit.
+ * gusset as a plugin. Generated from src/capi/plugin; do not edit.
  *
- * A host loads the library, looks up the one symbol gusset_plugin_entry, and finds in the tables behind it filters with typed
- * parameters, each of which takes meshes or curves and gives meshes, curves or text:
+ * gusset_plugin_entry leads to filters with typed parameters, from meshes or curves to meshes, curves or text:
  *     void *library = dlopen("libgusset.so.0.1", RTLD_NOW | RTLD_LOCAL);
  *     gusset_plugin_entry_fn entry = NULL;
  *     if (library) *(void **)&entry = dlsym(library, "gusset_plugin_entry");
  *     const gusset_plugin *plugin = entry ? entry(GUSSET_PLUGIN_ABI) : NULL;
  *     const gusset_filter *filter = plugin ? plugin->find("weld") : NULL;
  *
- * Structs begin with struct_size: in those that the host makes, sizeof the struct, all other fields 0 unless said otherwise. In
- * those that the plugin makes it tells which fields are there: a later version may append some. Counts are in elements,
- * strides in bytes, angles in radians, lengths in the unit of the positions, indices from 0. Statuses are those of gusset.h,
- * which a host does not need. C99 or later, C++11 or later.
- */
+ * The host sets struct_size to sizeof the struct, and unused fields to 0. In the plugin's structs, struct_size tells
+ * which fields exist: later versions may append some.
+ * Counts are in elements, strides in bytes (0: packed), angles in radians, lengths in the unit of the positions.
+ * Indices begin at 0. Arrays of meshes, curves and channels may have any alignment.
+ * Tables are static, texts UTF-8, ids permanent. Many threads may call functions and read outputs at once.
+ * Arrays and texts of outputs live until output_free. Functions return NULL for an unknown index or name.
+ * The plugin's int32_t results are GUSSET_PLUGIN_DONE or another gusset_status of gusset.h, which a host does not need.
+ * C99 or later, C++11 or later. */
 
 #ifndef GUSSET_PLUGIN_H
 #define GUSSET_PLUGIN_H
@@ -23,12 +25,9 @@
 
 #if defined(__GNUC__)
 #define GUSSET_PLUGIN_MUST_USE __attribute__((warn_unused_result))
-#else
-#define GUSSET_PLUGIN_MUST_USE
-#endif
-#if defined(__GNUC__)
 #define GUSSET_PLUGIN_API __attribute__((visibility("default")))
 #else
+#define GUSSET_PLUGIN_MUST_USE
 #define GUSSET_PLUGIN_API
 #endif
 
@@ -36,91 +35,84 @@
 extern "C" {
 #endif
 
-/* ---- The entry: One symbol leads to the tables of filters. Hosts need gusset_plugin.h alone, which is made from */
-/* this folder. */
+/* ---- Entry: One symbol leads to the tables of filters. */
 
 struct gusset_plugin;
 
-/// The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's GUSSET_PLUGIN_ABI. The
-/// tables are static: made at the first call, never freed; there is nothing to initialise or to shut down, and the
-/// library stays loaded after dlclose. May be called from any thread, as often as one likes.
+/// Returns the plugin's tables, or NULL if it cannot serve host_abi, the host's GUSSET_PLUGIN_ABI. The first call makes
+/// the tables; any thread may call it. Nothing needs initialisation or release. The library stays loaded after dlclose.
 GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plugin_entry(uint32_t host_abi);
 
-/* ---- Attributes: The extension that carries values of elements to outputs. */
+/* ---- Attributes: Extension that transfers values of elements to outputs. */
 
-/// Elements of a mesh: vertices.
+/// Vertices.
 #define GUSSET_PLUGIN_VERTICES 0
-/// Elements of a mesh: corners of faces, in the order of face_corners.
+/// Corners, in the order of face_corners.
 #define GUSSET_PLUGIN_CORNERS 1
-/// Elements of a mesh: faces.
+/// Faces.
 #define GUSSET_PLUGIN_FACES 2
-/// Values are 32-bit floats.
+/// 32-bit floats.
 #define GUSSET_PLUGIN_VALUE_F32 1
-/// Values are 64-bit floats.
+/// 64-bit floats.
 #define GUSSET_PLUGIN_VALUE_F64 2
-/// Values are 8-bit unsigned integers.
+/// 8-bit unsigned integers.
 #define GUSSET_PLUGIN_VALUE_U8 3
-/// Values are 16-bit unsigned integers.
+/// 16-bit unsigned integers.
 #define GUSSET_PLUGIN_VALUE_U16 4
-/// Values are 32-bit unsigned integers.
+/// 32-bit unsigned integers.
 #define GUSSET_PLUGIN_VALUE_U32 5
-/// Several values become their weighted mean, as of colours; of integers rounded.
+/// Weighted mean, as for colours; integers are rounded.
 #define GUSSET_PLUGIN_RULE_LINEAR 0
-/// Directions of three floats become their mean on the sphere, of length 1; those of faces that were turned over are
-/// turned.
+/// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were turned over are negated.
 #define GUSSET_PLUGIN_RULE_NORMAL 1
-/// Skin weights become their weighted mean, of which the max_influences largest are kept, with the sum 1, or of
-/// integers the largest number of the type.
+/// Skin weights: weighted mean. The max_influences largest are kept, scaled to sum 1 or an integer type's largest
+/// value.
 #define GUSSET_PLUGIN_RULE_SKIN_WEIGHTS 2
-/// The value of the source that counts most is taken, as of materials and numbers.
+/// Value of the source with the largest weight, as for materials and ids.
 #define GUSSET_PLUGIN_RULE_NEAREST 3
-/// Texture coordinates: at the corners of new faces the mean where both sides are on one chart, and elsewhere each
-/// side's chart goes on to a seam in the middle.
+/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart. Otherwise each side's chart
+/// continues to a seam in the middle.
 #define GUSSET_PLUGIN_RULE_TEXTURE 4
 
-/// What the values of elements are, and how they are mixed. An element of one source has its value, bit for bit; one
-/// without sources, or whose sources have no values, 0.
+/// Type of values, and rule that combines them. An element with one source keeps its value bit for bit. Without valued
+/// sources, it gets 0.
 typedef struct gusset_plugin_channel {
     size_t struct_size;
     /// GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES.
     uint32_t domain;
-    /// GUSSET_PLUGIN_VALUE_...; zero is no valid value.
+    /// GUSSET_PLUGIN_VALUE_...; 0 is invalid.
     uint32_t value_type;
-    /// How many values an element has, 1 to 4096.
+    /// Values of an element, 1 to 4096.
     uint32_t components;
     /// GUSSET_PLUGIN_RULE_...
     uint32_t rule;
-    /// With GUSSET_PLUGIN_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
+    /// Weights that GUSSET_PLUGIN_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0: all.
     uint32_t max_influences;
     uint32_t reserved;
 } gusset_plugin_channel;
 
-/// The values of one input's elements.
+/// Values of one input's elements.
 typedef struct gusset_plugin_channel_values {
-    /// The components of each element at the start of every stride, at any alignment; NULL with count 0 if the input
-    /// has no such values.
+    /// Components of each element, at each stride; NULL with count 0 if the input lacks them.
     const void *values;
-    /// The number of elements: of the input's vertices, corners or faces, all.
+    /// Number of vertices, corners or faces of the input.
     size_t count;
-    /// Bytes from one element to the next; 0 if they are packed.
+    /// Stride of elements.
     size_t stride;
 } gusset_plugin_channel_values;
 
-/// Where elements of an output come from. The arrays live as long as the outputs.
+/// Origins of an output's elements.
 typedef struct gusset_plugin_origins {
     size_t struct_size;
-    /// The number of elements.
     size_t count;
-    /// count + 1 entries: element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and weights; none if it
-    /// comes from nothing.
+    /// count + 1 entries: element k has sources and weights offsets[k] to offsets[k + 1] - 1, if any.
     const uint32_t *offsets;
-    /// Elements of the inputs, numbered through all of them.
+    /// Elements, numbered through all inputs.
     const uint32_t *sources;
-    /// How much each counts: more than 0, with the sum 1 for each element.
+    /// Weight of each source, above 0, with sum 1 for each element.
     const double *weights;
-    /// The number of inputs.
     size_t input_count;
-    /// input_count + 1 entries: the elements of input i are the sources starts[i] to starts[i + 1] - 1.
+    /// input_count + 1 entries: input i has sources starts[i] to starts[i + 1] - 1.
     const uint32_t *starts;
 } gusset_plugin_origins;
 
@@ -130,24 +122,19 @@ struct gusset_host;
 
 struct gusset_outputs;
 
-/// What meshes carry beside positions, carried over to the outputs of a run whose host asked for origins:
-/// extension("attributes/1"). The struct is static; the functions may be called from many threads at once.
+/// extension("attributes/1"): transfers attributes to the outputs of runs with gusset_host.origins.
 typedef struct gusset_plugin_attributes {
     size_t struct_size;
-    /// 1 if output index tells where its elements come from, else 0.
+    /// Returns 1 if the output has origins, otherwise 0.
     uint32_t (*has_origins)(const struct gusset_outputs *outputs, uint32_t index);
-    /// Fills origins, whose struct_size is set, with those of output index. domain: GUSSET_PLUGIN_VERTICES,
-    /// GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES. Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Gets the origins of the output's vertices, corners or faces, as domain says.
     int32_t (*origins)(const struct gusset_outputs *outputs,
                        uint32_t index,
                        uint32_t domain,
                        struct gusset_plugin_origins *origins);
-    /// Writes the values of the elements of output index. host: NULL for no callbacks and automatic threads. channel:
-    /// its struct_size is set. inputs: input_count structs, one for each input of the run, in their order. values: room
-    /// for count elements, those of the output at least, stride bytes apart, 0 for packed ones, at any alignment; it
-    /// must not overlap the inputs' values. failure: receives why there are none, the message of static texts, or NULL.
-    /// O(elements and sources). Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or another gusset_status of
-    /// gusset.h.
+    /// Writes the values of the output's elements in O(elements and sources). host: as for run. inputs: one for each
+    /// input of the run, in order. values: room for count elements, at least the output's; no overlap with the inputs'
+    /// values. failure: receives the reason of a failure, with a static message; may be NULL.
     int32_t (*apply)(const struct gusset_outputs *outputs,
                      uint32_t index,
                      const struct gusset_host *host,
@@ -160,223 +147,209 @@ typedef struct gusset_plugin_attributes {
                      struct gusset_failure *failure);
 } gusset_plugin_attributes;
 
-/* ---- Filters: Structs and constants of the tables. */
+/* ---- Filters: Constants and structs of the tables. */
 
-/// The version of this header's tables, for gusset_plugin_entry.
+/// Version of the tables.
 #define GUSSET_PLUGIN_ABI 1
 
-/// What run returns after success.
+/// Success.
 #define GUSSET_PLUGIN_DONE 0
-/// What run returns when a parameter is out of its range, or an input is of the wrong kind.
+/// A parameter is outside its range, or an input has the wrong kind.
 #define GUSSET_PLUGIN_OUT_OF_RANGE 5
-/// What run returns when memory could not be had.
+/// Memory ran out.
 #define GUSSET_PLUGIN_OUT_OF_MEMORY 2000
-/// What run returns when the host's progress callback asked to stop.
+/// The progress callback cancelled the run.
 #define GUSSET_PLUGIN_CANCELLED 2001
 
-/// A polygon mesh: struct gusset_plugin_mesh.
+/// Polygon mesh: gusset_plugin_mesh.
 #define GUSSET_KIND_MESH 1
-/// Polylines: struct gusset_plugin_curves.
+/// Polylines: gusset_plugin_curves.
 #define GUSSET_KIND_CURVES 2
-/// Lines of text for a log window; an output only.
+/// Lines of text for a log window; outputs only.
 #define GUSSET_KIND_TEXT 3
-/// Coordinates are 32-bit floats.
+/// Coordinates as 32-bit floats.
 #define GUSSET_PLUGIN_F32 1
-/// Coordinates are 64-bit floats.
+/// Coordinates as 64-bit floats.
 #define GUSSET_PLUGIN_F64 2
 /// 0 or 1.
 #define GUSSET_PARAM_BOOL 1
-/// A whole number.
+/// Whole number.
 #define GUSSET_PARAM_INT 2
-/// A number without a unit.
+/// Number without unit.
 #define GUSSET_PARAM_REAL 3
-/// The place of one of the choices, from 0.
+/// Index of a choice.
 #define GUSSET_PARAM_CHOICE 4
-/// A length, in the unit of the positions.
+/// Length.
 #define GUSSET_PARAM_LENGTH 5
-/// An angle, in radians.
+/// Angle.
 #define GUSSET_PARAM_ANGLE 6
-/// A point: x, y, z.
+/// Point x, y, z.
 #define GUSSET_PARAM_POINT 7
-/// A direction: x, y, z, not all 0; its length means nothing.
+/// Direction x, y, z, not all 0, of any length.
 #define GUSSET_PARAM_DIRECTION 8
-/// A plane a x + b y + c z = d: a, b, c, d, the first three not all 0.
+/// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 #define GUSSET_PARAM_PLANE 9
-/// The first output is the first input, mended: an editor puts it in its place. Else outputs are new.
+/// The first output replaces the first input. Without this flag, outputs are new.
 #define GUSSET_FILTER_REPLACES 1
-/// The vertices, corners and faces of the first output, a mesh, come from those of the inputs, and
-/// extension("attributes/1") carries over what they have.
+/// The first output, a mesh, has elements of the inputs, so extension("attributes/1") transfers attributes.
 #define GUSSET_FILTER_ORIGINS 2
-/// gusset_failure.input, gusset_failure.param: none.
+/// No input or parameter.
 #define GUSSET_PLUGIN_NONE UINT32_MAX
 
-/// The polygon mesh of an input or of an output; laid out like gusset_mesh_view of gusset.h, and under the same rules.
-/// Arrays may have any alignment and are not copied on the way in.
+/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Input arrays are not copied.
 typedef struct gusset_plugin_mesh {
     size_t struct_size;
-    /// x, y, z at the start of every stride, of the type that scalar names. Finite where faces use them.
+    /// x, y, z at each stride; finite at vertices of faces.
     const void *positions;
-    /// Bytes from one position to the next; 0 if they are packed.
+    /// Stride of positions.
     size_t position_stride;
-    /// The number of vertices; 1 to 2^32 - 2.
+    /// Number of vertices, 1 to 2^32 - 2.
     size_t vertex_count;
-    /// face_count + 1 32-bit entries from 0: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if
-    /// face_size is given. Outputs have it.
+    /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with
+    /// face_size, never in outputs.
     const void *face_offsets;
-    /// The vertex at each corner, 32-bit, face after face.
+    /// Vertex of each corner, face by face.
     const void *face_corners;
-    /// The number of faces; at least 1 in an input.
+    /// Number of faces, at least 1 in an input.
     size_t face_count;
-    /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64. Zero is no valid value: it must be said.
+    /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
     uint32_t scalar;
-    /// 0: indices are 32-bit unsigned integers.
+    /// 0: corners, offsets and merge are 32-bit unsigned integers.
     uint32_t index;
-    /// The number of corners of every face, or 0 if face_offsets is given.
+    /// Corners of every face, or 0 with face_offsets.
     uint32_t face_size;
     uint32_t reserved;
-    /// For each vertex the one that it is one with, itself or one that is one with itself; 32-bit; NULL if none is one
-    /// with another. Vertices that are kept apart for their texture coordinates or normals leave no border then.
+    /// Representative of each vertex, itself or one that represents itself; NULL: all are separate. Vertices with one
+    /// representative are one, so seams of textures or normals are not borders.
     const void *merge;
 } gusset_plugin_mesh;
 
-/// The polylines of an input or of an output. Curve c has the points offsets[c] to offsets[c + 1] - 1 and, if it is
-/// closed, an edge from the last to the first.
+/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1. A closed curve also joins the last to the first.
 typedef struct gusset_plugin_curves {
     size_t struct_size;
-    /// x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are packed 64-bit floats.
+    /// Finite x, y, z at each stride. Outputs are packed 64-bit floats.
     const void *points;
-    /// Bytes from one point to the next; 0 if they are packed.
+    /// Stride of points.
     size_t point_stride;
-    /// The number of points; at most 2^32 - 2.
+    /// Number of points, at most 2^32 - 2.
     size_t point_count;
-    /// curve_count + 1 32-bit entries from 0 to point_count, none less than the one before. May be NULL if curve_count
-    /// is 0.
+    /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without curves.
     const void *offsets;
-    /// For each curve a byte: 0 open, 1 closed. NULL if all are open.
+    /// For each curve 0 (open) or 1 (closed); NULL: all open.
     const uint8_t *closed;
-    /// The number of curves; at most 2^32 - 2.
+    /// Number of curves, at most 2^32 - 2.
     size_t curve_count;
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64.
     uint32_t scalar;
     uint32_t reserved;
 } gusset_plugin_curves;
 
-/// One input of a filter.
+/// Input of a filter. All inputs of a call have the same struct_size.
 typedef struct gusset_input {
     size_t struct_size;
-    /// A struct gusset_plugin_mesh or gusset_plugin_curves, as kind says.
+    /// A gusset_plugin_mesh or gusset_plugin_curves.
     const void *view;
     /// GUSSET_KIND_MESH or GUSSET_KIND_CURVES.
     uint32_t kind;
     uint32_t reserved;
 } gusset_input;
 
-/// How a host follows and steers a run. Callbacks come from the thread that called run, must not call into the plugin
-/// for the same outputs, and must not throw.
+/// Callbacks and settings of a call. Callbacks run on the calling thread. They must not throw, or pass the call's
+/// outputs to the plugin. Their texts are valid during the callback.
 typedef struct gusset_host {
     size_t struct_size;
-    /// Handed to the callbacks.
+    /// First argument of the callbacks.
     void *user;
-    /// Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never decreasing. stage: what is
-    /// being done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after:
-    /// within a tenth of a second for a million faces or points that go in and come out; giving back the memory of many
-    /// more takes longer.
+    /// Receives the part done, 0 to 1, nondecreasing, and the current work; may be NULL. A nonzero return cancels: run
+    /// ends within 0.1 s for 1,000,000 input and output faces or points. Freeing more memory takes longer.
     int32_t (*progress)(void *user, double fraction, const char *stage);
-    /// Called with remarks that are no failures, or NULL; message is valid during the callback only.
+    /// Receives remarks that are not failures; may be NULL.
     void (*log)(void *user, const char *message);
-    /// 0 as many threads as the machine has, 1 the calling thread only. Results do not depend on it.
+    /// 0: all threads of the machine; 1: the calling thread. Results do not depend on it.
     uint32_t threads;
-    /// 1: outputs tell where their elements come from, for extension("attributes/1"), if the filter has
-    /// GUSSET_FILTER_ORIGINS. 0: they do not, which saves time and memory.
+    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS. 0 saves time and memory.
     uint32_t origins;
 } gusset_host;
 
-/// One choice of a parameter. Texts are UTF-8, static.
+/// Choice of a parameter.
 typedef struct gusset_choice {
-    /// For menus.
+    /// Menu text.
     const char *label;
-    /// What it does.
+    /// Its effect.
     const char *help;
 } gusset_choice;
 
-/// A parameter of a filter. Texts are UTF-8, static.
+/// Parameter of a filter.
 typedef struct gusset_param_info {
     size_t struct_size;
-    /// Stable for ever: scripts and stored projects name it.
+    /// Identifier for scripts and stored projects.
     const char *id;
-    /// For dialogs.
+    /// Dialog text.
     const char *label;
-    /// What it does, in whole sentences.
+    /// Description in whole sentences.
     const char *help;
-    /// One of GUSSET_PARAM_...
+    /// GUSSET_PARAM_...
     uint32_t kind;
-    /// How many values it has: 3 for points and directions, 4 for planes, else 1.
+    /// Number of values: 3 for points and directions, 4 for planes, otherwise 1.
     uint32_t arity;
-    /// The least value of each component.
+    /// Smallest value of each component.
     double min;
-    /// The greatest value of each component.
+    /// Largest value of each component.
     double max;
-    /// arity values. What suggest says suits the inputs better.
+    /// arity values; suggest adapts them to the inputs.
     const double *default_values;
-    /// What a spin box adds; 0 if the host may choose.
+    /// Spin box increment; 0: the host decides.
     double step;
-    /// choice_count choices; NULL if kind is not GUSSET_PARAM_CHOICE.
+    /// choice_count choices; NULL unless kind is GUSSET_PARAM_CHOICE.
     const struct gusset_choice *choices;
-    /// The number of choices.
     uint32_t choice_count;
-    /// Where its first value is among the values of the filter.
+    /// Index of its first value among the filter's values.
     uint32_t first_value;
 } gusset_param_info;
 
-/// One capability of the plugin. Texts are UTF-8, static; so is the struct. Its functions may be called from many
-/// threads at once; filter is the struct that they are in.
+/// Filter of the plugin. Its functions take this struct as filter.
 typedef struct gusset_filter {
     size_t struct_size;
-    /// Stable for ever: hosts store it.
+    /// Identifier, for hosts to store.
     const char *id;
-    /// For menus.
+    /// Menu text.
     const char *name;
-    /// For scripts: lower case, words joined by underscores.
+    /// Name for scripts, in snake_case.
     const char *script_name;
-    /// The group that a host shows it in.
+    /// Menu group.
     const char *category;
-    /// What it does, in whole sentences.
+    /// Description in whole sentences.
     const char *help;
-    /// Where the method comes from.
+    /// Source of the method.
     const char *reference;
-    /// The kind of each input, GUSSET_KIND_...; the last repeats. input_kind_count of them.
+    /// GUSSET_KIND_... of each input; the last repeats.
     const uint32_t *input_kinds;
-    /// The kind of each output, in order; output_count of them.
+    /// GUSSET_KIND_... of each output.
     const uint32_t *output_kinds;
-    /// The number of input_kinds; 0 for filters that make something of nothing.
+    /// Number of input_kinds; 0 for filters without inputs.
     uint32_t input_kind_count;
-    /// The least number of inputs.
+    /// Smallest number of inputs.
     uint32_t min_inputs;
-    /// The greatest number of inputs.
+    /// Largest number of inputs.
     uint32_t max_inputs;
-    /// The number of outputs.
     uint32_t output_count;
     /// GUSSET_FILTER_... or 0.
     uint32_t flags;
-    /// The number of parameters.
     uint32_t param_count;
-    /// The number of values of all parameters.
+    /// Number of values of all parameters, in their order.
     uint32_t value_count;
     uint32_t reserved;
-    /// Parameter index, 0 to param_count - 1; NULL for any other.
+    /// Returns a parameter by its index.
     const struct gusset_param_info *(*param)(const struct gusset_filter *filter, uint32_t index);
-    /// Writes the values that suit these inputs, one parameter after the other; values has room for value_count of
-    /// them, and holds the plain defaults after a failure, of which suggest gives no account: run with the same inputs
-    /// does. Inputs as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Writes value_count defaults that suit the inputs, in O(size of the inputs). After a failure, writes the plain
+    /// defaults; run with the same inputs tells the reason.
     int32_t (*suggest)(const struct gusset_filter *filter,
                        const struct gusset_input *inputs,
                        uint32_t input_count,
                        double *values);
-    /// Runs the filter. host: NULL for no callbacks and automatic threads. inputs: input_count structs. values: the
-    /// first value_count values of the parameters, one parameter after the other; the rest is as suggest has it.
-    /// outputs: receives what came out, and after a failure an account of it (output_failure); give it to output_free
-    /// in any case. NULL only if outputs itself is NULL or memory ran out. Returns GUSSET_PLUGIN_DONE,
-    /// GUSSET_PLUGIN_CANCELLED, or another gusset_status of gusset.h.
+    /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count values; suggest
+    /// gives the rest. outputs: receives the outputs, or the reason of a failure; call output_free in both cases.
+    /// *outputs is NULL only if memory ran out.
     int32_t (*run)(const struct gusset_filter *filter,
                    const struct gusset_host *host,
                    const struct gusset_input *inputs,
@@ -386,93 +359,86 @@ typedef struct gusset_filter {
                    struct gusset_outputs **outputs);
 } gusset_filter;
 
-/// Why a run failed.
+/// Reason of a failure.
 typedef struct gusset_failure {
     size_t struct_size;
-    /// What went wrong, an English sentence; empty after success. Lives as long as the outputs.
+    /// English sentence; empty after success.
     const char *message;
-    /// What run returned.
+    /// Status of the run.
     int32_t status;
-    /// The number of the parameter that is out of range, or GUSSET_PLUGIN_NONE.
+    /// Index of the parameter outside its range, or GUSSET_PLUGIN_NONE.
     uint32_t param;
-    /// The number of the input that is at fault, or GUSSET_PLUGIN_NONE.
+    /// Index of the faulty input, or GUSSET_PLUGIN_NONE.
     uint32_t input;
-    /// What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3 corners, 4 entries of
-    /// face_offsets, 5 places in a loop, 6 nothing either: index is itself a count of elements or bytes; 7 points of
-    /// all curves, 8 constraints on an outline, 9 places on a curve or a surface, 12 sections or planes, 13 nodes of a
-    /// net, row after row, 14 its links (twice the first node, and 1 if vertical), 15 its cells, row after row, 16
-    /// seams, 17 bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21 other
-    /// items given, 30 knots, 31 rows of a net of curves. Later versions may have more.
+    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 entry of face_offsets, 5
+    /// place in a loop, 6 none (index is a number of elements or bytes), 7 point of all curves, 8 constraint on an
+    /// outline, 9 place on a curve or surface, 12 section or plane, 13 net node by rows, 14 net link (twice its first
+    /// node, plus 1 if vertical), 15 net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place
+    /// along a net side, 21 other given item, 30 knot, 31 row of a net of curves. Later versions may add kinds.
     uint32_t element;
-    /// The first offending element.
+    /// First faulty element.
     uint64_t index;
-    /// Its value where it has one.
+    /// Value of that element, if it has one.
     double value;
 } gusset_failure;
 
-/// What the plugin is and can do. Texts are UTF-8, static; so is the struct. Its functions may be called from many
-/// threads at once.
+/// Tables and functions of the plugin.
 typedef struct gusset_plugin {
     size_t struct_size;
     /// GUSSET_PLUGIN_ABI of the plugin.
     uint32_t abi;
-    /// The number of filters.
     uint32_t filter_count;
-    /// Stable for ever.
+    /// Identifier.
     const char *id;
-    /// For people.
+    /// Name for people.
     const char *name;
     /// "major.minor.patch".
     const char *version;
-    /// Who makes it.
+    /// Its makers.
     const char *vendor;
     /// One sentence.
     const char *description;
-    /// An SPDX licence expression.
+    /// SPDX licence expression.
     const char *license;
-    /// Filter index, 0 to filter_count - 1, in the order for menus; NULL for any other.
+    /// Returns a filter by its index, in menu order.
     const struct gusset_filter *(*filter)(uint32_t index);
-    /// The filter of this id, or NULL.
+    /// Returns a filter by its id.
     const struct gusset_filter *(*find)(const char *id);
-    /// How many outputs there are: as many as the filter says after success, else 0.
+    /// Returns the filter's output_count after success, otherwise 0.
     uint32_t (*output_count)(const struct gusset_outputs *outputs);
-    /// The kind of output index, GUSSET_KIND_...; 0 if there is none.
+    /// Returns GUSSET_KIND_...; 0 if the output does not exist.
     uint32_t (*output_kind)(const struct gusset_outputs *outputs, uint32_t index);
-    /// Fills mesh, whose struct_size is set, with the arrays of output index, which live as long as the outputs.
-    /// Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Lends the arrays of an output mesh.
     int32_t (*output_mesh)(const struct gusset_outputs *outputs, uint32_t index, struct gusset_plugin_mesh *mesh);
-    /// The same for curves.
+    /// Lends the arrays of output curves.
     int32_t (*output_curves)(const struct gusset_outputs *outputs, uint32_t index, struct gusset_plugin_curves *curves);
-    /// The text of output index, UTF-8, which lives as long as the outputs; NULL if it is none.
+    /// Returns the text, or NULL if the output is not a text.
     const char *(*output_text)(const struct gusset_outputs *outputs, uint32_t index);
-    /// Why the run failed. failure: its struct_size is set. Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Gets the reason of the run's failure.
     int32_t (*output_failure)(const struct gusset_outputs *outputs, struct gusset_failure *failure);
-    /// Frees the outputs of a run; NULL is allowed.
+    /// Frees outputs; NULL is allowed.
     void (*output_free)(struct gusset_outputs *outputs);
-    /// Something beyond these tables, by name and version, or NULL: "values/1" is a gusset_plugin_values,
-    /// "attributes/1" a gusset_plugin_attributes.
+    /// Returns a gusset_plugin_values for "values/1", a gusset_plugin_attributes for "attributes/1".
     const void *(*extension)(const char *name);
 } gusset_plugin;
 
-/// The numbers in a text under names, for programs: extension("values/1"). The struct is static; the functions may be
-/// called from many threads at once.
+/// extension("values/1"): named numbers of a text output.
 typedef struct gusset_plugin_values {
     size_t struct_size;
-    /// How many numbers output index has; 0 if it is no text or has none.
+    /// Returns how many numbers the text has; 0 for other outputs.
     uint32_t (*count)(const struct gusset_outputs *outputs, uint32_t index);
-    /// The name of number which: lower case, words joined by underscores, the same in all versions; lives as long as
-    /// the outputs. NULL if there is none.
+    /// Returns the name of number which, in snake_case and the same in all versions.
     const char *(*name)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
-    /// Number which; NaN if there is none. Flags are 0 or 1, angles in radians.
+    /// Returns number which; NaN if it does not exist. Flags are 0 or 1.
     double (*value)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
 } gusset_plugin_values;
 
-/// The type of gusset_plugin_entry, for dlsym.
+/// Type of gusset_plugin_entry, for dlsym.
 typedef const struct gusset_plugin *(*gusset_plugin_entry_fn)(uint32_t host_abi);
 
-/* ---- What becomes of a run: outputs, or why there are none. */
+/* ---- Outputs: The results of a run. */
 
-/// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at once.
+/// Outputs of a run, or the reason of its failure.
 typedef struct gusset_outputs gusset_outputs;
 
 #ifdef __cplusplus

@@ -219,7 +219,61 @@ static void context_of_a_call(void) {
     gusset_context_destroy(context);
 }
 
+/* The short forms of views.h are the long ones, and a NULL handle gives an empty view that can be used. */
+static void short_forms(void) {
+    const double square[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+    const gusset_outlines points = gusset_points_f64(square, 4, 2, 1), none = gusset_points_f64(square, 4, 4, 1);
+    gusset_curve *curve = NULL;
+    gusset_curve_form *form = NULL;
+    EXPECT(GUSSET_OK, gusset_curve_from_points_create(NULL, &points, NULL, &curve));
+    EXPECT(GUSSET_OK, gusset_curve_export_create(NULL, curve, GUSSET_CURVE_FORMAT_SVG, 0, &form));
+    const gusset_curve_form_view path = gusset_curve_form_lend(form), no_path = gusset_curve_form_lend(NULL);
+    CHECK(path.text[0] == 'M' && strlen(path.text) == path.text_length);
+    CHECK(no_path.text[0] == 0 && no_path.text_length == 0 && no_path.points == NULL);
+    gusset_curve_form_destroy(form);
+    gusset_curve_destroy(curve);
+    curve = misaligned();
+    CHECK(gusset_curve_from_points_create(NULL, &none, NULL, &curve) != GUSSET_OK && curve == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_from_points_create(NULL, &points, NULL, NULL));
+
+    double grid[16 * 3];
+    float single[16 * 3];
+    for (size_t k = 0; k < 16; ++k) {
+        grid[3 * k] = (double)(k / 4), grid[3 * k + 1] = (double)(k % 4), grid[3 * k + 2] = 0;
+    }
+    for (size_t k = 0; k < 48; ++k) {
+        single[k] = (float)grid[k];
+    }
+    const gusset_nodes nodes[2] = {gusset_nodes_f64(grid, 4, 4), gusset_nodes_f32(single, 4, 4)};
+    const gusset_net_view views[2] = {gusset_net_points_f64(grid, 4, 4), gusset_net_points_f32(single, 4, 4)};
+    for (int k = 0; k < 2; ++k) {
+        const double above[3] = {1.25, 1.5, 2};
+        gusset_surface *surface = NULL;
+        gusset_surface_nearest_point nearest;
+        EXPECT(GUSSET_OK, gusset_surface_from_nodes_create(NULL, &nodes[k], &surface));
+        EXPECT(GUSSET_OK, gusset_surface_nearest(NULL, surface, above, 1, NULL, &nearest));
+        CHECK(fabs(nearest.distance - 2) < 1e-9);
+        gusset_surface_destroy(surface);
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_from_nodes_create(NULL, &nodes[k], NULL));
+        surface = misaligned();
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_from_nodes_create(NULL, NULL, &surface));
+        CHECK(surface == NULL);
+        gusset_net *net = NULL;
+        gusset_result *result = NULL;
+        EXPECT(GUSSET_OK, gusset_net_create(NULL, &views[k], NULL, GUSSET_NET_MEMORY_COPY, &net));
+        EXPECT(GUSSET_OK, gusset_net_to_mesh(NULL, net, NULL, &result));
+        CHECK(gusset_result_mesh(result).vertex_count == 16 && gusset_result_mesh(result).face_count > 0);
+        gusset_result_destroy(result);
+        gusset_net_destroy(net);
+    }
+    const gusset_mesh_view empty = gusset_result_mesh(NULL);
+    gusset_boundary *boundary = NULL;
+    CHECK(empty.vertex_count == 0 && empty.face_count == 0);
+    EXPECT(GUSSET_ERROR_EMPTY_MESH, gusset_boundary_create(NULL, &empty, NULL, &boundary));
+}
+
 int main(void) {
+    short_forms();
     layouts();
     loop_of_a_pyramid();
     stitch_two_pyramids(NULL);

@@ -223,8 +223,9 @@ GUSSET_API const char *gusset_status_text(int32_t status);
 /// may call gusset_context_cancel, gusset_context_reset and gusset_context_get_progress.
 typedef struct gusset_context gusset_context;
 
-/// Receives the progress of long work, on the calling thread. A nonzero return cancels the call. The callback must not
-/// throw or longjmp, or use the context, except gusset_context_cancel and gusset_context_get_progress.
+/// Receives the progress of long work, on the calling thread. A nonzero return cancels this call only, unlike
+/// gusset_context_cancel. The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
+/// gusset_context_get_progress.
 /// - fraction: the part done, 0 to 1.
 /// - stage: the current work; valid during the callback.
 typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);

@@ -29,7 +29,6 @@ typedef struct gusset_curve_view {
     size_t struct_size;
     /// x, y, z of control points; z is 0 for a plane curve.
     const double *controls;
-    /// Number of control points.
     size_t control_count;
     /// 0, then the index of each segment's last control point: segment k has the control points ends[k] to ends[k + 1].
     struct gusset_indices ends;
@@ -259,11 +258,9 @@ typedef struct gusset_outlines {
     /// outline_count + 1 offsets of outlines into points, from 0, not decreasing. NULL with outline_count 0: one
     /// outline of all points.
     const uint32_t *offsets;
-    /// Number of outlines.
     size_t outline_count;
     /// Ascending by point, at most one for each; or NULL. The first of merged points counts.
     const struct gusset_constraint *constraints;
-    /// Number of constraints.
     size_t constraint_count;
     /// 2 or 3.
     uint32_t dimension;
@@ -280,13 +277,11 @@ typedef struct gusset_outline gusset_outline;
 /// curve repeats its first control point at the end.
 typedef struct gusset_outline_view {
     size_t struct_size;
-    /// Number of outlines.
     size_t outline_count;
     /// Points of all outlines.
     size_t point_count;
     /// x, y, z of each control point; z = 0 for plane outlines.
     const double *controls;
-    /// Number of control points.
     size_t control_count;
     /// Ends of segments.
     struct gusset_indices ends;
@@ -477,7 +472,6 @@ typedef struct gusset_places_view {
     size_t struct_size;
     /// The places, ordered along the first curve.
     const struct gusset_place *places;
-    /// Number of places.
     size_t count;
     /// x, y, z at each place.
     const double *points;
@@ -486,7 +480,6 @@ typedef struct gusset_places_view {
     /// Common parts, four places each: start and end on the first curve, the same on the second. For tangent angles:
     /// start and end, twice.
     const struct gusset_place *overlaps;
-    /// Number of overlaps.
     size_t overlap_count;
     /// Segments that lie entirely in the plane or line.
     struct gusset_indices inside;
@@ -641,13 +634,11 @@ typedef struct gusset_curve_form_view {
     size_t text_length;
     /// x, y, z of contour points or control points of a spline.
     const double *points;
-    /// Number of points.
     size_t point_count;
     /// Contour: 1 for a point on the curve, 0 for a point off it.
     const uint8_t *on_curve;
     /// Spline: point_count + degree + 1 knots.
     const double *knots;
-    /// Number of knots.
     size_t knot_count;
     /// Spline: degree.
     size_t degree;
@@ -722,7 +713,6 @@ typedef struct gusset_frame_options {
     /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
     /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
     const double *axis_points;
-    /// Number of sections.
     size_t axis_point_count;
     /// LANDMARKS: for each section the same number of indices into its own points, in order.
     struct gusset_indices landmarks;

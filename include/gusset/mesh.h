@@ -29,7 +29,6 @@ typedef uint32_t gusset_index;
 typedef struct gusset_indices {
     /// First index; may be NULL if count is 0.
     const uint32_t *data;
-    /// Number of indices.
     size_t count;
 } gusset_indices;
 
@@ -48,13 +47,11 @@ typedef struct gusset_mesh_view {
     const void *positions;
     /// Bytes from one position to the next; 0 if packed.
     size_t position_stride;
-    /// Number of vertices.
     size_t vertex_count;
     /// face_count + 1 entries: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with face_size.
     const void *face_offsets;
     /// Vertex of each corner, face by face. Corner h also names the half-edge that starts there.
     const void *face_corners;
-    /// Number of faces.
     size_t face_count;
     /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     gusset_scalar scalar;
@@ -422,11 +419,9 @@ typedef struct gusset_join_options {
     /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
     /// gusset_joint). No loop is in two pairs.
     const struct gusset_loop_pair *pairs;
-    /// Number of pairs.
     size_t pair_count;
     /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
     const struct gusset_loop_pair *excluded;
-    /// Number of excluded pairs.
     size_t excluded_count;
     /// Options of welding; NULL for the defaults.
     const struct gusset_weld_options *weld_options;
@@ -507,7 +502,7 @@ typedef struct gusset_joint {
     size_t face_first;
     /// Faces of the strip.
     size_t face_count;
-    /// Pairs of intersecting faces, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
     struct gusset_indices intersections;
     /// 1 if intersections were searched for.
     uint32_t intersections_known;
@@ -538,19 +533,15 @@ typedef struct gusset_join_report {
     size_t struct_size;
     /// Indices of each piece in the result.
     const struct gusset_piece_map *pieces;
-    /// Number of pieces.
     size_t piece_count;
     /// Joints: given pairs in their order, then the others, nearest first.
     const struct gusset_joint *joints;
-    /// Number of joints.
     size_t joint_count;
     /// Loops without a strip, even if filled later, by smallest vertex.
     const struct gusset_left_loop *left;
-    /// Number of loops.
     size_t left_count;
     /// Holes considered for filling.
     const struct gusset_hole *holes;
-    /// Number of holes.
     size_t hole_count;
     /// Vertices of the rims of holes, in the order before components are turned outwards.
     struct gusset_indices hole_rims;
@@ -615,9 +606,10 @@ typedef struct gusset_stitch_report {
     uint32_t turned;
     /// 1 if intersections were searched for.
     uint32_t intersections_known;
-    /// Pairs of intersecting faces of the result: first a strip face, the larger one if both are. Shared or coincident
-    /// vertices and edges do not count; any other contact does. The test is exact. Quads are split by their shorter
-    /// diagonals, other polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
+    /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger one if both are.
+    /// Shared or coincident vertices and edges do not count; any other contact does. The test is exact. Quads are split
+    /// by their shorter diagonals, other polygons into fans from their first corners. A self-intersecting polygon is
+    /// paired with itself.
     struct gusset_indices intersections;
     /// Times that the fairing of rows, or of the kept blend, was moved back.
     uint32_t back_off_count;
@@ -716,15 +708,12 @@ typedef struct gusset_hole {
     /// First vertex of the loop in rims, with the surface on the left before closed components were turned outwards. A
     /// given loop that is not simple, free or oriented is as given.
     size_t rim_first;
-    /// Number of its vertices.
     size_t rim_count;
     /// First face of the patch in the result. Loops that share a patch have the same faces and vertices.
     size_t face_first;
-    /// Number of its faces.
     size_t face_count;
     /// First new vertex of the patch in the result.
     size_t vertex_first;
-    /// Number of these.
     size_t vertex_count;
     /// Length of the loop.
     double length;
@@ -748,7 +737,6 @@ typedef struct gusset_fill_report {
     size_t struct_size;
     /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
     const struct gusset_hole *holes;
-    /// Number of loops.
     size_t hole_count;
     /// Vertices of all loops.
     struct gusset_indices rims;
@@ -757,8 +745,8 @@ typedef struct gusset_fill_report {
     /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest point on the plain
     /// triangulation of the rims: the vertex itself if its patch is flat, or is not faired and not creased.
     const double *weights;
-    /// Pairs of intersecting faces, ascending, the larger index first: a new face. Every contact counts, decided
-    /// exactly, except at shared or coincident vertices and edges.
+    /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new face. Every contact
+    /// counts, decided exactly, except at shared or coincident vertices and edges.
     struct gusset_indices intersections;
     /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the others are reversed.
     struct gusset_indices turned_outwards;
@@ -1093,7 +1081,6 @@ typedef struct gusset_orient_report {
     size_t struct_size;
     /// For each face, 1 if it was turned over, otherwise 0.
     const uint8_t *turned;
-    /// Number of faces.
     size_t face_count;
     /// Smallest face of each non-orientable component, ascending.
     struct gusset_indices one_sided_faces;
@@ -1162,7 +1149,6 @@ typedef struct gusset_alignment_options {
     uint32_t samples;
     /// Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
     const struct gusset_transform *poses;
-    /// Number of pieces, or 0.
     size_t pose_count;
     /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
     /// piece's box diagonal. Pieces may start about this far from their final poses.
@@ -1206,11 +1192,9 @@ typedef struct gusset_alignment_view {
     size_t struct_size;
     /// Pieces in order.
     const struct gusset_aligned_piece *pieces;
-    /// Number of pieces.
     size_t piece_count;
     /// Pairs of overlapping pieces.
     const struct gusset_overlap *overlaps;
-    /// Number of overlaps.
     size_t overlap_count;
     /// Rounds done.
     uint32_t rounds;
@@ -1257,7 +1241,6 @@ typedef struct gusset_trim_options {
     double max_angle;
     /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
     const double *viewpoints;
-    /// Number of pieces, or 0.
     size_t viewpoint_count;
     /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
     /// show. Holes below that limit are not made.
@@ -1278,7 +1261,6 @@ typedef struct gusset_trim_view {
     size_t struct_size;
     /// Kept faces of each piece.
     const struct gusset_trimmed_piece *pieces;
-    /// Number of pieces.
     size_t piece_count;
     /// Faces removed at last, with their neighbours, as they intersect an earlier piece.
     uint32_t crossings;
@@ -1419,7 +1401,6 @@ typedef struct gusset_boundary_view {
     size_t walk_count;
     /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on its boundary.
     const struct gusset_defect *defects;
-    /// Number of defects.
     size_t defect_count;
 } gusset_boundary_view;
 
@@ -1622,9 +1603,7 @@ typedef uint32_t gusset_cut_kind;
 typedef struct gusset_chart {
     /// First vertex of the chart in the result. Its vertices are consecutive.
     uint32_t first_vertex;
-    /// Number of vertices.
     uint32_t vertex_count;
-    /// Number of faces.
     uint32_t face_count;
     gusset_chart_finish finish;
     /// Steps of all descents.
@@ -1661,7 +1640,6 @@ typedef struct gusset_develop_report {
     const double *stretches;
     /// Charts in the order of their first faces, side by side along x.
     const struct gusset_chart *charts;
-    /// Number of charts.
     size_t chart_count;
     /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
     struct gusset_indices cut_edges;

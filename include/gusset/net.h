@@ -154,7 +154,6 @@ typedef struct gusset_net_gluing {
     const uint8_t *matrix;
     /// Additional seams.
     const struct gusset_seam *seams;
-    /// Number of seams.
     size_t seam_count;
     /// Sides; 0 with a matrix.
     gusset_sides sides;
@@ -174,9 +173,7 @@ typedef struct gusset_net_gluing_report {
     size_t struct_size;
     /// Bytes of the characteristic matrix: 2 * rows * columns.
     size_t matrix_size;
-    /// Number of seams.
     size_t seam_count;
-    /// Number of bridges.
     size_t bridge_count;
     /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
     gusset_sides sides;
@@ -272,11 +269,9 @@ typedef struct gusset_glue_options {
     double tolerance;
     /// Gluings to add, at any alignment.
     const struct gusset_gluing *gluings;
-    /// Number of gluings.
     size_t gluing_count;
     /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
     const uint32_t *links;
-    /// Number of links.
     size_t link_count;
     /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs of
     /// two or more side nodes in either direction. The orientation stays.
@@ -619,7 +614,6 @@ typedef struct gusset_field {
     /// Pairs of finite time and strength, with increasing times. Strength is constant before the first key and after
     /// the last. NULL: it does not depend on time.
     const double *keys;
-    /// Number of pairs.
     size_t key_count;
     /// Three numbers for each control point of GUSSET_FIELD_LATTICE; else NULL.
     const double *offsets;
@@ -767,11 +761,10 @@ typedef struct gusset_net_mesh_report {
     struct gusset_indices cell_of_face;
     /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
     struct gusset_indices wires;
-    /// Texture coordinates of each corner of the mesh; empty unless requested.
+    /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless requested.
     struct gusset_indices texture_corners;
     /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
     const double *texture_coordinates;
-    /// Number of pairs.
     size_t texture_count;
 } gusset_net_mesh_report;
 
@@ -1171,15 +1164,12 @@ typedef struct gusset_net_analysis_view {
     const uint32_t *contracted;
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
     const uint32_t *stars;
-    /// Number of contracted links.
     size_t contracted_count;
     /// Glued links whose ends separated.
     const uint32_t *torn;
-    /// Number of torn links.
     size_t torn_count;
     /// Cells oriented against the majority.
     const uint32_t *folded;
-    /// Number of folded cells.
     size_t folded_count;
     /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
     uint32_t soft;
@@ -1493,9 +1483,7 @@ typedef struct gusset_net_validation_view {
     size_t struct_size;
     /// The findings.
     const struct gusset_net_finding *findings;
-    /// Number of findings.
     size_t count;
-    /// Number of violations.
     size_t violation_count;
 } gusset_net_validation_view;
 

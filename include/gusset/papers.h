@@ -241,7 +241,6 @@ typedef struct gusset_winged_view {
     size_t struct_size;
     /// Edges, ordered by their first half-edges, which start at M.
     const struct gusset_winged_edge *edges;
-    /// Number of edges.
     size_t edge_count;
     /// Edge of each half-edge (position in face_corners).
     struct gusset_indices edge_of_half_edge;

@@ -89,7 +89,6 @@ typedef struct gusset_surface_paths gusset_surface_paths;
 /// Lent curves.
 typedef struct gusset_surface_paths_view {
     size_t struct_size;
-    /// Number of curves.
     size_t path_count;
     /// Number of points of all curves.
     size_t point_count;
@@ -109,11 +108,9 @@ typedef struct gusset_surface_paths_view {
     const struct gusset_surface_place *others;
     /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
     const struct gusset_surface_place *unresolved;
-    /// Number of unresolved cells.
     size_t unresolved_count;
     /// For intersections: points where the surfaces touch.
     const struct gusset_surface_contact *contacts;
-    /// Number of contacts.
     size_t contact_count;
 } gusset_surface_paths_view;
 
@@ -263,7 +260,6 @@ typedef struct gusset_surface_points_view {
     size_t struct_size;
     /// The points, nearest first.
     const struct gusset_surface_nearest_point *points;
-    /// Number of points.
     size_t count;
     /// Distance below which no minimum is missing.
     double bound;
@@ -715,7 +711,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_distance(const struct gu
 /// Facts about a surface.
 typedef struct gusset_surface_report {
     size_t struct_size;
-    /// Number of sheets.
     size_t sheet_count;
     /// Cells of all sheets.
     size_t cell_count;
@@ -984,7 +979,6 @@ typedef struct gusset_sheet_mesh_options {
 /// Places and normals of the mesh of a sheet.
 typedef struct gusset_sheet_mesh_report {
     size_t struct_size;
-    /// Number of vertices.
     size_t vertex_count;
     /// Place of each vertex; its sheet is 0.
     const struct gusset_surface_place *places;
@@ -1028,7 +1022,6 @@ typedef struct gusset_surface_cells_view {
     size_t struct_size;
     /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both sheets, then row, column.
     const struct gusset_surface_cell *cells;
-    /// Number of cells or pairs.
     size_t cell_count;
     /// Cells of the second surface.
     const struct gusset_surface_cell *others;
@@ -1041,7 +1034,6 @@ typedef struct gusset_surface_cells_view {
     size_t word_count;
     /// First bit of each sheet, then the number of bits.
     const uint64_t *first;
-    /// Number of sheets.
     size_t sheet_count;
 } gusset_surface_cells_view;
 

@@ -67,8 +67,11 @@ static inline gusset_mesh_view gusset_polygons_f64(const double *points, size_t 
 
 /// Lends the mesh of a result, without vertices if the handle is NULL. Valid until the result is destroyed.
 static inline gusset_mesh_view gusset_result_mesh(const gusset_result *result) {
-    gusset_mesh_view view = gusset_mesh_view_of(GUSSET_F64, NULL, 0, NULL, NULL, 0, 0);
-    (void)!gusset_result_get_mesh(result, &view);
+    gusset_mesh_view view;
+    view.struct_size = sizeof view;
+    if (gusset_result_get_mesh(result, &view) != GUSSET_OK) {
+        return gusset_mesh_view_of(GUSSET_F64, NULL, 0, NULL, NULL, 0, 3);
+    }
     return view;
 }
 
@@ -166,7 +169,8 @@ static inline GUSSET_MUST_USE gusset_status gusset_surface_from_nodes_create(con
     return status;
 }
 
-/// Passes a curve through the points of one outline; see gusset_outline_create and gusset_outline_curve_create.
+/// Passes a curve through the points of one outline; see gusset_outline_create and gusset_outline_curve_create. The
+/// statuses of points are lost: keep the outline to read them.
 /// @errors as gusset_outline_create, as gusset_outline_curve_create
 static inline GUSSET_MUST_USE gusset_status gusset_curve_from_points_create(const gusset_context *context,
                                                                             const gusset_outlines *points,
@@ -188,15 +192,10 @@ static inline GUSSET_MUST_USE gusset_status gusset_curve_from_points_create(cons
 static inline gusset_curve_form_view gusset_curve_form_lend(const gusset_curve_form *form) {
     gusset_curve_form_view view;
     view.struct_size = sizeof view;
-    view.text = "";
-    view.text_length = 0;
-    view.points = NULL;
-    view.point_count = 0;
-    view.on_curve = NULL;
-    view.knots = NULL;
-    view.knot_count = 0;
-    view.degree = 0;
-    (void)!gusset_curve_form_get_view(form, &view);
+    /* After an error all fields are 0. */
+    if (gusset_curve_form_get_view(form, &view) != GUSSET_OK) {
+        view.text = "";
+    }
     return view;
 }
 

@@ -25,7 +25,8 @@ pub struct gusset_context {
 
 handle! { gusset_context }
 
-/// Receives the progress of long work, on the calling thread. A nonzero return cancels the call.
+/// Receives the progress of long work, on the calling thread. A nonzero return cancels this
+/// call only, unlike gusset_context_cancel.
 /// The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
 /// gusset_context_get_progress.
 /// - fraction: the part done, 0 to 1.

@@ -88,7 +88,7 @@ pub struct gusset_joint {
     pub face_first: usize,
     /// Faces of the strip.
     pub face_count: usize,
-    /// Pairs of intersecting faces, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
     pub intersections: gusset_indices,
     /// 1 if intersections were searched for.
     pub intersections_known: u32,

@@ -57,7 +57,7 @@ pub struct gusset_stitch_report {
     pub turned: u32,
     /// 1 if intersections were searched for.
     pub intersections_known: u32,
-    /// Pairs of intersecting faces of the result: first a strip face, the larger one if both are.
+    /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger one if both are.
     /// Shared or coincident vertices and edges do not count; any other contact does. The test is
     /// exact. Quads are split by their shorter diagonals, other polygons into fans from their first
     /// corners. A self-intersecting polygon is paired with itself.

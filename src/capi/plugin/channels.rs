@@ -1,4 +1,4 @@
-//! Attributes: The extension that carries values of elements to outputs.
+//! Attributes: Extension that transfers values of elements to outputs.
 
 use super::descriptor::{gusset_failure, gusset_host};
 use super::outcome::gusset_outputs;
@@ -7,36 +7,36 @@ use crate::capi::mesh::attributes::{self as library, gusset_channel, gusset_chan
 use crate::capi::mesh::origins as domains;
 use std::ffi::c_void;
 
-/// Elements of a mesh: vertices.
+/// Vertices.
 pub const GUSSET_PLUGIN_VERTICES: u32 = 0;
-/// Elements of a mesh: corners of faces, in the order of face_corners.
+/// Corners, in the order of face_corners.
 pub const GUSSET_PLUGIN_CORNERS: u32 = 1;
-/// Elements of a mesh: faces.
+/// Faces.
 pub const GUSSET_PLUGIN_FACES: u32 = 2;
 
-/// Values are 32-bit floats.
+/// 32-bit floats.
 pub const GUSSET_PLUGIN_VALUE_F32: u32 = 1;
-/// Values are 64-bit floats.
+/// 64-bit floats.
 pub const GUSSET_PLUGIN_VALUE_F64: u32 = 2;
-/// Values are 8-bit unsigned integers.
+/// 8-bit unsigned integers.
 pub const GUSSET_PLUGIN_VALUE_U8: u32 = 3;
-/// Values are 16-bit unsigned integers.
+/// 16-bit unsigned integers.
 pub const GUSSET_PLUGIN_VALUE_U16: u32 = 4;
-/// Values are 32-bit unsigned integers.
+/// 32-bit unsigned integers.
 pub const GUSSET_PLUGIN_VALUE_U32: u32 = 5;
 
-/// Several values become their weighted mean, as of colours; of integers rounded.
+/// Weighted mean, as for colours; integers are rounded.
 pub const GUSSET_PLUGIN_RULE_LINEAR: u32 = 0;
-/// Directions of three floats become their mean on the sphere, of length 1; those of faces that were
-/// turned over are turned.
+/// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were
+/// turned over are negated.
 pub const GUSSET_PLUGIN_RULE_NORMAL: u32 = 1;
-/// Skin weights become their weighted mean, of which the max_influences largest are kept, with the
-/// sum 1, or of integers the largest number of the type.
+/// Skin weights: weighted mean. The max_influences largest are kept, scaled to sum 1 or an integer
+/// type's largest value.
 pub const GUSSET_PLUGIN_RULE_SKIN_WEIGHTS: u32 = 2;
-/// The value of the source that counts most is taken, as of materials and numbers.
+/// Value of the source with the largest weight, as for materials and ids.
 pub const GUSSET_PLUGIN_RULE_NEAREST: u32 = 3;
-/// Texture coordinates: at the corners of new faces the mean where both sides are on one chart, and
-/// elsewhere each side's chart goes on to a seam in the middle.
+/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart. Otherwise
+/// each side's chart continues to a seam in the middle.
 pub const GUSSET_PLUGIN_RULE_TEXTURE: u32 = 4;
 
 // The plugin's numbers are the library's.
@@ -56,38 +56,37 @@ const _: () = assert!(
         && GUSSET_PLUGIN_RULE_TEXTURE == library::GUSSET_RULE_TEXTURE
 );
 
-/// What the values of elements are, and how they are mixed. An element of one source has its value,
-/// bit for bit; one without sources, or whose sources have no values, 0.
+/// Type of values, and rule that combines them. An element with one source keeps its value bit for
+/// bit. Without valued sources, it gets 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_channel {
-    /// sizeof(gusset_plugin_channel), set by the host.
+    /// sizeof(gusset_plugin_channel).
     pub struct_size: usize,
     /// GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES.
     pub domain: u32,
-    /// GUSSET_PLUGIN_VALUE_...; zero is no valid value.
+    /// GUSSET_PLUGIN_VALUE_...; 0 is invalid.
     pub value_type: u32,
-    /// How many values an element has, 1 to 4096.
+    /// Values of an element, 1 to 4096.
     pub components: u32,
     /// GUSSET_PLUGIN_RULE_...
     pub rule: u32,
-    /// With GUSSET_PLUGIN_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0:
+    /// Weights that GUSSET_PLUGIN_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0:
     /// all.
     pub max_influences: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// The values of one input's elements.
+/// Values of one input's elements.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_channel_values {
-    /// The components of each element at the start of every stride, at any alignment; NULL with count
-    /// 0 if the input has no such values.
+    /// Components of each element, at each stride; NULL with count 0 if the input lacks them.
     pub values: *const c_void,
-    /// The number of elements: of the input's vertices, corners or faces, all.
+    /// Number of vertices, corners or faces of the input.
     pub count: usize,
-    /// Bytes from one element to the next; 0 if they are packed.
+    /// Stride of elements.
     pub stride: usize,
 }
 
@@ -98,55 +97,48 @@ laid_out_like! {
 }
 laid_out_like! { gusset_plugin_channel_values: gusset_channel_values { values, count, stride } }
 
-/// Where elements of an output come from. The arrays live as long as the outputs.
+/// Origins of an output's elements.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_origins {
-    /// sizeof(gusset_plugin_origins), set by the host.
+    /// sizeof(gusset_plugin_origins).
     pub struct_size: usize,
-    /// The number of elements.
+    /// Number of elements.
     pub count: usize,
-    /// count + 1 entries: element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and
-    /// weights; none if it comes from nothing.
+    /// count + 1 entries: element k has sources and weights offsets[k] to offsets[k + 1] - 1, if
+    /// any.
     pub offsets: *const u32,
-    /// Elements of the inputs, numbered through all of them.
+    /// Elements, numbered through all inputs.
     pub sources: *const u32,
-    /// How much each counts: more than 0, with the sum 1 for each element.
+    /// Weight of each source, above 0, with sum 1 for each element.
     pub weights: *const f64,
-    /// The number of inputs.
+    /// Number of inputs.
     pub input_count: usize,
-    /// input_count + 1 entries: the elements of input i are the sources starts[i] to starts[i + 1] - 1.
+    /// input_count + 1 entries: input i has sources starts[i] to starts[i + 1] - 1.
     pub starts: *const u32,
 }
 
 versioned! { gusset_plugin_origins: 56 }
 fixed! { gusset_plugin_channel_values: 24 }
 
-/// What meshes carry beside positions, carried over to the outputs of a run whose host asked for
-/// origins: extension("attributes/1"). The struct is static; the functions may be called from many
-/// threads at once.
+/// extension("attributes/1"): transfers attributes to the outputs of runs with gusset_host.origins.
 #[repr(C)]
 pub struct gusset_plugin_attributes {
-    /// sizeof(gusset_plugin_attributes) of the plugin.
+    /// sizeof(gusset_plugin_attributes).
     pub struct_size: usize,
-    /// 1 if output index tells where its elements come from, else 0.
+    /// Returns 1 if the output has origins, otherwise 0.
     pub has_origins: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> u32,
-    /// Fills origins, whose struct_size is set, with those of output index. domain:
-    /// GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES. Returns
-    /// GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Gets the origins of the output's vertices, corners or faces, as domain says.
     pub origins: unsafe extern "C" fn(
         outputs: *const gusset_outputs,
         index: u32,
         domain: u32,
         origins: *mut gusset_plugin_origins,
     ) -> i32,
-    /// Writes the values of the elements of output index. host: NULL for no callbacks and automatic
-    /// threads. channel: its struct_size is set. inputs: input_count structs, one for each input of
-    /// the run, in their order. values: room for count elements, those of the output at least, stride
-    /// bytes apart, 0 for packed ones, at any alignment; it must not overlap the inputs' values.
-    /// failure: receives why there are none, the message of static texts, or NULL. O(elements and
-    /// sources). Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or another gusset_status of
-    /// gusset.h.
+    /// Writes the values of the output's elements in O(elements and sources). host: as for run.
+    /// inputs: one for each input of the run, in order. values: room for count elements, at least
+    /// the output's; no overlap with the inputs' values. failure: receives the reason of a failure,
+    /// with a static message; may be NULL.
     pub apply: unsafe extern "C" fn(
         outputs: *const gusset_outputs,
         index: u32,

@@ -12,8 +12,8 @@ fn layout(size: usize) -> Option<Layout> {
     Layout::from_size_align(size, ALIGN).ok().filter(|layout| layout.size() > 0)
 }
 
-/// A block of `size` bytes, which may hold anything; NULL if there is no memory, or for no bytes.
-/// The reserve behind the allocator is for those who cannot fail: a call that finds it full stops.
+/// Allocates `size` bytes with unspecified content. Returns NULL for 0 bytes, or if memory runs
+/// out. Never draws on the reserve for calls that cannot fail.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
     let Some(layout) = layout(size) else { return ptr::null_mut() };
@@ -27,7 +27,7 @@ pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
     block
 }
 
-/// Gives back a block of gusset_memory_allocate, with the same size; NULL is allowed.
+/// Frees a block of gusset_memory_allocate with its size; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_memory_free(block: *mut u8, size: usize) {
     if let Some(layout) = layout(size).filter(|_| !block.is_null()) {

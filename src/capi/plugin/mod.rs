@@ -1,5 +1,4 @@
-//! The entry: One symbol leads to the tables of filters. Hosts need gusset_plugin.h alone, which is
-//! made from this folder.
+//! Entry: One symbol leads to the tables of filters.
 //!
 //! | file | what it owns |
 //! |---|---|
@@ -28,10 +27,9 @@ use descriptor::{GUSSET_PLUGIN_ABI, gusset_plugin};
 use std::panic::catch_unwind;
 use std::ptr;
 
-/// The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's
-/// GUSSET_PLUGIN_ABI. The tables are static: made at the first call, never freed; there is nothing
-/// to initialise or to shut down, and the library stays loaded after dlclose. May be called from
-/// any thread, as often as one likes.
+/// Returns the plugin's tables, or NULL if it cannot serve host_abi, the host's GUSSET_PLUGIN_ABI.
+/// The first call makes the tables; any thread may call it. Nothing needs initialisation or
+/// release. The library stays loaded after dlclose.
 #[unsafe(no_mangle)]
 #[must_use]
 pub extern "C" fn gusset_plugin_entry(host_abi: u32) -> *const gusset_plugin {

@@ -1,4 +1,4 @@
-//! What becomes of a run: outputs, or why there are none.
+//! Outputs: The results of a run.
 
 use crate::attributes::Origins;
 use crate::capi::handle::handle;
@@ -9,8 +9,7 @@ use crate::mesh::Mesh;
 use gusset_base::alloc;
 use std::ffi::CString;
 
-/// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at
-/// once.
+/// Outputs of a run, or the reason of its failure.
 pub struct gusset_outputs {
     pub(super) outputs: Vec<Held>,
     pub(super) message: CString,

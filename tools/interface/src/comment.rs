@@ -109,6 +109,11 @@ impl Comment {
         Ok(comment)
     }
 
+    /// True if there is nothing but a short brief.
+    pub fn is_plain(&self) -> bool {
+        self.detail.is_empty() && self.text.is_empty() && self.tags.is_empty() && self.brief.split(' ').count() <= 5
+    }
+
     /// The content of a tag.
     pub fn tag(&self, name: &str) -> Option<&str> {
         self.tags.iter().find(|(tag, _)| tag == name).map(|(_, content)| content.as_str())

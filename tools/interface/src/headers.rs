@@ -302,8 +302,12 @@ fn documented(item: &Item, comment: &Comment, declaration: &str, briefs: &BTreeM
         if let Some((_, comment)) =
             inner.next_if(|(name, _)| !indent.is_empty() && words(line).any(|word| word == *name))
         {
-            // The first page of gusset.h says it once for all structs.
-            if !line.ends_with(" struct_size;") && !line.ends_with(" reserved;") {
+            // The first page of gusset.h says it once for all structs; and a count needs no more than its name.
+            let name = words(line).last().unwrap_or_default();
+            let counts = name.ends_with("count")
+                && comment.is_plain()
+                && ["Number of", "How many"].iter().any(|words| comment.brief.starts_with(words));
+            if !["struct_size", "reserved"].contains(&name) && !counts {
                 text += &comment_lines(comment, indent);
             }
         }
