@@ -444,5 +444,4 @@ typedef struct gusset_outputs gusset_outputs;
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_PLUGIN_H */

@@ -331,5 +331,4 @@ GUSSET_API uint32_t gusset_abi(void);
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_BASE_H */

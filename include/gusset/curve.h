@@ -339,12 +339,14 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_view(const struct gu
     struct gusset_outline_view *view);
 
 /// Reports on one outline.
+/// @param index an outline, from 0.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_report(const struct gusset_outline *outline, size_t index,
     struct gusset_outline_report *report);
 
 /// Copies the curve of one outline, for example for gusset_curve_measure.
+/// @param index an outline, from 0.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_curve_create(const struct gusset_context *context,
@@ -449,6 +451,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_lengths_at(const struct gu
 
 /// Finds the places at arc lengths from the start of a curve, clamped to its ends.
 /// @param out receives count places.
+/// @param lengths count arc lengths from the start.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_places_at(const struct gusset_context *context,
@@ -809,5 +812,4 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_slice_create(const struct 
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_CURVE_H */

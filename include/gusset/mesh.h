@@ -629,6 +629,7 @@ typedef struct gusset_stitch_report {
 ///     Candidates are closed, of at least 3 vertices, manifold and consistently oriented; two of one mesh share no
 ///     vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
+/// @param loop_b as loop_a, for mesh_b, or for mesh_a if mesh_b is NULL.
 /// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (one mesh: no two loops without a shared
 ///     vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
 ///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE
@@ -1848,5 +1849,4 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_find_merge(const struct gus
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_MESH_H */

@@ -1507,5 +1507,4 @@ GUSSET_API void gusset_net_validation_destroy(struct gusset_net_validation *vali
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_NET_H */

@@ -315,5 +315,4 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_faces_get_view(const stru
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_PAPERS_H */

@@ -191,5 +191,4 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_unflatten_create(const str
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_SCENE_H */

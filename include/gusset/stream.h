@@ -143,5 +143,4 @@ GUSSET_API void gusset_stream_decoder_destroy(struct gusset_stream_decoder *deco
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_STREAM_H */

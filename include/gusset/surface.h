@@ -118,6 +118,7 @@ struct gusset_sheet;
 
 /// Makes a surface of sheets and builds its index.
 /// The greatest absolute coordinate of each sheet, control points included, is 0 or from 1e-30 to 1e37.
+/// @param sheets count handles, none NULL; the array at any alignment.
 /// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance; coordinates of a sheet)
 /// @complexity O(nodes), parallel; about 7 bytes a node, and 0.7 for cones.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_create(const struct gusset_context *context,
@@ -1075,6 +1076,7 @@ typedef uint32_t gusset_sheet_direction;
 /// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between adjacent points.
 /// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first (closed paths of a
 ///     surface lack it).
+/// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
 /// @source Leus, "Carcasses on smooth surfaces".
@@ -1101,5 +1103,4 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_line_create(cons
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* GUSSET_SURFACE_H */

@@ -190,6 +190,7 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
 /// Finds the places at arc lengths from the start of a curve, clamped to its ends.
 ///
 /// @param out receives count places.
+/// @param lengths count arc lengths from the start.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
 #[unsafe(no_mangle)]

@@ -252,6 +252,7 @@ pub unsafe extern "C" fn gusset_outline_get_view(
 
 /// Reports on one outline.
 ///
+/// @param index an outline, from 0.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -281,6 +282,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
 
 /// Copies the curve of one outline, for example for gusset_curve_measure.
 ///
+/// @param index an outline, from 0.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 #[unsafe(no_mangle)]

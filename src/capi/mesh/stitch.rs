@@ -86,6 +86,7 @@ versioned! { gusset_stitch_report: 192 }
 ///     NULL, the nearest to the other is chosen. Candidates are closed, of at least 3 vertices,
 ///     manifold and consistently oriented; two of one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
+/// @param loop_b as loop_a, for mesh_b, or for mesh_a if mesh_b is NULL.
 /// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (one mesh: no two loops
 ///     without a shared vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
 ///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has

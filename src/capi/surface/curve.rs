@@ -22,6 +22,7 @@ pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 ///
 /// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first
 ///     (closed paths of a surface lack it).
+/// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
 /// @source Leus, "Carcasses on smooth surfaces".

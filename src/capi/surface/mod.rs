@@ -233,6 +233,7 @@ fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet
 /// The greatest absolute coordinate of each sheet, control points included, is 0 or from 1e-30 to
 /// 1e37.
 ///
+/// @param sheets count handles, none NULL; the array at any alignment.
 /// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance; coordinates of a sheet)
 /// @complexity O(nodes), parallel; about 7 bytes a node, and 0.7 for cones.
 #[unsafe(no_mangle)]

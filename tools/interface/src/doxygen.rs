@@ -80,6 +80,10 @@ impl Reference<'_> {
         if self.items().any(|item| item.name == kind.name && matches!(item.kind, Kind::Choice(_))) {
             return Some(format!("see {}.", kind.name));
         }
+        let counts = param.name.contains("count") || param.name == "capacity";
+        if kind.name == "size_t" && kind.pointers.is_empty() && counts {
+            return Some("number of elements of the array before it.".to_owned());
+        }
         let text = match (param.name.as_str(), kind.pointers.as_slice()) {
             ("context", [_]) => Some("threads, progress, cancellation and error report; NULL for the defaults."),
             ("options", [true]) => Some("NULL for the defaults."),
@@ -89,7 +93,8 @@ impl Reference<'_> {
             (_, [false]) if self.has_size(&kind.name) => Some("receives the struct; set its struct_size."),
             _ => None,
         };
-        text.map(str::to_owned)
+        let is_struct = || self.items().any(|item| item.name == kind.name && matches!(item.kind, Kind::Struct(_)));
+        text.map(str::to_owned).or_else(|| is_struct().then(|| format!("see {}.", kind.name)))
     }
 }
 

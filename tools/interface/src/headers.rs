@@ -270,7 +270,7 @@ pub fn framed(frame: &Frame<'_>, body: &str) -> String {
     let Frame { opening, guard, above } = frame;
     format!(
         "{opening}\n\n#ifndef {guard}\n#define {guard}\n\n{above}\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n\
-         #ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n"
+         #ifdef __cplusplus\n}}\n#endif\n#endif /* {guard} */\n"
     )
 }
 
