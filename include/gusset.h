@@ -49,7 +49,7 @@
  * Comments. @errors lists the statuses of a function without GUSSET_ERROR_; "as f" adds the errors of f. Every
  * function may also return NULL_ARGUMENT, MISALIGNED_ARGUMENT, WRONG_HANDLE, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
  * SIZE_OVERFLOW, OUT_OF_MEMORY, and with a context CONTEXT_BUSY and CANCELLED. @flag: 0 or 1. @bits: a sum of
- * constants. "@when f X": read only if the field f is X.
+ * constants. "@when f X": read only if the field f is X. @values: no others.
  *
  * Threads. Every function is reentrant. Handles are immutable, except nets, scenes and decoders: do not use one of
  * these while another thread changes it. A context serves one call at a time. Results do not depend on the number of

@@ -19,7 +19,6 @@
 
 #ifndef GUSSET_PLUGIN_H
 #define GUSSET_PLUGIN_H
-
 #include <stddef.h>
 #include <stdint.h>
 

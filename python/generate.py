@@ -69,7 +69,10 @@ def described(interface):
                 other, value = field["when"].split(" ")[:2]
                 value = next((word for word, number in words.get(kinds[other], {}).items() if number == numbers.get(value.rstrip(","))), value)
                 needs = (other, value)
-            out.append((field["name"], what, words.get(field["type"], {}) if what == "choice" else {}, needs, whole(field)))
+            taken = words.get(field["type"], {}) if what == "choice" else {}
+            only = [numbers[name] for name in field.get("values", "").split(", ") if name]
+            taken = {word: number for word, number in taken.items() if not only or number in only}
+            out.append((field["name"], what, taken, needs, whole(field)))
         yield made, name, out
 
 

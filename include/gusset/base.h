@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_BASE_H
 #define GUSSET_BASE_H
-
 #include <stddef.h>
 #include <stdint.h>
 

@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_CURVE_H
 #define GUSSET_CURVE_H
-
 #include "base.h"
 #include "mesh.h"
 

@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_MESH_H
 #define GUSSET_MESH_H
-
 #include "base.h"
 
 #ifdef __cplusplus
@@ -333,10 +332,12 @@ typedef struct gusset_stitch_options {
     /// least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
-    /// First index on loop A, and number of vertices, 1 to the loop's length, for GUSSET_EXTENT_ARCS. The arc follows
-    /// the loop as given, and may pass its end.
+    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
+    /// may pass its end.
+    /// @when extent GUSSET_EXTENT_ARCS
     uint32_t arc_a[2];
     /// As arc_a, for loop B.
+    /// @when extent GUSSET_EXTENT_ARCS
     uint32_t arc_b[2];
     gusset_strip_search search;
     gusset_strip_start start;
@@ -402,6 +403,7 @@ typedef struct gusset_join_options {
     gusset_welding weld;
     /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
     /// they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
+    /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     gusset_orientation orientation;
     gusset_gap gap;
     /// 1 joins whole loops only, not runs and slits.
@@ -1148,7 +1150,8 @@ typedef struct gusset_alignment_options {
     gusset_alignment_start start;
     /// Points of each piece to match; 0: 2,000.
     uint32_t samples;
-    /// Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
+    /// Rigid motions of the pieces, or NULL.
+    /// @when start GUSSET_ALIGN_AS_GIVEN
     const struct gusset_transform *poses;
     size_t pose_count;
     /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest

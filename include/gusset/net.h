@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_NET_H
 #define GUSSET_NET_H
-
 #include "base.h"
 #include "mesh.h"
 

@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_PAPERS_H
 #define GUSSET_PAPERS_H
-
 #include "base.h"
 #include "mesh.h"
 #include "curve.h"

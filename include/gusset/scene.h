@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_SCENE_H
 #define GUSSET_SCENE_H
-
 #include "base.h"
 #include "net.h"
 

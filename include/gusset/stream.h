@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_STREAM_H
 #define GUSSET_STREAM_H
-
 #include "base.h"
 #include "mesh.h"
 #include "net.h"

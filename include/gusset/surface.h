@@ -2,7 +2,6 @@
 
 #ifndef GUSSET_SURFACE_H
 #define GUSSET_SURFACE_H
-
 #include "base.h"
 #include "mesh.h"
 #include "curve.h"
@@ -480,11 +479,12 @@ typedef uint32_t gusset_spacing_rule;
 /// Density of points on curves.
 typedef struct gusset_contour_options {
     size_t struct_size;
-    /// With GUSSET_POINT_SPACING_CHORD: a length above 0, finite. Values below the surface's tolerance act as the
-    /// tolerance.
+    /// A length above 0, finite. Values below the surface's tolerance act as the tolerance.
+    /// @when spacing GUSSET_POINT_SPACING_CHORD
     double chord;
     gusset_spacing_rule spacing;
-    /// With GUSSET_POINT_SPACING_LEUS: points between two crossings, at most 1000.
+    /// Points between two crossings, at most 1000.
+    /// @when spacing GUSSET_POINT_SPACING_LEUS
     uint32_t points;
 } gusset_contour_options;
 
@@ -573,8 +573,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest_angle(const stru
 /// Options of gusset_surface_intersection_create.
 typedef struct gusset_intersection_options {
     size_t struct_size;
-    /// With GUSSET_POINT_SPACING_CHORD: largest distance of the curve from its chords, above 0 and finite. Estimated:
-    /// rare chords exceed it by about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    /// Largest distance of the curve from its chords, above 0 and finite. Estimated: rare chords exceed it by about 15
+    /// %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    /// @when spacing GUSSET_POINT_SPACING_CHORD
     double chord;
     /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
     /// surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'

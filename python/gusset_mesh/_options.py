@@ -80,8 +80,8 @@ class StitchOptions(TypedDict, total=False):
     #: Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
     #: least 0.
     tolerance: float
-    #: First index on loop A, and number of vertices, 1 to the loop's length, for GUSSET_EXTENT_ARCS. The arc follows
-    #: the loop as given, and may pass its end.
+    #: First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
+    #: may pass its end.
     arc_a: Sequence[float]
     #: As arc_a, for loop B.
     arc_b: Sequence[float]
@@ -164,7 +164,7 @@ class AlignOptions(TypedDict, total=False):
     start: Literal['as_given', 'principal_axes', 'rims']
     #: Points of each piece to match; 0: 2,000.
     samples: int
-    #: Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
+    #: Rigid motions of the pieces, or NULL.
     poses: ArrayLike
     #: Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
     #: piece's box diagonal. Pieces may start about this far from their final poses.
@@ -276,20 +276,19 @@ class NearestOptions(TypedDict, total=False):
 class ContourOptions(TypedDict, total=False):
     """Fields of ``gusset_contour_options``; what is not given is as by default."""
 
-    #: With GUSSET_POINT_SPACING_CHORD: a length above 0, finite. Values below the surface's tolerance act as the
-    #: tolerance.
+    #: A length above 0, finite. Values below the surface's tolerance act as the tolerance.
     chord: float
     #: Curve points between crossings with cell sides.
     spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
-    #: With GUSSET_POINT_SPACING_LEUS: points between two crossings, at most 1000.
+    #: Points between two crossings, at most 1000.
     points: int
 
 
 class IntersectionOptions(TypedDict, total=False):
     """Fields of ``gusset_intersection_options``; what is not given is as by default."""
 
-    #: With GUSSET_POINT_SPACING_CHORD: largest distance of the curve from its chords, above 0 and finite. Estimated:
-    #: rare chords exceed it by about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    #: Largest distance of the curve from its chords, above 0 and finite. Estimated: rare chords exceed it by about 15
+    #: %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
     chord: float
     #: Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
     #: surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
@@ -338,7 +337,7 @@ class JoinOptions(TypedDict, total=False):
     weld: Literal['sew', 'none', 'edge_to_edge']
     #: GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
     #: they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
-    orientation: Literal['fix', 'refuse', 'keep']
+    orientation: Literal['fix', 'keep']
     #: Widest gap to close.
     gap: Literal['auto', 'given']
     #: 1 joins whole loops only, not runs and slits.
@@ -398,8 +397,8 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "cells": ('choice', {'triangles': 0, 'quads': 1}, None),
         "tolerance_mode": ('choice', {'auto': 0, 'given': 1, 'exact': 2}, None),
         "tolerance": ('float', {}, ('tolerance_mode', 'given')),
-        "arc_a": ('row', {}, None),
-        "arc_b": ('row', {}, None),
+        "arc_a": ('row', {}, ('extent', 'arcs')),
+        "arc_b": ('row', {}, ('extent', 'arcs')),
         "search": ('choice', {'auto': 0, 'exact': 1}, None),
         "start": ('choice', {'auto': 0, 'closest': 1, 'given': 2}, None),
         "fairing": ('choice', {'none': 0, 'thin_plate': 1}, None),
@@ -435,7 +434,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
     "gusset_alignment_options": {
         "start": ('choice', {'as_given': 0, 'principal_axes': 1, 'rims': 2}, None),
         "samples": ('int', {}, None),
-        "poses": ('array', {}, None),
+        "poses": ('array', {}, ('start', 'as_given')),
         "max_distance": ('float', {}, None),
         "max_rounds": ('int', {}, None),
     },
@@ -486,12 +485,12 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "max_count": ('int', {}, None),
     },
     "gusset_contour_options": {
-        "chord": ('float', {}, None),
+        "chord": ('float', {}, ('spacing', 'chord')),
         "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
-        "points": ('int', {}, None),
+        "points": ('int', {}, ('spacing', 'leus')),
     },
     "gusset_intersection_options": {
-        "chord": ('float', {}, None),
+        "chord": ('float', {}, ('spacing', 'chord')),
         "tolerance": ('float', {}, None),
         "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
     },
@@ -511,7 +510,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
     },
     "gusset_join_options": {
         "weld": ('choice', {'sew': 0, 'none': 1, 'edge_to_edge': 2}, None),
-        "orientation": ('choice', {'fix': 0, 'refuse': 1, 'keep': 2}, None),
+        "orientation": ('choice', {'fix': 0, 'keep': 2}, None),
         "gap": ('choice', {'auto': 0, 'given': 1}, None),
         "whole_loops_only": ('flag', {}, None),
         "within_components": ('flag', {}, None),

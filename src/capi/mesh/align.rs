@@ -57,7 +57,8 @@ pub struct gusset_alignment_options {
     pub start: gusset_alignment_start,
     /// Points of each piece to match; 0: 2,000.
     pub samples: u32,
-    /// Rigid motions of the pieces for GUSSET_ALIGN_AS_GIVEN, or NULL.
+    /// Rigid motions of the pieces, or NULL.
+    /// @when start GUSSET_ALIGN_AS_GIVEN
     pub poses: *const gusset_transform,
     /// Number of pieces, or 0.
     pub pose_count: usize,

@@ -71,6 +71,7 @@ pub struct gusset_join_options {
     /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components
     /// against the ones that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores
     /// outward.
+    /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     pub orientation: gusset_orientation,
     /// Widest gap to close.
     pub gap: gusset_gap,

@@ -199,10 +199,11 @@ pub struct gusset_stitch_options {
     /// positions; finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// First index on loop A, and number of vertices, 1 to the loop's length, for
-    /// GUSSET_EXTENT_ARCS. The arc follows the loop as given, and may pass its end.
+    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and may pass its end.
+    /// @when extent GUSSET_EXTENT_ARCS
     pub arc_a: [u32; 2],
     /// As arc_a, for loop B.
+    /// @when extent GUSSET_EXTENT_ARCS
     pub arc_b: [u32; 2],
     /// Search effort.
     pub search: gusset_strip_search,

@@ -27,12 +27,14 @@ pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 pub struct gusset_contour_options {
     /// sizeof(gusset_contour_options).
     pub struct_size: usize,
-    /// With GUSSET_POINT_SPACING_CHORD: a length above 0, finite. Values below the surface's
+    /// A length above 0, finite. Values below the surface's
     /// tolerance act as the tolerance.
+    /// @when spacing GUSSET_POINT_SPACING_CHORD
     pub chord: f64,
     /// Curve points between crossings with cell sides.
     pub spacing: gusset_spacing_rule,
-    /// With GUSSET_POINT_SPACING_LEUS: points between two crossings, at most 1000.
+    /// Points between two crossings, at most 1000.
+    /// @when spacing GUSSET_POINT_SPACING_LEUS
     pub points: u32,
 }
 

@@ -17,9 +17,10 @@ use crate::surface::surface_intersection::Options;
 pub struct gusset_intersection_options {
     /// sizeof(gusset_intersection_options).
     pub struct_size: usize,
-    /// With GUSSET_POINT_SPACING_CHORD: largest distance of the curve from its chords, above 0 and
+    /// Largest distance of the curve from its chords, above 0 and
     /// finite. Estimated: rare chords exceed it by about 15 %. At least the smallest of `tolerance`
     /// and the surfaces' tolerances applies.
+    /// @when spacing GUSSET_POINT_SPACING_CHORD
     pub chord: f64,
     /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the
     /// smaller tolerance of the surfaces. Self-intersections use at most the surface's tolerance.

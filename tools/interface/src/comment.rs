@@ -13,6 +13,7 @@
 //! | `@source text` | functions, files | paper, section, equation |
 //! | `@shape count, 3` | pointers | the sizes of the array, from the slowest: numbers and neighbours |
 //! | `@when neighbour A, B` | fields, parameters | it is read only if a neighbour has one of these values |
+//! | `@values A, B` | fields | the only constants of its choice that it takes |
 //! | `@flag` | fields, parameters | 0 or 1 |
 //! | `@bits` | choices | values are bits, which may be combined |
 //! | `@default text` | fields | what 0 selects |
@@ -59,7 +60,8 @@ pub struct Comment {
 }
 
 /// Tags with free contents.
-const TAGS: [&str; 9] = ["return", "complexity", "threads", "source", "shape", "when", "flag", "bits", "default"];
+const TAGS: [&str; 10] =
+    ["return", "complexity", "threads", "source", "shape", "when", "flag", "bits", "values", "default"];
 
 impl Comment {
     /// Parses the lines of a comment.

@@ -105,7 +105,7 @@ impl Style for Reference<'_> {
         comment.brief = escaped(&comment.brief);
         comment.detail = escaped(&comment.detail);
         comment.text = comment.text.iter().map(|text| escaped(text)).collect();
-        comment.tags.retain(|(name, _)| !matches!(name.as_str(), "shape" | "when" | "flag" | "bits"));
+        comment.tags.retain(|(name, _)| !matches!(name.as_str(), "shape" | "when" | "flag" | "bits" | "values"));
         for (_, text) in &mut comment.tags {
             *text = escaped(text);
         }

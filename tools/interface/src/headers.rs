@@ -269,7 +269,7 @@ pub struct Frame<'a> {
 pub fn framed(frame: &Frame<'_>, body: &str) -> String {
     let Frame { opening, guard, above } = frame;
     format!(
-        "{opening}\n\n#ifndef {guard}\n#define {guard}\n\n{above}\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n\
+        "{opening}\n\n#ifndef {guard}\n#define {guard}\n{above}\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n\
          #ifdef __cplusplus\n}}\n#endif\n#endif /* {guard} */\n"
     )
 }
