@@ -1,5 +1,4 @@
-/** @file
- * gusset as a plugin. Generated from src/capi/plugin; do not edit.
+/* gusset as a plugin. Generated from src/capi/plugin; do not edit.
  *
  * gusset_plugin_entry leads to filters with typed parameters, from meshes or curves to meshes, curves or text:
  *     void *library = dlopen("libgusset.so.0.1", RTLD_NOW | RTLD_LOCAL);

@@ -174,6 +174,7 @@ public:
     gusset_curve_measures measure(uint32_t flags = 0, const Context &context = Context()) const {
         return context.result(gusset_curve_measure, get(), flags);
     }
+    /// The arc length of the curve.
     double length(const Context &context = Context()) const { return measure(GUSSET_CURVE_MEASURE_LENGTH, context).length; }
     /// The arc lengths from the start.
     std::vector<double> lengths_at(Span<const Place> places, const Context &context = Context()) const {

@@ -375,6 +375,7 @@ typedef struct gusset_gluing_occurrence {
     gusset_gluing_place place;
     /// Node or cell.
     uint32_t element;
+    /// Local gluing (Deryagin, Fig. 4).
     gusset_gluing_type kind;
     /// At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a diagonal.
     uint32_t a;

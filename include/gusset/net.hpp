@@ -210,6 +210,7 @@ public:
         const gusset_sides sides = gluing_report().sides;
         return sides == UINT32_MAX ? std::nullopt : std::optional<Sides>(static_cast<Sides>(sides));
     }
+    /// True if faces are taken the other way round.
     bool is_reversed() const { return gluing_report().reversed != 0; }
     /// The characteristic matrix: 2 * rows rows of columns bytes.
     std::vector<uint8_t> matrix() const {
@@ -329,6 +330,7 @@ public:
         given.column_count = column_count;
         return copied(given, context);
     }
+    /// The net with rows and columns exchanged.
     Net transposed(const Context &context = Context()) const { return turned_by(GUSSET_NET_TURN_TRANSPOSE, context); }
     /// The last column first, or the last row.
     Net flipped(Direction direction, const Context &context = Context()) const {
@@ -371,6 +373,7 @@ public:
         return nets;
     }
 
+    /// The number of bridges.
     std::size_t bridge_count() const { return gluing_report().bridge_count; }
     Bridge bridge(std::size_t index) const {
         const gusset_bridge found = detail::lent(gusset_net_get_bridge, get(), index);

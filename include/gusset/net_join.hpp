@@ -10,6 +10,7 @@ namespace gusset {
 struct ReformatOptions {
     /// 0: as many as there are.
     std::size_t rows = 0, columns = 0;
+    /// Where added rows and columns come from.
     Replication row_replication = Replication::uniform, column_replication = Replication::uniform;
     /// For Replication::at.
     uint32_t row_index = 0, column_index = 0;

@@ -251,6 +251,7 @@ public:
         return all.rows * all.columns;
     }
 
+    /// The estimates of each cell; see gusset_cell_arrays.
     SheetEstimates estimates(const Context &context = Context()) const {
         const std::size_t count = cell_count();
         SheetEstimates out{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
@@ -271,6 +272,7 @@ public:
         return Curve(context.result(gusset_sheet_curve_create, get(), static_cast<uint32_t>(along), parameter));
     }
 
+    /// The diameters of each cell, and the largest ones.
     CellDiameters diameters(const Context &context = Context()) const {
         const std::size_t count = cell_count();
         CellDiameters out{std::vector<double>(count), std::vector<double>(count), 0.0, 0.0};

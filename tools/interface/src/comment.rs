@@ -111,9 +111,14 @@ impl Comment {
         Ok(comment)
     }
 
+    /// True if there is nothing but a brief.
+    pub fn is_brief(&self) -> bool {
+        self.detail.is_empty() && self.text.is_empty() && self.tags.is_empty()
+    }
+
     /// True if there is nothing but a short brief.
     pub fn is_plain(&self) -> bool {
-        self.detail.is_empty() && self.text.is_empty() && self.tags.is_empty() && self.brief.split(' ').count() <= 5
+        self.is_brief() && self.brief.split(' ').count() <= 5
     }
 
     /// The content of a tag.
@@ -149,7 +154,7 @@ fn causes(content: &str) -> Result<Vec<Cause>, String> {
         match letter {
             '(' => depth += 1,
             ')' => {
-                depth = depth.checked_sub(1).ok_or_else(|| format!("@errors {content}: a bracket closes nothing"))?
+                depth = depth.checked_sub(1).ok_or_else(|| format!("@errors {content}: a bracket closes nothing"))?;
             }
             ',' if depth == 0 => {
                 entries.push(String::new());

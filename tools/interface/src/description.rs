@@ -12,6 +12,9 @@ pub fn describe(library: &[Source], plugin: &[Source], version: &str) -> Value {
     Value::Object(made)
 }
 
+/// Whether an item belongs to a section.
+type Wanted = fn(&Kind) -> bool;
+
 fn sections(sources: &[Source]) -> Map<String, Value> {
     let all = || sources.iter().flat_map(|source| source.items.iter().map(move |item| (source, item)));
     let values = |choice: &str| {
@@ -25,7 +28,7 @@ fn sections(sources: &[Source]) -> Map<String, Value> {
     };
     let choices: Vec<&str> =
         all().filter(|(_, item)| matches!(item.kind, Kind::Choice(_))).map(|(_, item)| item.name.as_str()).collect();
-    let kinds: [(&str, fn(&Kind) -> bool); 7] = [
+    let kinds: [(&str, Wanted); 7] = [
         ("constants", |kind| matches!(kind, Kind::Constant(..))),
         ("choices", |kind| matches!(kind, Kind::Choice(_))),
         ("enums", |kind| matches!(kind, Kind::Enum(_))),
@@ -34,7 +37,7 @@ fn sections(sources: &[Source]) -> Map<String, Value> {
         ("structs", |kind| matches!(kind, Kind::Struct(_))),
         ("functions", |kind| matches!(kind, Kind::Function(..))),
     ];
-    let section = |wanted: fn(&Kind) -> bool| -> Value {
+    let section = |wanted: Wanted| -> Value {
         all()
             .filter(|(_, item)| wanted(&item.kind))
             .map(|(source, item)| described(source, item, &choices, &values))

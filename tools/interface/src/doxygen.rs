@@ -98,17 +98,40 @@ impl Reference<'_> {
     }
 }
 
+/// Text in which doxygen sees no commands.
+fn escaped(text: &str) -> String {
+    text.replace('<', "\\<").replace('>', "\\>").replace('#', "\\#")
+}
+
+/// A comment with tags as sentences, and without commands in its text.
+fn cleaned(comment: &Comment) -> Comment {
+    let mut comment = comment.clone();
+    comment.brief = escaped(&comment.brief);
+    comment.detail = escaped(&comment.detail);
+    comment.text = comment.text.iter().map(|text| escaped(text)).collect();
+    let said = |(name, text): &(String, String)| match name.as_str() {
+        "when" => text.split_once(' ').map(|(field, values)| format!("Read only if {field} is {values}.")),
+        "flag" => Some("0 or 1.".to_owned()),
+        "bits" => Some("A sum of constants.".to_owned()),
+        "values" => Some(format!("Takes {text} only.")),
+        _ => None,
+    };
+    let sentences: Vec<String> = comment.tags.iter().filter_map(said).collect();
+    comment.detail = format!("{} {}", comment.detail, sentences.join(" ")).trim().to_owned();
+    comment.tags.retain(|tag| said(tag).is_none() && tag.0 != "shape");
+    for (_, text) in &mut comment.tags {
+        *text = escaped(text);
+    }
+    comment
+}
+
 impl Style for Reference<'_> {
+    fn field(&self, field: &Field, _: Option<&str>) -> Option<Comment> {
+        Some(cleaned(&field.comment))
+    }
+
     fn comment(&self, source: &Source, item: &Item) -> Comment {
-        let mut comment = item.comment.clone();
-        let escaped = |text: &str| text.replace('<', "\\<").replace('>', "\\>").replace('#', "\\#");
-        comment.brief = escaped(&comment.brief);
-        comment.detail = escaped(&comment.detail);
-        comment.text = comment.text.iter().map(|text| escaped(text)).collect();
-        comment.tags.retain(|(name, _)| !matches!(name.as_str(), "shape" | "when" | "flag" | "bits" | "values"));
-        for (_, text) in &mut comment.tags {
-            *text = escaped(text);
-        }
+        let mut comment = cleaned(&item.comment);
         if let Kind::Function(params, result) = &item.kind {
             let given = std::mem::take(&mut comment.params);
             let text =

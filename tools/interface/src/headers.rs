@@ -70,6 +70,8 @@ pub trait Style {
     fn comment(&self, source: &Source, item: &Item) -> Comment;
     /// What stands above the items of a file.
     fn heading(&self, source: &Source) -> String;
+    /// The comment of a field, if it needs one; `type_brief` is the comment of its type.
+    fn field(&self, field: &Field, type_brief: Option<&str>) -> Option<Comment>;
 }
 
 /// The declarations of a header.
@@ -88,6 +90,17 @@ pub struct Plain;
 impl Style for Plain {
     fn comment(&self, _: &Source, item: &Item) -> Comment {
         item.comment.clone()
+    }
+
+    fn field(&self, field: &Field, type_brief: Option<&str>) -> Option<Comment> {
+        let Field { name, comment, .. } = field;
+        // The first page of gusset.h says some once; a type says some; and a count needs no more than its name.
+        let counts = name.ends_with("count")
+            && comment.is_plain()
+            && ["Number of", "How many"].iter().any(|words| comment.brief.starts_with(words));
+        let usual = ["struct_size", "reserved"].contains(&name.as_str());
+        let said = usual || counts || type_brief == Some(&comment.brief) && comment.is_brief();
+        (!said).then(|| comment.clone())
     }
 
     fn heading(&self, source: &Source) -> String {
@@ -155,7 +168,7 @@ pub fn bodies(
                     body.push('\n');
                 }
                 last = if let Kind::Choice(_) = item.kind { item.name.as_str() } else { family };
-                body += &documented(item, &style.comment(source, item), declaration, &briefs);
+                body += &documented(source, item, declaration, &briefs, style);
                 known.insert(item.name.as_str());
             }
         }
@@ -275,15 +288,20 @@ pub fn framed(frame: &Frame<'_>, body: &str) -> String {
 }
 
 /// A declaration with its comment before it, and those of its fields or values within.
-fn documented(item: &Item, comment: &Comment, declaration: &str, briefs: &BTreeMap<&str, &str>) -> String {
-    let mut text = comment_lines(comment, "");
-    let inner: Vec<(&str, &Comment)> = match &item.kind {
-        // A field that says what its type says is plain.
+fn documented(
+    source: &Source,
+    item: &Item,
+    declaration: &str,
+    briefs: &BTreeMap<&str, &str>,
+    style: &dyn Style,
+) -> String {
+    let mut text = comment_lines(&style.comment(source, item), "");
+    let inner: Vec<(&str, Option<Comment>)> = match &item.kind {
         Kind::Struct(fields) => {
-            let said = |field: &Field| briefs.get(field.kind.name.as_str()) == Some(&field.comment.brief.as_str());
-            fields.iter().filter(|field| !said(field)).map(|field| (field.name.as_str(), &field.comment)).collect()
+            let comment = |field: &Field| style.field(field, briefs.get(field.kind.name.as_str()).copied());
+            fields.iter().map(|field| (field.name.as_str(), comment(field))).collect()
         }
-        Kind::Enum(values) => values.iter().map(|(name, _, comment)| (name.as_str(), comment)).collect(),
+        Kind::Enum(values) => values.iter().map(|(name, _, comment)| (name.as_str(), Some(comment.clone()))).collect(),
         _ => Vec::new(),
     };
     if let Kind::Function(..) = item.kind {
@@ -302,14 +320,7 @@ fn documented(item: &Item, comment: &Comment, declaration: &str, briefs: &BTreeM
         if let Some((_, comment)) =
             inner.next_if(|(name, _)| !indent.is_empty() && words(line).any(|word| word == *name))
         {
-            // The first page of gusset.h says it once for all structs; and a count needs no more than its name.
-            let name = words(line).last().unwrap_or_default();
-            let counts = name.ends_with("count")
-                && comment.is_plain()
-                && ["Number of", "How many"].iter().any(|words| comment.brief.starts_with(words));
-            if !["struct_size", "reserved"].contains(&name) && !counts {
-                text += &comment_lines(comment, indent);
-            }
+            text += &comment.map(|comment| comment_lines(&comment, indent)).unwrap_or_default();
         }
         text += line;
         text.push('\n');

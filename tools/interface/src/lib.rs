@@ -45,7 +45,13 @@ pub fn library_headers(root: &Path, version: &str) -> Result<Vec<Generated>, Str
 pub fn reference_headers(root: &Path, version: &str) -> Result<Vec<Generated>, String> {
     let sources = sources(root)?;
     let examples = doxygen::examples(&root.join("examples/reference"))?;
-    written(root, version, &sources, &doxygen::Reference { sources: &sources, examples: &examples })
+    let mut made = written(root, version, &sources, &doxygen::Reference { sources: &sources, examples: &examples })?;
+    let mut plugin = plugin_sources(root)?;
+    for source in &mut plugin {
+        source.path = format!("plugin/{}", source.path).trim_end_matches('/').to_owned();
+    }
+    made.push(plugin_of(root, &plugin, &doxygen::Reference { sources: &plugin, examples: &examples })?);
+    Ok(made)
 }
 
 /// The functions and structs of the library that C sees.
@@ -81,10 +87,16 @@ fn written(
 ///
 /// As [`library_headers`].
 pub fn plugin_header(root: &Path) -> Result<Generated, String> {
-    let folder = format!("{FOLDER}/plugin");
-    let sources = source::read(&root.join(&folder), &["memory"])?;
-    let declarations = headers::declarations(root, &folder, "cbindgen_plugin.toml")?;
-    let bodies = headers::bodies(&sources, &declarations, &headers::Plain)?;
+    plugin_of(root, &plugin_sources(root)?, &headers::Plain)
+}
+
+fn plugin_sources(root: &Path) -> Result<Vec<source::Source>, String> {
+    source::read(&root.join(FOLDER).join("plugin"), &["memory"])
+}
+
+fn plugin_of(root: &Path, sources: &[source::Source], style: &dyn headers::Style) -> Result<Generated, String> {
+    let declarations = headers::declarations(root, &format!("{FOLDER}/plugin"), "cbindgen_plugin.toml")?;
+    let bodies = headers::bodies(sources, &declarations, style)?;
     let body: String = bodies.iter().map(|body| body.text.as_str()).collect();
     let (opening, above) = include_str!("plugin.h").split_once("\n\n").unwrap_or_default();
     let frame = headers::Frame { opening, guard: "GUSSET_PLUGIN_H", above };
@@ -121,6 +133,5 @@ pub fn status_texts(root: &Path) -> Result<Generated, String> {
 ///
 /// As [`library_headers`].
 pub fn library_description(root: &Path, version: &str) -> Result<String, String> {
-    let plugin = source::read(&root.join(FOLDER).join("plugin"), &["memory"])?;
-    Ok(description::lines(&description::describe(&sources(root)?, &plugin, version)))
+    Ok(description::lines(&description::describe(&sources(root)?, &plugin_sources(root)?, version)))
 }
