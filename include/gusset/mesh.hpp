@@ -104,12 +104,12 @@ public:
 private:
     template <class Point>
     static gusset_mesh_view with_points(const Point *points, std::size_t count) {
-        using Scalar = typename detail::PointTraits3<Point>::Scalar;
+        using Coordinate = typename detail::PointTraits3<Point>::Scalar;
         auto view = detail::sized<gusset_mesh_view>();
         view.positions = points;
         view.position_stride = sizeof(Point);
         view.vertex_count = count;
-        view.scalar = std::is_same_v<Scalar, float> ? GUSSET_F32 : GUSSET_F64;
+        view.scalar = std::is_same_v<Coordinate, float> ? GUSSET_F32 : GUSSET_F64;
         return view;
     }
 
