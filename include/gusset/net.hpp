@@ -294,11 +294,11 @@ public:
     /// too.
     std::optional<GluingType> classify_node(uint32_t node, bool cyclic = false,
                                             const Context &context = Context()) const {
-        return type(context.result(gusset_net_classify, get(), GUSSET_GLUING_PLACE_NODE, node, cyclic));
+        return type(context.result(gusset_net_classify, get(), gusset_gluing_place{GUSSET_GLUING_PLACE_NODE}, node, cyclic));
     }
     /// The degenerate shape of a cell, if it is no quad.
     std::optional<GluingType> classify_cell(uint32_t cell, const Context &context = Context()) const {
-        return type(context.result(gusset_net_classify, get(), GUSSET_GLUING_PLACE_CELL, cell, false));
+        return type(context.result(gusset_net_classify, get(), gusset_gluing_place{GUSSET_GLUING_PLACE_CELL}, cell, false));
     }
     /// All local gluings, at nodes and then of cells; see gusset_net_gluing_occurrences.
     std::vector<GluingOccurrence> gluing_occurrences(bool cyclic = false, const Context &context = Context()) const {
