@@ -118,36 +118,31 @@ static inline gusset_nodes gusset_nodes_f64(const double *points, size_t rows, s
     return gusset_nodes_of(GUSSET_F64, points, rows, columns);
 }
 
-/// The coordinates of a net: rows x columns packed points x, y, z in double precision.
-static inline gusset_net_view gusset_net_points_f64(double *points, size_t rows, size_t columns) {
+/// The coordinates of a net: rows x columns packed points, which begin at x; numbers have number_size bytes.
+static inline gusset_net_view gusset_net_points_of(gusset_scalar scalar, void *x, void *y, void *z, size_t number_size,
+                                                   size_t rows, size_t columns) {
     gusset_net_view view;
     view.struct_size = sizeof view;
     view.rows = rows;
     view.columns = columns;
-    view.x = points;
-    view.y = points + 1;
-    view.z = points + 2;
-    view.row_stride = 3 * sizeof *points * columns;
-    view.column_stride = 3 * sizeof *points;
-    view.scalar = GUSSET_F64;
+    view.x = x;
+    view.y = y;
+    view.z = z;
+    view.row_stride = 3 * number_size * columns;
+    view.column_stride = 3 * number_size;
+    view.scalar = scalar;
     view.reserved = 0;
     return view;
 }
 
-/// As gusset_net_points_f64, in single precision.
+/// The coordinates of a net: rows x columns packed points x, y, z in single precision.
 static inline gusset_net_view gusset_net_points_f32(float *points, size_t rows, size_t columns) {
-    gusset_net_view view;
-    view.struct_size = sizeof view;
-    view.rows = rows;
-    view.columns = columns;
-    view.x = points;
-    view.y = points + 1;
-    view.z = points + 2;
-    view.row_stride = 3 * sizeof *points * columns;
-    view.column_stride = 3 * sizeof *points;
-    view.scalar = GUSSET_F32;
-    view.reserved = 0;
-    return view;
+    return gusset_net_points_of(GUSSET_F32, points, points + 1, points + 2, sizeof *points, rows, columns);
+}
+
+/// As gusset_net_points_f32, in double precision.
+static inline gusset_net_view gusset_net_points_f64(double *points, size_t rows, size_t columns) {
+    return gusset_net_points_of(GUSSET_F64, points, points + 1, points + 2, sizeof *points, rows, columns);
 }
 
 /// Makes a surface of one sheet through nodes; see gusset_sheet_create and gusset_surface_create.

@@ -117,8 +117,8 @@ fn with_memory<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'
     Ok(made)
 }
 
-/// [`guard`] for a `body` that changes what the caller has, writes to its outputs, or makes handles:
-/// what is done is done, and it asks for the job's memory itself, before that.
+/// [`guard`] for a `body` that changes what the caller has, writes to its outputs, or makes
+/// handles: what is done is done, and it asks for the job's memory itself, before that.
 pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,

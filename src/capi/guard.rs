@@ -72,10 +72,12 @@ mod tests {
     /// Set in the process that panics: only another one can see what it prints.
     const PLANTED: &str = "GUSSET_TEST_PLANTED_PANIC";
 
-    /// Panics within calls, in their threads and in those that they start, beside a handle made before.
+    /// Panics within calls, in their threads and in those that they start, beside a handle made
+    /// before.
     fn planted() {
         let (mut context, mut scene, mut group) = (ptr::null_mut::<gusset_context>(), ptr::null_mut(), 0);
-        // SAFETY: each handle comes from its `_create` function and goes to its `_destroy` function once.
+        // SAFETY: each handle comes from its `_create` function and goes to its `_destroy` function
+        // once.
         unsafe {
             assert_eq!(gusset_context_create(&raw mut context), GUSSET_OK);
             assert_eq!(gusset_scene_create(context, &raw mut scene), GUSSET_OK);

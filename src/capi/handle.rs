@@ -1,5 +1,5 @@
-//! Handles: objects behind opaque pointers of C, each with the name of its kind before it, so that a
-//! pointer to another kind is a status and not a crash. What is no handle at all cannot be told.
+//! Handles: objects behind opaque pointers of C, each with the name of its kind before it, so that
+//! a pointer to another kind is a status and not a crash. What is no handle at all cannot be told.
 
 use super::guard::caught;
 use super::input::{self, aligned};
@@ -101,8 +101,8 @@ pub(crate) fn destroy<T: Handle>(handle: *mut T) {
     let _ = caught(|| {
         if let Ok(held) = checked(handle, false, "handle") {
             // SAFETY: it came from `give`, and the caller gives it up. The kind goes first,
-            // by a write that stays although the memory is freed: a second destroy finds it gone, as
-            // long as the memory is not used again.
+            // by a write that stays although the memory is freed: a second destroy finds it gone,
+            // as long as the memory is not used again.
             unsafe {
                 (&raw mut (*held).kind).write_volatile(0);
                 drop(Box::from_raw(held));

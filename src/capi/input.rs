@@ -183,8 +183,9 @@ pub(crate) fn lent<T>(list: &[T]) -> *const T {
     if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
-/// Fills the caller's buffer of `capacity` elements with the `needed` ones that `make` gives, or only
-/// tells their number if there is no buffer. Without memory nothing is written, nor is the number.
+/// Fills the caller's buffer of `capacity` elements with the `needed` ones that `make` gives, or
+/// only tells their number if there is no buffer. Without memory nothing is written, nor is the
+/// number.
 pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     (buffer, capacity, name): (*mut T, usize, &'static str),
     needed: usize,

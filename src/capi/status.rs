@@ -1,7 +1,8 @@
 //! Statuses: Results of functions. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the
 //! data, 2000 to 2999 failures of the environment. A number never changes its meaning.
 //!
-//! The first sentence of each comment is the text of its status too: see `status_text.rs`. Each error of the core becomes a code with an element in one place, `From<Error>`.
+//! The first sentence of each comment is the text of its status too: see `status_text.rs`. Each
+//! error of the core becomes a code with an element in one place, `From<Error>`.
 
 use crate::error::{Element, Error, PairFault, Side};
 use std::borrow::Cow;

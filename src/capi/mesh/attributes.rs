@@ -144,8 +144,8 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     })
 }
 
-/// What [`gusset_attributes_apply`] does, with channel, inputs and room for values as a caller gives
-/// them.
+/// What [`gusset_attributes_apply`] does, with channel, inputs and room for values as a caller
+/// gives them.
 pub(crate) fn carry_over(
     origins: &Origins,
     given: gusset_channel,

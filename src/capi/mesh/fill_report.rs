@@ -109,8 +109,9 @@ pub struct gusset_fill_report {
     /// point on the plain triangulation of the rims: the vertex itself if its patch is flat, or is
     /// not faired and not creased.
     pub weights: *const f64,
-    /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new face. Every contact
-    /// counts, decided exactly, except at shared or coincident vertices and edges.
+    /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new
+    /// face. Every contact counts, decided exactly, except at shared or coincident vertices and
+    /// edges.
     pub intersections: gusset_indices,
     /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the
     /// others are reversed.

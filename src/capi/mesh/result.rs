@@ -99,8 +99,8 @@ impl Made {
     }
 }
 
-/// `report!(result, report, "gusset_x", Made::X(it) => struct)`: fills the caller's struct `report` from a result of
-/// `gusset_x`, and refuses a result of another operation.
+/// `report!(result, report, "gusset_x", Made::X(it) => struct)`: fills the caller's struct `report`
+/// from a result of `gusset_x`, and refuses a result of another operation.
 macro_rules! report {
     ($result:ident, $report:ident, $operation:literal, $made:pat => $body:expr) => {
         $crate::capi::context::lend!($result, $report, |result| {

@@ -57,10 +57,10 @@ pub struct gusset_stitch_report {
     pub turned: u32,
     /// 1 if intersections were searched for.
     pub intersections_known: u32,
-    /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger one if both are.
-    /// Shared or coincident vertices and edges do not count; any other contact does. The test is
-    /// exact. Quads are split by their shorter diagonals, other polygons into fans from their first
-    /// corners. A self-intersecting polygon is paired with itself.
+    /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger
+    /// one if both are. Shared or coincident vertices and edges do not count; any other contact
+    /// does. The test is exact. Quads are split by their shorter diagonals, other polygons into
+    /// fans from their first corners. A self-intersecting polygon is paired with itself.
     pub intersections: gusset_indices,
     /// Times that the fairing of rows, or of the kept blend, was moved back.
     pub back_off_count: u32,

@@ -199,7 +199,8 @@ pub struct gusset_stitch_options {
     /// positions; finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and may pass its end.
+    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the
+    /// loop as given, and may pass its end.
     /// @when extent GUSSET_EXTENT_ARCS
     pub arc_a: [u32; 2],
     /// As arc_a, for loop B.

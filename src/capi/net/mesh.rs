@@ -68,7 +68,8 @@ pub struct gusset_net_mesh_report {
     pub cell_of_face: gusset_indices,
     /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
     pub wires: gusset_indices,
-    /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless requested.
+    /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless
+    /// requested.
     pub texture_corners: gusset_indices,
     /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
     pub texture_coordinates: *const f64,

@@ -1,4 +1,5 @@
-//! The papers to the letter: Tables and searches as the papers print them, kept as documented references.
+//! The papers to the letter: Tables and searches as the papers print them, kept as documented
+//! references.
 
 pub mod mask;
 pub mod reference;

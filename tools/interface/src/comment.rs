@@ -1,7 +1,8 @@
 //! The grammar of comments of the C interface.
 //!
-//! A comment is a brief (its first sentence), paragraphs of text, and tags. A tag begins a line with `@`, and lasts until the next
-//! tag. Programs read the tags; nobody reads the text but people. A line that begins with `- ` is an item of a list.
+//! A comment is a brief (its first sentence), paragraphs of text, and tags. A tag begins a line
+//! with `@`, and lasts until the next tag. Programs read the tags; nobody reads the text but
+//! people. A line that begins with `- ` is an item of a list.
 //!
 //! | tag | of | content |
 //! |---|---|---|
@@ -11,12 +12,10 @@
 //! | `@complexity text` | functions | time and memory |
 //! | `@threads text` | functions | which threads may call it |
 //! | `@source text` | functions, files | paper, section, equation |
-//! | `@shape count, 3` | pointers | the sizes of the array, from the slowest: numbers and neighbours |
 //! | `@when neighbour A, B` | fields, parameters | it is read only if a neighbour has one of these values |
 //! | `@values A, B` | fields | the only constants of its choice that it takes |
 //! | `@flag` | fields, parameters | 0 or 1 |
 //! | `@bits` | choices | values are bits, which may be combined |
-//! | `@default text` | fields | what 0 selects |
 
 use serde::Serialize;
 use std::fmt;
@@ -60,8 +59,7 @@ pub struct Comment {
 }
 
 /// Tags with free contents.
-const TAGS: [&str; 10] =
-    ["return", "complexity", "threads", "source", "shape", "when", "flag", "bits", "values", "default"];
+const TAGS: [&str; 8] = ["return", "complexity", "threads", "source", "when", "flag", "bits", "values"];
 
 impl Comment {
     /// Parses the lines of a comment.

@@ -1,4 +1,5 @@
-//! What the reference adds to the comments of the headers: groups, links, the parameters that all functions share, examples.
+//! What the reference adds to the comments of the headers: groups, links, the parameters that all
+//! functions share, examples.
 
 use crate::comment::Comment;
 use crate::headers::Style;
@@ -74,7 +75,8 @@ impl Reference<'_> {
         self.items().any(|item| item.name == name && matches!(item.kind, Kind::Handle))
     }
 
-    /// What holds for a parameter of this name or type in every function, so that no comment need say it.
+    /// What holds for a parameter of this name or type in every function, so that no comment need
+    /// say it.
     pub fn usual(&self, param: &Field) -> Option<String> {
         let kind = &param.kind;
         if self.items().any(|item| item.name == kind.name && matches!(item.kind, Kind::Choice(_))) {
@@ -118,7 +120,7 @@ fn cleaned(comment: &Comment) -> Comment {
     };
     let sentences: Vec<String> = comment.tags.iter().filter_map(said).collect();
     comment.detail = format!("{} {}", comment.detail, sentences.join(" ")).trim().to_owned();
-    comment.tags.retain(|tag| said(tag).is_none() && tag.0 != "shape");
+    comment.tags.retain(|tag| said(tag).is_none());
     for (_, text) in &mut comment.tags {
         *text = escaped(text);
     }

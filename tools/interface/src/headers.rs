@@ -1,4 +1,5 @@
-//! The headers: declarations as cbindgen writes them, in the order of the sources, each with its comment.
+//! The headers: declarations as cbindgen writes them, in the order of the sources, each with its
+//! comment.
 
 use crate::comment::{Cause, Comment};
 use crate::source::{Field, Item, Kind, Source, Type};
@@ -8,6 +9,7 @@ use std::path::Path;
 
 /// Columns of a header.
 const WIDTH: usize = 120;
+
 /// The declarations of cbindgen without comments, by name.
 ///
 /// # Errors
@@ -94,7 +96,8 @@ impl Style for Plain {
 
     fn field(&self, field: &Field, type_brief: Option<&str>) -> Option<Comment> {
         let Field { name, comment, .. } = field;
-        // The first page of gusset.h says some once; a type says some; and a count needs no more than its name.
+        // The first page of gusset.h says some once; a type says some; and a count needs no more
+        // than its name.
         let counts = name.ends_with("count")
             && comment.is_plain()
             && ["Number of", "How many"].iter().any(|words| comment.brief.starts_with(words));
@@ -244,7 +247,8 @@ fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
     Ok(order)
 }
 
-/// An order in which everything stands after what it needs, and otherwise as it is numbered; or one that needs itself.
+/// An order in which everything stands after what it needs, and otherwise as it is numbered; or one
+/// that needs itself.
 fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
     fn visit(at: usize, needed: &[Vec<usize>], open: &mut Vec<usize>, order: &mut Vec<usize>) -> Result<(), usize> {
         if order.contains(&at) {

@@ -80,7 +80,8 @@ pub struct Item {
 /// The items of a file.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// The path in the folder of the interface, without its ending: `mesh/weld`; of a `mod.rs` the folder.
+    /// The path in the folder of the interface, without its ending: `mesh/weld`; of a `mod.rs` the
+    /// folder.
     pub path: String,
     /// The folder, or `base`: the header that declares the items.
     pub header: String,
@@ -90,7 +91,8 @@ pub struct Source {
     pub items: Vec<Item>,
 }
 
-/// Reads the modules of a folder in the order in which its `mod.rs` lists them, after the items of `mod.rs` itself.
+/// Reads the modules of a folder in the order in which its `mod.rs` lists them, after the items of
+/// `mod.rs` itself.
 ///
 /// # Errors
 ///
