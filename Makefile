@@ -213,7 +213,7 @@ complexity: stage build/interface.json
 	build/cpp/complexity/complexity --operations --scale 4
 
 # Both kinds, one after the other, unless KIND says which.
-sanitize:
+sanitize: build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	@for kind in $(or $(KIND),address thread); do scripts/sanitize.sh $$kind '$(TESTS)' || exit 1; done
 
