@@ -12,5 +12,4 @@ int main(void) {
     }
     printf("%zu faces\n", gusset_result_mesh(result).face_count);
     gusset_result_destroy(result);
-    return 0;
 }

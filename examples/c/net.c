@@ -9,15 +9,12 @@ int main(void) {
     }
     const gusset_net_view view = gusset_net_points_f64(points, 3, 4);
     gusset_net *net = NULL;
-    if (gusset_net_create(NULL, &view, NULL, GUSSET_NET_MEMORY_COPY, &net) != GUSSET_OK) {
-        return 1;
-    }
     gusset_result *result = NULL;
-    if (gusset_net_to_mesh(NULL, net, NULL, &result) != GUSSET_OK) {
+    if (gusset_net_create(NULL, &view, NULL, GUSSET_NET_MEMORY_COPY, &net) != GUSSET_OK ||
+        gusset_net_to_mesh(NULL, net, NULL, &result) != GUSSET_OK) {
         return 1;
     }
     printf("%zu faces\n", gusset_result_mesh(result).face_count);
     gusset_result_destroy(result);
     gusset_net_destroy(net);
-    return 0;
 }
