@@ -7,4 +7,4 @@ up = np.array([[0, 0, 2], [1, 0, 1], [0, 1, 1], [-1, 0, 1], [0, -1, 1.0]])
 down = up * [1, -1, -1]
 made = gm.stitch((up, faces), (down, faces), outward="closed")
 print(made.mesh, gm.check(made.mesh))
-heights = made.carry([up[:, 2], down[:, 2]])  # any arrays of vertices, corners or faces go along
+heights = made.carry([up[:, 2], down[:, 2]])  # carries arrays of vertices, corners or faces over to the result
