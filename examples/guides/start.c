@@ -19,7 +19,7 @@ static gusset_mesh_view view_of(const vertex *vertices, size_t vertex_count, con
 //! [view]
 
 //! [error]
-/* Every call that can fail says whether it did; with a context it says why, too. */
+/* Stops the program if a call failed, and prints the reason that the context holds. */
 static void must(gusset_status status, const gusset_context *context) {
     gusset_error_report report = {0};
     if (status == GUSSET_OK) {
@@ -35,7 +35,7 @@ static void must(gusset_status status, const gusset_context *context) {
 //! [error]
 
 //! [progress]
-/* Called now and then on the thread that made the call; anything but 0 cancels it. */
+/* The library calls it on the calling thread; a nonzero return cancels the call. */
 static int on_progress(void *user, double fraction, const char *stage) {
     FILE *log = user;
     fprintf(log, "%3.0f %% %s\n", 100.0 * fraction, stage);
@@ -63,7 +63,7 @@ static void print_loops(const gusset_context *context, const gusset_mesh_view *m
 //! [loops]
 
 //! [attributes]
-/* What you keep for vertices goes with them: each vertex of the result has its sources. */
+/* Carries normals over: each vertex of the result has sources in the inputs. */
 static void carry_normals(const gusset_result *stitch, const vertex *const old[2], vertex *result, size_t count) {
     gusset_channel normals = {0};
     const gusset_channel_values given[2] = {{old[0][0].normal, 5, sizeof(vertex)}, {old[1][0].normal, 5, sizeof(vertex)}};
@@ -105,8 +105,8 @@ int main(void) {
     print_loops(context, &a);
 
     //! [stitch]
-    options.struct_size = sizeof options; /* all else 0: the defaults */
-    options.finish = GUSSET_FINISH_BLEND; /* new vertices on a smooth surface; without it, the strip alone */
+    options.struct_size = sizeof options; /* other fields 0: the defaults */
+    options.finish = GUSSET_FINISH_BLEND; /* new vertices on a smooth surface; the default is a strip */
     must(gusset_stitch(context, &a, NULL, &b, NULL, &options, &stitch), context);
     //! [stitch]
 

@@ -41,14 +41,14 @@ static Mesh dome(uint32_t sides, double up) {
 
 static void stitching(const Mesh &left, const Mesh &right) {
     //! [stitch]
-    // Any containers whose elements begin with three floats or doubles; nothing is copied.
+    // Any containers whose elements begin with three floats or doubles, without a copy.
     const auto a = gusset::MeshView::triangles(left.points, left.corners);
     const auto b = gusset::MeshView::triangles(right.points, right.corners);
     for (const gusset::Loop loop : gusset::Boundary(a)) {
         std::cout << "a loop of " << loop.vertices.size() << " vertices\n";
     }
     gusset::StitchOptions options;
-    options.finish = gusset::Finish::blend; // new vertices on a smooth surface; without it, the strip alone
+    options.finish = gusset::Finish::blend; // new vertices on a smooth surface; the default is a strip
     const gusset::Stitch stitch = gusset::stitch(a, b, options);
     std::cout << stitch.mesh().face_count() << " faces, " << stitch.quality().loops_left << " loops left\n";
     //! [stitch]
@@ -62,7 +62,7 @@ static void steering(const Mesh &left, const Mesh &right) {
         const std::vector<uint32_t> beyond = {0, 1, 99999};
         gusset::Boundary(gusset::MeshView::triangles(left.points, beyond));
     } catch (const gusset::Error &error) {
-        // The status, a sentence, and the report: which element, and its value.
+        // The message, the status, and the report with the element and its value.
         std::cout << error.what() << " (" << error.status() << "), corner " << error.report().index << '\n';
     }
     //! [errors]
@@ -71,12 +71,12 @@ static void steering(const Mesh &left, const Mesh &right) {
     gusset::Context context;
     context.set_progress([](double fraction, const char *stage) {
         if (fraction > 2.0) {
-            throw std::runtime_error(stage); // comes out of the call, which is cancelled
+            throw std::runtime_error(stage); // leaves the call, which is cancelled
         }
         return true; // false cancels, too
     });
     gusset::stitch(a, b, {}, context);
-    // From another thread, which may also read progress():
+    // Another thread may cancel the call, and read progress():
     std::thread other([&] { context.cancel(); });
     other.join();
     try {
@@ -94,7 +94,7 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
                                                   gusset::MeshView::triangles(right.points, right.corners)};
     gusset::JoinOptions options;
     options.max_gap = 2.0;               // in the unit of the points
-    options.fill = gusset::FillOptions(); // what is left is filled
+    options.fill = gusset::FillOptions(); // fill the remaining holes
     const gusset::Join whole(pieces, options);
     for (const gusset_joint &joint : whole.joints()) {
         std::cout << "a gap of " << joint.gap << (joint.outcome == GUSSET_JOINT_JOINED ? ", joined\n" : ", left\n");
@@ -108,14 +108,14 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
         case GUSSET_LEFT_ALONE: return "there is no other loop";
         case GUSSET_LEFT_NOT_SIMPLE: return "it is open, or the faces along it do not fit together";
         case GUSSET_LEFT_TOO_SHORT: return "it has fewer than three vertices";
-        case GUSSET_LEFT_NOT_JOINED: return "no strip could be made: see the outcomes of the joints";
+        case GUSSET_LEFT_NOT_JOINED: return "no strip was possible: see the outcomes of the joints";
         case GUSSET_LEFT_TOO_FAR:
-            return "a gap of " + std::to_string(loop.gap) + ", and " + std::to_string(loop.allowed_gap) + " is allowed";
-        case GUSSET_LEFT_SAME_COMPONENT: return "all others are of its own component: see within_components";
-        case GUSSET_LEFT_LOOKS_AWAY: return "the nearest one is near, but they do not face each other";
-        case GUSSET_LEFT_TAKEN: return "the nearest one is joined with another";
-        case GUSSET_LEFT_EXCLUDED: return "the nearest one is in excluded";
-        default: return "for a reason of a later version";
+            return "a gap of " + std::to_string(loop.gap) + ", where " + std::to_string(loop.allowed_gap) + " is allowed";
+        case GUSSET_LEFT_SAME_COMPONENT: return "all other loops belong to its component: see within_components";
+        case GUSSET_LEFT_LOOKS_AWAY: return "the nearest loop is near, but does not face it";
+        case GUSSET_LEFT_TAKEN: return "the nearest loop is joined with another loop";
+        case GUSSET_LEFT_EXCLUDED: return "the nearest loop is in excluded";
+        default: return "a reason of a later version";
         }
     };
     gusset::JoinOptions narrow;
@@ -140,7 +140,7 @@ static void curves() {
 
 static void surfaces() {
     //! [surface]
-    // Nodes of a vase, closed round: the last column repeats the first.
+    // Nodes of a vase, closed in its second direction: the last column repeats the first.
     std::vector<Point> nodes;
     for (int row = 0; row <= 12; ++row) {
         for (int column = 0; column <= 24; ++column) {
