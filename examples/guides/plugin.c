@@ -6,7 +6,7 @@
 #include <string.h>
 
 //! [load]
-/* The library stays loaded once it was; there is nothing to initialise. */
+/* The library needs no initialisation, and stays loaded. */
 static const gusset_plugin *load(const char *path) {
     gusset_plugin_entry_fn entry;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
@@ -14,7 +14,7 @@ static const gusset_plugin *load(const char *path) {
         fprintf(stderr, "%s\n", dlerror());
         return NULL;
     }
-    /* How POSIX has it: a symbol's address is a data pointer, whatever it points to. */
+    /* POSIX returns the address of a function as a data pointer. */
     *(void **)&entry = dlsym(library, "gusset_plugin_entry");
     return entry == NULL ? NULL : entry(GUSSET_PLUGIN_ABI);
 }
@@ -35,7 +35,7 @@ static void list(const gusset_plugin *plugin) {
 //! [list]
 
 //! [run]
-/* Ask for the values that suit the mesh, change what the user changed, run, and read what came out. */
+/* Gets values that suit the mesh, runs the filter, and reads its result. A host first applies the user's changes to the values. */
 static int weld(const gusset_plugin *plugin, const gusset_plugin_mesh *mesh, gusset_plugin_mesh *welded,
                 gusset_outputs **outputs, const gusset_host *host) {
     const gusset_filter *filter = plugin->find("weld");
@@ -47,7 +47,7 @@ static int weld(const gusset_plugin *plugin, const gusset_plugin_mesh *mesh, gus
     if (filter == NULL || (values = calloc(filter->value_count + 1, sizeof *values)) == NULL) {
         return 1;
     }
-    /* If it refuses the mesh, values are the plain defaults, and the run says why. */
+    /* If it refuses the mesh, values are the plain defaults, and the run reports why. */
     (void)filter->suggest(filter, &input, 1, values);
     status = filter->run(filter, host, &input, 1, values, filter->value_count, outputs);
     free(values);
@@ -64,7 +64,7 @@ static int weld(const gusset_plugin *plugin, const gusset_plugin_mesh *mesh, gus
 //! [run]
 
 //! [attributes]
-/* The colours of the mesh that went in, on what came out: old vertices keep theirs bit for bit. */
+/* Carries the colours of the input over to the result: old vertices keep theirs bit for bit. */
 static int carry_colours(const gusset_plugin *plugin, const gusset_outputs *outputs, const uint8_t *colours,
                          size_t count, uint8_t *carried, size_t carried_count) {
     const gusset_plugin_attributes *attributes = plugin->extension("attributes/1");
