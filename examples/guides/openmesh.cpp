@@ -22,7 +22,7 @@ static bool two_meshes(const Mesh &left, const Mesh &right) {
     std::cout << joined.n_faces() << " faces, " << refused.size() << " refused\n";
 
     //! [handles]
-    // Vertex v of the view is OpenMesh's vertex v; where it went, the map says.
+    // Vertex v of the view is OpenMesh's vertex v. The map gives its index in the result.
     const OpenMesh::VertexHandle first = a.vertex(0);
     const OpenMesh::VertexHandle now(static_cast<int>(stitch.vertex_map(0)[0]));
     const bool same = (left.point(first) - joined.point(now)).norm() == 0;
