@@ -24,7 +24,7 @@ namespace {
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using OpenMeshMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 
-/// What a contender found, so that nobody wins by doing less: loops, and their edges.
+/// Loops and edges that a contender found. All contenders must find the same numbers.
 struct Found {
     std::size_t loops = 0, edges = 0;
     bool operator==(const Found &other) const { return loops == other.loops && edges == other.edges; }
@@ -211,8 +211,8 @@ struct Grid {
     }
 };
 
-/// Normals of vertices, texture coordinates of corners and numbers of faces, for two grids of half a million faces that are joined;
-/// and as many bytes copied by one thread.
+/// Carries vertex normals, corner texture coordinates and face integers over when two grids of half a million faces
+/// are joined. The peer copies as many bytes on one thread.
 void attributes(Bench &bench) {
     using Normal = std::array<float, 3>;
     using Uv = std::array<float, 2>;

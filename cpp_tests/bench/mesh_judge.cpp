@@ -39,7 +39,8 @@ Vector normal(const Triangles &mesh, std::size_t f) {
     return CGAL::cross_product(point(mesh, c[1]) - p, point(mesh, c[2]) - p);
 }
 
-/// Face i of the result is face i of the input. False if CGAL cannot take it, as it is no two-manifold.
+/// Face i of the result is face i of the input. Returns false if CGAL refuses the mesh because it is not a
+/// two-manifold.
 bool build(const Triangles &mesh, std::size_t first, bool reversed, Mesh &built) {
     built.clear();
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -55,7 +56,7 @@ bool build(const Triangles &mesh, std::size_t first, bool reversed, Mesh &built)
     return true;
 }
 
-/// For what is no two-manifold: vertices are doubled until it is one.
+/// Duplicates vertices until the mesh is a two-manifold.
 void build_doubled(const Triangles &mesh, Mesh &built) {
     std::vector<Kernel::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;

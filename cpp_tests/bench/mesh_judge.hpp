@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-/// `min_angle` in degrees, `under_15` the share of faces with a smaller angle than 15 degrees, `aspect` = circumradius / (2 inradius),
-/// null where a face is degenerate, and `area`.
+/// `min_angle` is in degrees. `under_15` is the share of faces with an angle below 15 degrees. `aspect` is
+/// circumradius / (2 inradius), and null if a face is degenerate. `area` is the total area.
 void shapes(const Triangles &mesh, std::size_t first, nlohmann::json &out);
 
 /// `closed`: every edge of the new faces has two faces that run it in opposite directions; `dihedral_p95` and `dihedral_max` in

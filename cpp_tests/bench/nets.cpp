@@ -126,7 +126,7 @@ std::unique_ptr<CgalMesh> cgal(const Quads &quads) {
     return mesh;
 }
 
-/// Who is timed: the names begin with "gusset" for ours.
+/// The contenders: names of our own begin with "gusset".
 struct Contender {
     std::string name;
     std::function<void()> work;
@@ -291,7 +291,7 @@ double allocated() {
     return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
 
-/// What each holds for a node of the torus, in bytes.
+/// Bytes that each contender keeps for a node of the torus.
 void memory(Bench &bench, const std::string &id) {
     const std::size_t side = 1000;
     const auto held = [](const auto &make, double nodes) {

@@ -71,7 +71,7 @@ void check(gusset_status status) {
     }
 }
 
-/// Someone who does the work: only `work` is timed. What it made is kept until `forget`.
+/// Someone who does the work: only `work` is timed. The result is kept until `forget`.
 struct Contender {
     virtual ~Contender() = default;
     virtual void prepare() {}

@@ -1,4 +1,5 @@
-// What the benchmarks of surfaces share: surfaces by formula, their nodes, triangles and splines, the questions, and who answers them.
+// The common part of the surface benchmarks: surfaces by formula with their nodes, triangles and splines, the
+// queries, and the contenders.
 #pragma once
 
 #include <array>
@@ -41,7 +42,7 @@ Surface torus(const Point &centre = {});
 /// z = 0.2 sin 5x cos 4y over a square of side 2.
 Surface waves();
 
-/// Nodes row by row. Of a closed surface the last row and column are the first ones again.
+/// Nodes row by row. On a closed surface, the last row and column repeat the first.
 struct Nodes {
     std::size_t rows = 0, columns = 0;
     bool closed = false;
@@ -95,7 +96,7 @@ std::size_t crossings(const Surface &surface, const Line &line);
 
 // Answers.
 
-/// Those of question k are points[ends[k - 1]] up to points[ends[k]].
+/// The answers of query k are points[ends[k - 1]] up to points[ends[k]].
 struct Hits {
     std::vector<std::size_t> ends;
     Points points;
@@ -133,13 +134,13 @@ public:
     /// The bytes of the index, from one who allocates past malloc.
     virtual std::size_t bytes() const { return 0; }
     virtual void closest(const Points &queries, Points &feet);
-    /// Of the last closest points: those that it does not say are proved to be the nearest, if it says such things.
+    /// Number of nearest points in the last answer that are not reported as proven, if the contender reports proofs.
     virtual std::optional<std::vector<std::size_t>> unproven() const { return {}; }
     /// All intersections.
     virtual void lines(const std::vector<Line> &lines, Hits &hits);
     /// The first of each ray.
     virtual void rays(const std::vector<Line> &rays, Hits &hits);
-    /// What is needed once for planes, and a section.
+    /// The data needed once for planes, and a section.
     virtual void prepare_planes() {}
     virtual void plane(const Plane &plane, Polylines &curves);
     /// With another surface of the same solver.

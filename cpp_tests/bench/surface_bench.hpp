@@ -9,7 +9,8 @@
 #include <vector>
 
 namespace surface {
-/// Who is timed: the names begin with "gusset" for ours. Only `work` is timed; `prepare` comes before each run, `judge` after the last.
+/// The contenders: names of our own begin with "gusset". Only `work` is timed; `prepare` comes before each run,
+/// `judge` after the last.
 struct Contender {
     std::string name;
     std::function<void()> work;
@@ -30,7 +31,7 @@ class Bench {
 public:
     struct Options {
         int runs = 7;
-        /// Milliseconds after which one that is slow has no more runs.
+        /// Milliseconds after which a slow contender gets no further run.
         double patience = 1500;
         /// Time of the processor in place of time: where others keep the machine busy. It says nothing of threads.
         bool by_processor = false;

@@ -33,7 +33,7 @@ private:
     std::map<std::string, Built> built_;
 };
 
-/// Those who have triangles; Embree in single precision.
+/// Contenders that use triangles; Embree in single precision.
 extern const std::vector<std::string> PEERS;
 
 /// Someone who answers; the answer is kept for the judge.
@@ -48,6 +48,6 @@ void same_nodes(Bench &bench);
 void many_nodes(Bench &bench);
 /// Beside kernels of CAD.
 void kernels(Bench &bench);
-/// What these are asked, for others.
+/// The queries of these cases, for other contenders.
 void write_questions(const std::string &path);
 } // namespace surface

@@ -64,7 +64,7 @@ bool visit(RTCPointQueryFunctionArguments *arguments) {
     return true;
 }
 
-/// What a ray carries along to the filter.
+/// Data that a ray passes to the filter.
 struct Collector {
     RTCIntersectContext context;
     Points *points;

@@ -1,4 +1,4 @@
-// What answers are worth, beside the surface by formula.
+// Compares answers with the surface by formula.
 #include "surface_judge.hpp"
 
 #include <algorithm>

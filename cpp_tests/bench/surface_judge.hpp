@@ -1,4 +1,4 @@
-// What answers are worth, beside the surface by formula.
+// Compares answers with the surface by formula.
 #pragma once
 
 #include "surface.hpp"
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 namespace surface {
-/// `max_error` of the distances, without the `wrong` ones: those that are farther than the nearest point by more than 2e-3. Those that are
-/// `unproven` by their own account count in neither, but have an error of their own.
+/// `max_error` of the distances, without the `wrong` ones: those that are farther than the nearest point by more than
+/// 2e-3. Answers that report `unproven` count in neither number, and have an error of their own.
 nlohmann::json judge_feet(const Surface &surface, const Points &queries, const Points &feet,
                           const std::optional<std::vector<std::size_t>> &unproven);
 /// `max_error`: how far hits are from the surface. `wrong`: lines that have more or fewer hits than there are.

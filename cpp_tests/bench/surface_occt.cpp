@@ -21,7 +21,7 @@ gp_Pnt point(const Point &p) { return {p[0], p[1], p[2]}; }
 gp_Dir direction(const Point &d) { return {d[0], d[1], d[2]}; }
 Point point(const gp_Pnt &p) { return {p.X(), p.Y(), p.Z()}; }
 
-/// Its failures are no std::exception in this version.
+/// Failures of this version do not derive from std::exception.
 template <class Work> void guarded(Work &&work) {
     try {
         work();
@@ -74,7 +74,7 @@ public:
         guarded([&] {
             for (const Point &q : queries) {
                 projection_.Perform(point(q));
-                // Where no foot of a perpendicular is found there is no answer.
+                // Without a foot of a perpendicular, it returns no answer.
                 feet.push_back(projection_.NbPoints() ? point(projection_.NearestPoint()) : Point{1e9, 0, 0});
             }
         });

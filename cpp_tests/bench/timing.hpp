@@ -1,4 +1,4 @@
-// What the benchmarks measure with.
+// Timing for the benchmarks.
 #pragma once
 
 #include <algorithm>

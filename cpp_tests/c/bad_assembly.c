@@ -1,4 +1,4 @@
-/* What a host can get wrong with strips, with the later fields of the stitch options and with the assembly of pieces. */
+/* Calls strips, stitching and joining with invalid arguments, and checks the errors. */
 #include "check.h"
 #include <math.h>
 #include <stddef.h>
@@ -64,7 +64,7 @@ static void strips_refused(void) {
     FAILS(GUSSET_ERROR_TOO_LARGE, strip, gusset_strip(context, a, 4, b, UINT32_MAX, &options, &strip));
     REPORT(context, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, UINT32_MAX, 1);
 
-    /* Points that are no points, on either side, in any place and coordinate. */
+    /* Coordinates that are not finite, on either side, at any point and axis. */
     for (int place = 0; place < 4; ++place) {
         memcpy(wrong, square, sizeof wrong);
         wrong[place][place % 3] = place % 2 ? -INFINITY : NAN;
@@ -187,7 +187,7 @@ static void stitch_options(void) {
     CHECK(parts.intersections_known == 1 && parts.intersections.count == 0 && parts.row_count == 2);
     CHECK(parts.turned_outwards.count == 0 && parts.turned_outwards.data == NULL);
     gusset_result_destroy(stitch);
-    /* A blend has no rows; each of its new vertices has parents. */
+    /* A blend lacks rows; each of its new vertices has parents. */
     options.finish = GUSSET_FINISH_BLEND;
     EXPECT(GUSSET_OK, gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));
     EXPECT(GUSSET_OK, gusset_result_get_stitch(stitch, &parts));
@@ -232,7 +232,7 @@ static void assembly_arguments(void) {
     REPORT(context, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
     CHECK(reported_value() == (double)pieces[1].struct_size);
 
-    /* What is wrong with a mesh is reported with the number of the piece. */
+    /* An error of a mesh names the index of its piece. */
     pieces[1] = pyramid(pyramid_down), pieces[1].vertex_count = 4;
     FAILS(GUSSET_ERROR_INDEX_OUT_OF_RANGE, done, assemble(pieces, 2, NULL, &done));
     REPORT(context, GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, 8, 1);

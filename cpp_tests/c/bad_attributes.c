@@ -1,4 +1,4 @@
-/* What a host can get wrong with origins and attributes, and what it gets if it does not. */
+/* Calls functions of origins and attributes with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 #include <stddef.h>
@@ -142,7 +142,7 @@ static void merge_maps(void) {
     EXPECT(GUSSET_ERROR_BAD_MERGE, gusset_check_create(context, &mesh, &check));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_VERTEX && report.index == 3 && report.value == 5);
-    /* A chain is no map. */
+    /* A chain is not a valid map. */
     merge[1] = 1, merge[2] = 1, merge[3] = 2, merge[4] = 4;
     EXPECT(GUSSET_ERROR_BAD_MERGE, gusset_check_create(context, &mesh, &check));
     merge[3] = 1;

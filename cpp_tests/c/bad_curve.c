@@ -1,4 +1,4 @@
-/* What a host can get wrong with curves, and what it gets if it does not. */
+/* Calls functions of curves with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -108,10 +108,10 @@ static void measures_of_curves(void) {
     CHECK(measures.low[0] == 0.0 && measures.high[0] == 1.0 && measures.high[1] == 1.0);
     CHECK(fabs(measures.area_vector[2] + 1.0 / 3.0) < 1e-15 && measures.area == -measures.area_vector[2]);
     CHECK(fabs(measures.centroid[0] - 0.75) < 1e-15 && measures.second[0] < 0.0);
-    /* What is not asked for is 0. */
+    /* Measures that were not requested are 0. */
     EXPECT(GUSSET_OK, gusset_curve_measure(context, given, GUSSET_CURVE_MEASURE_BOUNDS, &measures));
     CHECK(measures.defined == GUSSET_CURVE_MEASURE_BOUNDS && measures.high[1] == 1.0 && measures.length == 0.0);
-    /* What the curve lacks is no error. */
+    /* A measure that the curve lacks is not an error. */
     EXPECT(GUSSET_OK, gusset_curve_create(context, knee, 3, 3, legs, 3, 0, &bent));
     EXPECT(GUSSET_OK, gusset_curve_measure(context, bent, 0, &measures));
     CHECK(measures.defined == every - GUSSET_CURVE_MEASURE_MOMENTS && measures.centroid[0] == 0.0);
@@ -166,7 +166,7 @@ static void made_of_curves(void) {
     CHECK(fabs(deviations[0] - 0.5) < 1e-14 && deviations[1] == 0.0);
     gusset_curve_destroy(made);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_offset_create(context, given, 0.1, NULL, NULL, &made));
-    /* What is of a fixed size is cleared whatever fails. */
+    /* Outputs of a fixed size are cleared by every failure. */
     report.corners = 9;
     gusset_context_cancel(context);
     EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));

@@ -1,4 +1,4 @@
-/* What a host can get wrong with developments. */
+/* Calls gusset_develop with invalid arguments, and checks the errors. */
 #include "check.h"
 #include <math.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* What a host can get wrong with hole filling, and what it gets if it does not. */
+/* Calls gusset_fill with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -134,7 +134,8 @@ static void results(void) {
         }
     }
 
-    /* With the curvature that goes on, and without creases; what knows neither asks for none. */
+    /* Continues the curvature, and ignores creases. A caller of an earlier version, whose struct lacks both fields,
+       selects neither. */
     {
         gusset_fill_options options = {0};
         options.struct_size = sizeof options, options.refine = GUSSET_REFINE_RIM_DENSITY;

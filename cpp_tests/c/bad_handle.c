@@ -1,4 +1,4 @@
-/* Handles in the place of others: a status, and nothing is read or freed as what it is not. */
+/* Passes handles of one kind to functions of another, which must refuse them without reading or freeing them. */
 #include "check.h"
 
 static gusset_context *context;
@@ -22,7 +22,7 @@ static void wrong_handles(void) {
     gusset_boundary_view loops = {sizeof loops, 1, 1, NULL, 1};
     EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_boundary_get_view((void *)context, &loops));
     CHECK(loops.loop_count == 0 && loops.walk_count == 0 && loops.defect_count == 0);
-    /* They are not destroyed as what they are not. */
+    /* A _destroy function of another kind does not destroy them. */
     gusset_net_destroy(wrong);
     gusset_context_destroy(wrong);
     gusset_context_cancel(wrong);
@@ -30,8 +30,8 @@ static void wrong_handles(void) {
     gusset_boundary_destroy(boundary);
 }
 
-/* Results of one operation in the place of those of another: each has its mesh and its origins, and the report of its own
- * operation only. */
+/* Passes results of one operation to report functions of another. Each result has a mesh, origins, and only the
+   report of its own operation. */
 static void wrong_operations(void) {
     static const double a[2][3] = {{0, 0, 0}, {1, 0, 0}}, b[2][3] = {{0, 1, 0}, {1, 1, 0}};
     static const double nodes[2][2][3] = {{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}};

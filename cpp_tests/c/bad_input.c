@@ -172,7 +172,7 @@ static void boundary_pointers(void) {
     gusset_boundary_destroy(NULL);
 }
 
-/* Tables of edges that are those of no mesh. */
+/* Tables of edges that belong to no mesh. */
 static void bad_faces_of_tables(const gusset_winged_view *tables, size_t vertices) {
     enum { MOST = 64 };
     gusset_winged_edge edges[MOST];

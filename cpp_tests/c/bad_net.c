@@ -1,4 +1,4 @@
-/* The handle of a net: what a host can get wrong, and what it gets if it does not. */
+/* Calls functions of net handles with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -241,7 +241,7 @@ static void other_orders_and_types(void) {
     options.scalar = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_copy_create(context, net, &options, &single));
     CHECK(single == NULL);
-    /* The type that the net has already is no change: the memory is shared. */
+    /* A copy in the type of the net shares its memory. */
     options.scalar = GUSSET_F64;
     EXPECT(GUSSET_OK, gusset_net_copy_create(context, net, &options, &single));
     arrays.struct_size = sizeof arrays;
@@ -252,7 +252,7 @@ static void other_orders_and_types(void) {
     gusset_net_destroy(net);
 }
 
-/* What overflows is refused, and nothing is moved; what is cancelled leaves cleared outputs. */
+/* A map that overflows is refused and moves no node. A cancelled call leaves cleared outputs. */
 static void nothing_is_lost(void) {
     gusset_net *net = net_of(NULL);
     gusset_net_view before = {0}, after = {0};

@@ -1,4 +1,5 @@
-/* Nets copied, resampled, joined, taken apart, as meshes: what a host can get wrong, and what it gets if it does not. */
+/* Copies, resamples, joins, splits and converts nets with invalid and valid arguments, and checks errors and results.
+   */
 #include "check.h"
 #include <math.h>
 
@@ -106,7 +107,7 @@ static void arranged(void) {
     EXPECT(GUSSET_OK, gusset_net_copy_create(context, out, &given, &back));
     CHECK(has_size(back, 3, 5));
     gusset_net_destroy(back);
-    /* Several steps: a part of what was enlarged, compact, turned and in floats. */
+    /* Several changes in one call: a part of the net, enlarged, compact, turned and in floats. */
     given.row_count = 4, given.turn = GUSSET_NET_TURN_QUARTER, given.scalar = GUSSET_F32;
     EXPECT(GUSSET_OK, gusset_net_copy_create(context, out, &given, &back));
     CHECK(has_size(back, 5, 2));

@@ -1,4 +1,4 @@
-/* Scenes: what a host can get wrong, and what it gets if it does not. */
+/* Calls functions of scenes with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -49,7 +49,7 @@ static void editing(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_entry(context, scene, a, NULL));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_entry(context, scene, 3, &changes));
     EXPECT(GUSSET_OK, gusset_scene_set_entry(context, scene, group, &changes));
-    /* All or nothing: what is hidden with a transform that is refused stays shown. */
+    /* Changes are atomic: an entry stays visible if the transform in the call that hides it is refused. */
     bad.rows[6] = INFINITY;
     changes.transform = &bad, changes.visibility = GUSSET_VISIBILITY_HIDE;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_scene_set_entry(context, scene, group, &changes));

@@ -1,5 +1,4 @@
-/* Nets in space: what a host can get wrong when it moves, deforms and measures them, and what it gets if
-   it does not. */
+/* Moves, deforms and measures nets with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -184,7 +183,7 @@ static void wrong_fields(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, &bad, 1, 0));
     bad = good, bad.strength = INFINITY;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0.5));
-    /* What is wrong with the second of two is said of it, that it is of another version too. */
+    /* An error of the second of two structs names the second, also if its size is wrong. */
     {
         gusset_field two[2];
         gusset_error_report report = {sizeof report, 0, 0, 0, 0, 0, 0};

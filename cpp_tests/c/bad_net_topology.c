@@ -1,4 +1,5 @@
-/* Shapes, gluing, surfaces and checks of nets: what a host can get wrong, and what it gets if it does not. */
+/* Calls functions of shapes, gluings, complexes and checks of nets with invalid and valid arguments, and checks
+   errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -200,7 +201,7 @@ static void gluing(void) {
         bad.struct_size = 8;
         EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_glue(context, net, &bad, NULL));
         EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, net, NULL, NULL));
-        /* With a gluing that is refused nothing is done: neither what is detected nor what is snapped. */
+        /* If a gluing is refused, the call neither detects nor snaps. */
         gusset_glue_options all = {.struct_size = sizeof all, .gluings = two, .gluing_count = 2, .detect = 1, .snap = 1};
         uint64_t moved = 9;
         EXPECT(GUSSET_ERROR_CROSSING_CELL, gusset_net_glue(context, net, &all, &moved));

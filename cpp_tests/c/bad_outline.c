@@ -1,4 +1,4 @@
-/* What a host can get wrong with outlines, and what it gets if it does not. */
+/* Calls functions of outlines with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 
@@ -24,7 +24,7 @@ static gusset_status fit(const gusset_outlines *outlines, const gusset_outline_o
     return status;
 }
 
-/* Those of curve `index`, through a copy; all 0 of none. */
+/* The measures of a copy of curve `index`; all 0 if the curve does not exist. */
 static gusset_curve_measures measures_of(const gusset_outline *outline, size_t index) {
     gusset_curve_measures measures;
     gusset_curve *curve = NULL;

@@ -1,4 +1,4 @@
-/* What a host can get wrong with welding, sewing and orienting, and what they give if it does not. */
+/* Welds, sews and orients with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* What a host can get wrong with pieces that overlap, and what is said of pieces that cannot be aligned. */
+/* Aligns and trims with invalid arguments, and with pieces that cannot be aligned, and checks errors and reports. */
 #include "check.h"
 #include <math.h>
 #include <stddef.h>
@@ -87,7 +87,7 @@ static void alignment_arguments(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, align(pieces, 2, NULL, &done));
     REPORT(context, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
 
-    /* What is wrong with a mesh is reported with the number of the piece. */
+    /* An error of a mesh names the index of its piece. */
     two_hills(pieces);
     room[1].points[5][2] = NAN;
     FAILS(GUSSET_ERROR_NOT_FINITE, done, align(pieces, 2, NULL, &done));
@@ -120,7 +120,7 @@ static void alignment_arguments(void) {
     CHECK(isnan(reported_value()));
     options.max_distance = 0.0;
 
-    /* Poses that there are not, are too few, or are no rotation and translation. */
+    /* Poses that are missing, too few, or not rigid motions. */
     options.pose_count = 2;
     FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, align(pieces, 2, &options, &done));
     options.poses = poses, options.pose_count = SIZE_MAX;
@@ -177,7 +177,7 @@ static void alignment_arguments(void) {
     gusset_alignment_destroy(NULL);
 }
 
-/* What is said of the last of these pieces. */
+/* The reason reported for the last piece. */
 static uint32_t reason(const gusset_mesh_view *pieces, size_t count) {
     gusset_alignment_view view = {.struct_size = sizeof view};
     gusset_alignment *done = NULL;
@@ -318,7 +318,7 @@ static void trim_arguments(void) {
     gusset_trim_destroy(done);
     gusset_trim_destroy(NULL);
 
-    /* One piece lies on no other, nor do two that are far apart. */
+    /* A single piece overlaps no other; two pieces that are far apart do not overlap. */
     EXPECT(GUSSET_OK, trim(pieces, 1, NULL, &done));
     EXPECT(GUSSET_OK, gusset_trim_get_view(done, &view));
     CHECK(view.piece_count == 1 && view.pieces[0].kept.count == FACES && view.pieces[0].covered_vertices == 0);
@@ -380,7 +380,7 @@ static void assembly_overlaps(void) {
     CHECK(gone == parts.trimmed_faces);
     gusset_result_destroy(done);
 
-    /* A caller of the first version has no trim_options: whatever lies behind its struct is not read. */
+    /* A struct of the first version ends before trim_options: memory behind it is not read. */
     options.struct_size = offsetof(gusset_join_options, trim_options), options.trim_options = misaligned();
     EXPECT(GUSSET_OK, assemble(pieces, &options, &done));
     EXPECT(GUSSET_OK, gusset_result_get_join(done, &parts));

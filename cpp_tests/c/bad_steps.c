@@ -1,4 +1,4 @@
-/* What a host can get wrong with the steps that can be called by themselves, and what they give if it does not. */
+/* Calls the single steps of stitching with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* What a host can get wrong with two meshes that are to be stitched, with the loops of them and with the options. */
+/* Stitches with invalid meshes, loops and options, and checks the errors. */
 #include "check.h"
 #include <math.h>
 
@@ -164,7 +164,7 @@ static void loops(void) {
     EXPECT(GUSSET_OK, gusset_stitch(context, &down, NULL, &narrow, NULL, NULL, &stitch));
     gusset_result_destroy(stitch);
 
-    /* Indices at an odd address are no mistake. */
+    /* Indices at an odd address are valid. */
     places[2] = 3;
     memcpy(bytes + 1, places, sizeof places);
     loop.data = (const uint32_t *)(const void *)(bytes + 1);

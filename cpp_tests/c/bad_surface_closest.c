@@ -1,4 +1,4 @@
-/* What a host can get wrong with nearest points of surfaces, and what it gets if it does not. */
+/* Queries nearest points of surfaces with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 

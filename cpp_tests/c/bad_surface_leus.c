@@ -1,4 +1,4 @@
-/* What a host can get wrong with the paper's search, and what it gets if it does not. */
+/* Calls Leus's search with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 

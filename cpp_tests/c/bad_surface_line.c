@@ -1,4 +1,4 @@
-/* What a host can get wrong with lines and curves that meet surfaces, and what it gets if it does not. */
+/* Intersects lines and curves with surfaces by invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 

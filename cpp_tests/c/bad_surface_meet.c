@@ -1,4 +1,4 @@
-/* What a host can get wrong with intersections of surfaces, and what it gets if it does not. */
+/* Intersects surfaces with invalid and valid arguments, and checks errors and results. */
 #include "check.h"
 #include <math.h>
 

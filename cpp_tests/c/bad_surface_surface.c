@@ -1,4 +1,5 @@
-/* Kinds of surfaces, what they are, meshes of them and points on them: what a host can get wrong, and what it gets if it does not. */
+/* Makes surfaces of all kinds, meshes and points on them with invalid and valid arguments, and checks errors and
+   results. */
 #include "check.h"
 #include <math.h>
 
@@ -200,7 +201,7 @@ static void from_rational_spline(void) {
     EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_sheet_from_spline_create(context, &spline, &sheet));
     spline.max_cells = 0, spline.count_u = 5, spline.knots_u = apart, spline.knot_count_u = 9;
     EXPECT(GUSSET_ERROR_BAD_KNOTS, gusset_sheet_from_spline_create(context, &spline, &sheet));
-    /* A caller of an earlier version has no weights. */
+    /* A struct of an earlier version lacks weights. */
     spline.struct_size = 80;
     EXPECT(GUSSET_OK, gusset_sheet_from_spline_create(context, &spline, &sheet));
     gusset_sheet_destroy(sheet);
@@ -379,7 +380,7 @@ static void questions(void) {
     CHECK(found[0].normal_kind == GUSSET_NORMAL_NONE && found[0].uv[2] == 0.0);
     places[1].v = 1.0, places[1].reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_surface_evaluate(context, surface, places, 2, found));
-    /* What was in the buffers is gone whatever the reason. */
+    /* Every failure clears the buffers. */
     memset(found, 7, sizeof found), memset(places, 7, sizeof places);
     gusset_context_cancel(context);
     EXPECT(GUSSET_ERROR_CANCELLED, gusset_surface_evaluate(context, surface, NULL, 2, found));

@@ -1,4 +1,4 @@
-/* What the C tests share: a check that counts, and a mesh written down by hand. */
+/* Shared by the C tests: a check that counts failures, and a mesh by hand. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -33,7 +33,7 @@ static inline void *misaligned(void) {
     return (char *)room + 1;
 }
 
-/* What the last call of a context reported, against what it should have. */
+/* Compares the report of the last call of a context with the expected one. */
 static inline void expect_report(int line, const char *file, const gusset_context *context, int32_t status,
                                  gusset_element element, uint64_t index, uint32_t input) {
     gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
