@@ -1,5 +1,5 @@
 /* Runs files of add_programs one after another: NAME [ARGUMENT...] [-- NAME [ARGUMENT...]]...
- * Returns how many fail, or 99 if there is no file of a name. */
+ * Returns the number of failures, or 99 if a file does not exist. */
 #include "programs.h"
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* A plugin that has nothing of gusset: one filter that shifts a mesh along x. What it leaves is owned by it, and it has
- * no extensions. */
+/* A plugin that has nothing of gusset: one filter that shifts a mesh along x. The plugin owns its outputs, and lacks
+   extensions. */
 #include <gusset_plugin.h>
 
 #include <stdio.h>

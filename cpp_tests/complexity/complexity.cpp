@@ -1,5 +1,5 @@
-// Counts the work of each row at n, 2 n and 4 n, in instructions under valgrind's callgrind, and the bytes in use at their
-// peak; fails where one grows by a larger power of n than the header states.
+// Counts the instructions (by callgrind) and the peak bytes of each row at n, 2 n and 4 n. Fails if one grows by a
+// larger power of n than the header states.
 #include "memory.hpp"
 #include "row.hpp"
 
@@ -14,18 +14,18 @@
 namespace {
 using namespace complexity;
 
-/// What n log n adds at these sizes, and steps of grids and of tables that double.
+/// Allows for log n at these sizes, and for grids and tables that double in size.
 constexpr double margin = 0.25;
 /// By how much the bytes of a unit of n may differ from what docs/guides/guarantees.md says.
 constexpr double bytes_margin = 0.25;
-/// Growth of less than so many bytes is none: stacks, tables of a few entries.
+/// Smaller growth in bytes is ignored: stacks, tables of a few entries.
 constexpr double few_bytes = 1 << 16;
 
 struct Cost {
     double work = 0, bytes = 0;
 };
 
-/// Callgrind writes a file for each request; the totals are what was counted since the last one.
+/// Callgrind writes a file for each request, with the counts since the last request.
 class Counter {
 public:
     explicit Counter(std::string prefix) : prefix_(std::move(prefix)) {}

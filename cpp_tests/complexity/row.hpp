@@ -13,7 +13,7 @@
 
 namespace complexity {
 
-/// The call on an input that is made beforehand. What it returns is kept until it is measured.
+/// The call on an input that is made beforehand. The returned object is kept until it is measured.
 using Call = std::function<std::shared_ptr<void>(const gusset::Context &)>;
 
 /// One line of the table. The header states the exponents; a factor log n counts as no more of an exponent.
@@ -47,7 +47,7 @@ std::vector<Row> mesh_rows();
 std::vector<Row> curve_rows();
 std::vector<Row> net_rows();
 std::vector<Row> surface_rows();
-/// Of operations that no hostile input is known for: what they hold.
+/// Peak memory of operations without a known hostile input.
 std::vector<Row> operation_rows();
 
 } // namespace complexity

@@ -1,4 +1,4 @@
-// What all other operations hold at their peak, on ordinary inputs: docs/guides/guarantees.md states it.
+// Peak memory of all other operations on ordinary inputs, as docs/guides/guarantees.md states it.
 #include "row.hpp"
 #include "shapes.hpp"
 
@@ -22,7 +22,7 @@ Row on_net(const char *name, double bytes, Function function, const char *family
             }, true};
 }
 
-/// What changes a net, or tells a number of it.
+/// Operations that change a net, or compute a number of it.
 template <class Function>
 Row with_net(const char *name, double bytes, Function function, const char *family = "net") {
     return on_net(name, bytes, [=](Net &net, const Context &context) {

@@ -39,8 +39,8 @@ Mesh square(std::size_t n, double roughness);
 Mesh rings(std::size_t n, bool closed);
 /// A ring of 2 n faces between the rim and what lies behind it.
 Mesh shell(const std::vector<Point3> &rim, const Point3 &behind, double scale = 1.0);
-/// Rims of n points: on a circle, on a line there and back, on a spiral there and back, in one point, and a star in whose
-/// bays lie further stars.
+/// Rims of n points: a circle, a line traced in both directions, a spiral traced in both directions, one point, and a
+/// star with further stars in its bays.
 std::vector<Point3> circle(std::size_t n, double radius, double height);
 std::vector<Point3> collinear(std::size_t n);
 std::vector<Point3> spiral(std::size_t n, double height);

@@ -1,5 +1,6 @@
 // For how long the rows of the table are silent on large inputs, between one progress call and the next: a request to stop is heard
-// with these. Prints a table, and fails above the limits of the rows: a tenth of a second but for few. Run by `make check-cancel`: no
+// with these. Prints a table, and fails if a row exceeds its limit: a tenth of a second, with few exceptions. Run by
+// `make check-cancel`: no
 // test looks at clocks.
 #include "instant.hpp"
 #include "row.hpp"

@@ -1,5 +1,5 @@
-/* Opens a plugin, runs it in a thread and closes it before the thread ends, as hosts do; several times. What the Rust runtime keeps of
- * a thread is cleared when the thread ends: the plugin must still be mapped then. */
+/* Opens a plugin, runs it in a thread and closes it before the thread ends, as hosts do; several times. The Rust
+   runtime clears its data of a thread when the thread ends. The plugin must still be mapped then. */
 #include <dlfcn.h>
 #include <pthread.h>
 #include <stdio.h>

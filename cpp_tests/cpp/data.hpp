@@ -22,8 +22,8 @@ struct DataFile {
     std::vector<std::size_t> longest;
 };
 
-/// GUSSET_DATA, or ../shared/data beside the repository; nothing if there is no manifest, and then
-/// it says so.
+/// The folder GUSSET_DATA, or ../shared/data beside the repository. If it lacks a manifest, prints this and returns
+/// nothing.
 std::optional<std::string> data_folder();
 /// Every mesh of the manifest's folders meshes and pairs that has faces.
 std::vector<DataFile> data_files();

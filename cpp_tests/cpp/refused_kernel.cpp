@@ -1,4 +1,4 @@
-// Must not compile: an exact kernel's points are no three doubles, and the adapter says so.
+// Must not compile: the points of an exact kernel are not three doubles, and the adapter reports this.
 #include <gusset/cgal.hpp>
 
 #include <CGAL/MP_Float.h>

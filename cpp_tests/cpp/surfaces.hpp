@@ -15,10 +15,10 @@ constexpr double pi = 3.14159265358979323846;
 inline double dot(const Point3 &a, const Point3 &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Point3 minus(const Point3 &a, const Point3 &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline double distance(const Point3 &a, const Point3 &b) { return std::sqrt(dot(minus(a, b), minus(a, b))); }
-/// Of arrays in C structures.
+/// Copies arrays of C structs.
 inline Point3 of(const double (&p)[3]) { return {p[0], p[1], p[2]}; }
 
-/// The torus with the radii 1 and 0.4 round z; u goes round the tube. Normals point outwards.
+/// The torus with radii 1 and 0.4 about z; u is the angle around the tube. Normals point outwards.
 inline Point3 torus(double u, double v) {
     const double ring = 1 + 0.4 * std::cos(2 * pi * u);
     return {ring * std::cos(2 * pi * v), -ring * std::sin(2 * pi * v), 0.4 * std::sin(2 * pi * u)};

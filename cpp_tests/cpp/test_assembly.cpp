@@ -36,7 +36,7 @@ Pairs pairs_of(gusset::Indices list) {
     return pairs;
 }
 
-/// What a stitch reports is what CGAL finds; how many pairs there are.
+/// Compares the intersections that a stitch reports with CGAL's. Returns the number of pairs.
 std::size_t check_cuts(const gusset::Stitch &stitch) {
     REQUIRE(stitch.intersections());
     const auto [first, count] = stitch.strip_faces();

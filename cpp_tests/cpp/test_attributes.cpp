@@ -28,8 +28,8 @@ double reach(const Soup &soup) {
     return far;
 }
 
-/// What is known of any result: rows of weights, and fields of vertices and corners up to 1e-6 of the meshes' size; numbers of
-/// faces are those of sources.
+/// Checks any result: weights sum to 1, linear fields of vertices and corners hold within 1e-6 of the meshes' size,
+/// and integers of faces come from sources.
 void check_fields(const gusset::Origins &origins, const gusset::MeshView &made, const std::vector<Soup> &pieces) {
     std::vector<std::vector<double>> vertices, corners;
     std::vector<std::vector<uint32_t>> faces;

@@ -108,7 +108,7 @@ TEST_CASE("curves made of curves") {
     const gusset::CurveOfDegrees lowered = to_five.with_degrees(1, 3, 1e-9);
     CHECK(lowered.curve.controls().size() == 13);
     CHECK(lowered.deviations[0] < 1e-14);
-    // Circles are no parabolas: the segments are kept.
+    // Circles are not parabolas: the segments stay.
     const gusset::CurveOfDegrees kept = curve.with_degrees(1, 2, 1e-9);
     CHECK(kept.curve.controls().size() == 13);
     CHECK(kept.deviations[3] > 1e-3);

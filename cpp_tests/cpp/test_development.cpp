@@ -65,7 +65,7 @@ TEST_CASE("a part of a ball") {
     CHECK(conformal.charts()[0].finish == GUSSET_CHART_CONFORMAL);
     // The flat mesh is a mesh: its border is one loop.
     CHECK(gusset::Boundary(conformal.mesh()).size() == 1);
-    // 0 is no limit here, and a mistake in C.
+    // 0 is an invalid limit.
     options.max_stretch = 0.0;
     CHECK_THROWS_AS(gusset::Development(ball.view(), options), gusset::Error);
 }

@@ -171,7 +171,7 @@ TEST_CASE("patches go on with the curvature, or along tangents") {
     };
     const double tangents = farthest(gusset::FillContinuity::c1, false);
     CHECK(farthest(gusset::FillContinuity::c2, false) < tangents / 3);
-    // It has no creases.
+    // It lacks creases.
     CHECK(farthest(gusset::FillContinuity::c1, true) == tangents);
     CHECK(gusset::FillOptions().continuity == gusset::FillContinuity::c1);
 }

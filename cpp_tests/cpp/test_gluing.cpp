@@ -1,4 +1,4 @@
-// Nets from C++: what is glued to what, memory and copies, errors.
+// Nets from C++: gluings, memory and copies, errors.
 #include "nets.hpp"
 
 #include <doctest/doctest.h>
@@ -47,7 +47,7 @@ TEST_CASE("gluing and ungluing") {
         const auto found = type < 13 ? glued.classify_node(15) : glued.classify_cell(15);
         CHECK(found == static_cast<GluingType>(type));
     }
-    // The counts of the histogram are those of single elements.
+    // The counts of the histogram equal counts of single elements.
     for (const auto &[name, shape, euler] : closed_shapes()) {
         CAPTURE(name);
         const Net closed = Net::from_primitive(shape);

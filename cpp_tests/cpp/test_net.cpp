@@ -257,7 +257,7 @@ TEST_CASE("meshes of nets in the rest of the library") {
     CHECK(verdict.euler == 0);
     CHECK(verdict.self_intersections == 0);
 
-    // Left apart, a mesh is sewn by gusset::Weld to what the net makes of it itself.
+    // gusset::Weld makes of the unglued mesh the mesh that the glued net makes itself.
     NetMeshOptions apart;
     apart.weld = false;
     const Net torus = Net::from_primitive(Primitive::torus(2.0, 0.5).with(9, 17));

@@ -116,7 +116,7 @@ struct Sewn {
     std::size_t vertices = 0, border = 0, components = 0;
 };
 
-/// What CGAL's stitch_borders makes of it; for meshes whose sheets are oriented alike.
+/// The result of CGAL's stitch_borders, for meshes whose sheets have one orientation.
 Sewn stitched_by_cgal(const Soup &soup) {
     auto [points, faces] = CgalSoup<Kernel::Point_3>(soup.view());
     REQUIRE(PMP::is_polygon_soup_a_polygon_mesh(faces));

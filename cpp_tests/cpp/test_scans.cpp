@@ -178,7 +178,7 @@ TEST_CASE("alignment from poses, and from principal axes") {
     const Soup disturbed = moved(far, second);
     CHECK(!gusset::Alignment(views({first, disturbed})).is_trusted());
 
-    // The motion back, but for 2 degrees.
+    // The inverse motion, except 2 degrees.
     gusset::AlignmentOptions options;
     const Point zero = moved(far, Point{});
     gusset::Transform back = {};
@@ -265,7 +265,7 @@ TEST_CASE("halves that overlap become one closed surface") {
     CHECK(verdict.self_intersections == 0);
     CHECK(verdict.bounds_a_volume);
 
-    // Of the old faces each is there once, or went; vertices that are there are where they were.
+    // Each old face occurs once or was trimmed. The remaining vertices keep their positions.
     std::size_t gone = 0;
     std::vector<int> used(done.mesh().face_count());
     for (std::size_t k = 0; k < 2; ++k) {
@@ -285,7 +285,7 @@ TEST_CASE("halves that overlap become one closed surface") {
     }
     CHECK(gone == done.report().trimmed_faces);
 
-    // Old values come along.
+    // Old values are carried over.
     std::vector<std::vector<double>> heights(2);
     for (std::size_t k = 0; k < 2; ++k) {
         for (const Point &p : pieces[k].points) {

@@ -148,8 +148,7 @@ TEST_CASE("fields of deformation") {
          [](Point3 p) { return Point3{p[0], p[1] + 0.5, p[2]}; });
     CHECK_THROWS_AS(Field::lattice({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, std::vector<Point3>(26)), std::invalid_argument);
     CHECK(refusal([&] { deformed(net, Field::lattice({0, 0, 0}, {1, 1, 1}, {99, 3, 3}, {})); }).status != GUSSET_OK);
-    // Of the two axes that follow z, x becomes the arc, from the y axis on, and y the height above
-    // the cylinder.
+    // The axes after z are x and y: x becomes the arc, from the y axis on, and y the height above the cylinder.
     CHECK(deviation(deformed(plane(), Field::wrap_cylinder(Axis::z, 3.0)), plane(), [](Point3 p) {
               return Point3{(3 + p[1]) * std::sin(p[0] / 3), (3 + p[1]) * std::cos(p[0] / 3), p[2]};
           }) < 1e-13);

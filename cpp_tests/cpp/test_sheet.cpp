@@ -50,7 +50,7 @@ static_assert(!Borrows<std::vector<Point3>>::value, "a temporary");
 static_assert(!Borrows<const std::vector<Point3>>::value, "a constant temporary");
 static_assert(Borrows<gusset::Span<const Point3>>::value && Borrows<gusset::Span<Point3>>::value, "spans own nothing");
 
-// One number is no mask: it is said whether it is all cells, none, or those of words.
+// A single number is not a mask: the caller says all cells, no cells, or the cells of words.
 static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, bool>, "all or none by name");
 static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, std::vector<uint64_t>>, "words by name");
 template <class T, class = void>

@@ -1,5 +1,5 @@
-// What smooth surfaces meet from C++: lines, planes and each other, against formulas, and against
-// CGAL on a fine mesh of the same surface.
+// Intersections of smooth surfaces with lines, planes and each other, compared with formulas, and with CGAL on a fine
+// mesh of each surface.
 #include "fine.hpp"
 #include "surfaces.hpp"
 
@@ -140,7 +140,7 @@ TEST_CASE("stacks of planes, contours, angles") {
     const Surface torus(sheet);
     const std::vector<double> offsets{-0.5, -0.2, 0.1, 0.3};
     const gusset::SurfacePaths stack = torus.sections({0, 0, 0}, {0, 0, 2}, offsets);
-    // None at -0.5, two rings each at the others.
+    // No ring at -0.5, two rings at each of the others.
     REQUIRE(stack.size() == 6);
     for (const gusset::SurfacePath &path : stack) {
         CHECK(path.closed);

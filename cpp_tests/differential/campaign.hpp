@@ -1,4 +1,4 @@
-// Campaigns of random cases: their numbers, what they find, and the families.
+// Campaigns of random cases: random numbers, failures, and families.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace campaign {
 
-/// Numbers that are the same on every platform: those of the standard library's distributions are
-/// not, those of its engine are.
+/// Random numbers that are equal on every platform. The standard library's engines are portable, its distributions
+/// are not.
 class Random {
 public:
     explicit Random(uint64_t seed) : engine_(seed) {}

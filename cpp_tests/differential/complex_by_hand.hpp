@@ -1,4 +1,4 @@
-// What glued nets are, by union-find and by counting cell after cell.
+// The cell complex of glued nets by union-find and by counting cells.
 #pragma once
 
 #include <gusset.hpp>
@@ -14,7 +14,7 @@
 namespace campaign::of_gluings {
 using Edge = std::pair<uint32_t, uint32_t>;
 
-/// Nodes that are one point, and what was said to make them so.
+/// Classes of glued nodes, and the gluings that made them.
 struct Classes {
     uint32_t rows, columns;
     std::vector<uint32_t> parent;

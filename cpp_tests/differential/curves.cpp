@@ -88,7 +88,7 @@ bool is_jump(const std::function<double(std::size_t, double)> &value, std::size_
         const double middle = (low + high) / 2;
         ((value(s, middle) < 0) == falling ? high : low) = middle;
     }
-    // Within 1e-6: what is not a jump would have a slope of 1e4.
+    // Within 1e-6: a change without a jump would need a slope of 1e4.
     return std::abs(value(s, high) - value(s, low)) > 1e-2;
 }
 

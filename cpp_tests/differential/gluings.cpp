@@ -1,6 +1,5 @@
-// Random gluings of nets against union-find and counts by hand: classes of nodes, the complex with
-// its characteristic and boundary, meshes, and what goes through streams, parts, joins and larger
-// nets.
+// Compares random gluings of nets with union-find and plain counts: classes of nodes, the complex with its
+// characteristic and boundary, meshes. Gluings must survive streams, parts, concatenation and enlargement.
 #include "../cpp/nets.hpp"
 #include "complex_by_hand.hpp"
 #include "pieces.hpp"
@@ -100,7 +99,7 @@ Seam random_seam(Random &random, uint32_t rows, uint32_t columns) {
     return seam;
 }
 
-/// What was glued locally, here and there.
+/// Local gluings at random places.
 LocalGluing random_gluing(Random &random, Classes &classes) {
     const uint32_t rows = classes.rows, columns = classes.columns;
     const uint32_t i = random.below(rows), j = random.below(columns), cell_i = random.below(rows - 1), cell_j = random.below(columns - 1);
@@ -160,7 +159,7 @@ void check_streams(Case &test, const Net &net) {
     const auto p = net.points(), q = back.points();
     for (std::size_t v = 0; v < p.size(); ++v) {
         for (std::size_t k = 0; k < 3; ++k) {
-            // Glued nodes have one position, that of the first.
+            // Glued nodes have the position of the first.
             test.at_most(std::abs(q[v][k] - p[list[v]][k]), 0.5 * report.step[k] * (1 + 1e-9) + 1e-12, "the error of a quantised coordinate");
         }
     }
@@ -184,7 +183,7 @@ void check_mesh(Case &test, const Net &net, const Classes &classes) {
     test.check(at_class, "the vertices of the mesh are not the classes");
 }
 
-/// The classes of a rectangle: what the links and the runs of seams within it say.
+/// The classes of a rectangle, by its links and the runs of seams within it.
 void check_part(Case &test, const Net &net) {
     Random &random = test.random;
     const auto rows = static_cast<uint32_t>(net.rows()), columns = static_cast<uint32_t>(net.columns());

@@ -17,7 +17,7 @@ using Cycle = std::vector<uint32_t>;
 
 /// The sides of the faces, and which are borders, without a table of the library's.
 struct Sides {
-    /// Of each half-edge: its ends, and the half-edges beside it in its face that have two ends. A
+    /// For each half-edge: its ends, and its neighbours in the face that are not degenerate. A
     /// face of fewer than three such sides has none.
     std::vector<uint32_t> tail, head, next, previous;
     std::vector<bool> used;
@@ -110,7 +110,7 @@ Soup any_soup(Random &random, uint32_t wildness) {
         }
     }
     for (uint32_t k = wildness >= 2 ? random.between(1, 8) : 0; k-- > 0;) {
-        // Two vertices become one, whatever comes of it.
+        // Merges two vertices, whatever the result.
         const uint32_t from = random.any(soup.corners), to = random.any(soup.corners);
         std::replace(soup.corners.begin(), soup.corners.end(), from, to);
     }

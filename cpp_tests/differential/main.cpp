@@ -1,4 +1,4 @@
-// Random campaigns, bounded by an argument, against independent truth:
+// Compares random cases with independent truth. An argument bounds their number:
 //   campaign [--family NAME] [--cases N] [--seed S]
 // Case k of a family has the seed S + k, so that each failure is repeated by its own seed and
 // --cases 1. The exit status is 1 if any case failed.

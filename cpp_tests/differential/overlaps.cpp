@@ -1,5 +1,5 @@
-// Pieces of known surfaces that overlap, each sampled for itself and with noise: what trimming and joining make of them has the loops and the
-// characteristic of the surface, and cuts itself nowhere by CGAL.
+// Trims and joins overlapping pieces of known surfaces, each sampled independently and with noise. The result must
+// have the loops and the characteristic of the surface, and no self-intersections by CGAL.
 #include "../cpp/judge.hpp"
 #include "pieces.hpp"
 
@@ -10,7 +10,7 @@
 namespace campaign {
 namespace of_overlaps {
 namespace {
-/// What is known of a surface.
+/// Known properties of a surface.
 struct Truth {
     const char *name;
     bool is_closed;
@@ -41,7 +41,7 @@ Soup sphere(uint32_t n) {
     const auto name = [&](const std::array<int, 3> &at) {
         const auto [found, is_new] = names.emplace(at, static_cast<uint32_t>(soup.points.size()));
         if (is_new) {
-            // By angles, so that triangles near corners are no smaller.
+            // By angles, so that triangles near corners are not smaller.
             Point p{};
             for (std::size_t k = 0; k < 3; ++k) {
                 p[k] = std::tan(M_PI / 4 * (2.0 * at[k] / last - 1));

@@ -169,7 +169,7 @@ Soup together(const std::vector<Soup> &pieces) {
 }
 
 std::array<Point, 3> random_rotation(Random &random) {
-    // Of a quaternion.
+    // The rotation of a quaternion.
     double q[4], size = 0;
     do {
         size = 0;

@@ -8,7 +8,7 @@ namespace campaign::of_validity {
 std::vector<uint32_t> face_of(const gusset::MeshView &mesh, std::size_t f);
 /// `turned`: with the first corner kept, and the others in reverse order.
 bool same_face(const std::vector<uint32_t> &was, std::vector<uint32_t> is, bool turned);
-/// What is closed, in one piece, and does not cut itself bounds a volume.
+/// A closed, connected mesh without self-intersections bounds a volume.
 void check_outward(Case &test, const gusset::MeshView &mesh, const Verdict &verdict);
 
 void welded(Case &test);

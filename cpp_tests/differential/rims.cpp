@@ -5,8 +5,8 @@
 
 namespace campaign {
 namespace {
-/// A tube of n sides round an axis, its rim, the vertices 0 to n - 1, at z = 0 and its other end
-/// below or above; closed there by a fan if `capped`. Faces outwards if it is below.
+/// A tube of n sides about an axis. Its rim, the vertices 0 to n - 1, is at z = 0, its other end below or above; a
+/// fan closes that end if `capped`. Faces outwards if it is below.
 Soup cup(Random &random, uint32_t n, uint32_t rings, double depth, double radius, double noise, bool capped) {
     const double slope = random.real(-0.4, 0.6), oval = random.real(-0.3, 0.3), wave = random.real(0, 0.2);
     const uint32_t waves = random.between(2, 5);
@@ -22,7 +22,7 @@ Soup cup(Random &random, uint32_t n, uint32_t rings, double depth, double radius
             soup.add_face({rings * n + i, rings * n + (i + 1) % n, pole});
         }
     }
-    // Rings ascend, counter-clockwise: outwards. Those that descend are inside out.
+    // Rings ascend, counter-clockwise: outwards. Descending tubes are inside out.
     return depth > 0 ? soup : inside_out(soup);
 }
 } // namespace

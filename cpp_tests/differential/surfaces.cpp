@@ -18,7 +18,7 @@ using shapes::dot;
 using shapes::of;
 
 constexpr double mesh_tolerance = 1e-3;
-/// Of points that lie on the surface, or in a plane, but for rounding.
+/// Rounding error allowed for points on the surface or in a plane.
 constexpr double rounding = 1e-9;
 
 Point along(const Point &from, const Point &direction, double t) {
@@ -126,12 +126,11 @@ void nearest(Case &test, const Tested &tested) {
     }
 }
 
-/// Crossings of the mesh by a line and by six others round it: where each of the seven has exactly
-/// one near a parameter, the mesh shuts off the tube between them, and so must any surface within
-/// the deviation.
+/// Intersections of the mesh with a line and with six lines around it. If each of the seven has exactly one near a
+/// parameter, the mesh closes the tube between them, and so must any surface within the deviation.
 struct Crossings {
     std::vector<double> shut;
-    /// There are no others.
+    /// No other intersections exist.
     bool all = true;
 };
 
@@ -274,7 +273,7 @@ void sections(Case &test, const Tested &tested) {
             }
             test.at_most(nearest, chord + rounding, "the distance of a point of surface and plane from all sections");
         }
-        // Where shifts by some deviations change no count, the mesh's are those of the surface.
+        // If shifts by some deviations change no count, the counts of the mesh hold for the surface.
         std::vector<std::size_t> counts;
         for (double shift : {-3 * tested.deviation, 3 * tested.deviation}) {
             counts.push_back(tested.oracle.slices(along(at, normal, shift), normal).size());

@@ -15,7 +15,7 @@ namespace of_validity {
 namespace {
 using Lengths = std::vector<std::size_t>;
 
-/// The length of each boundary cycle of `before`, without those of rims, in CGAL's order.
+/// The length of each boundary cycle of `before` except the rims, in CGAL's order.
 Lengths without_rims(Lengths before, const std::vector<std::size_t> &rims) {
     for (std::size_t rim : rims) {
         const auto at = std::find(before.begin(), before.end(), rim);

@@ -10,10 +10,10 @@ namespace mfx {
 
 namespace {
 
-/// The host at work: suites have no other way to know it.
+/// The active host: suites cannot receive it as an argument.
 thread_local Session *session = nullptr;
 thread_local Traits traits;
-/// Every handle given out, by what it is.
+/// Every handle given out, by its kind.
 thread_local std::map<Handle, char> handles;
 
 void wrong(const std::string &what) { session->wrongs.push_back(what); }
@@ -269,7 +269,7 @@ Status input_mesh(Handle h, double time, Handle *out, Handle *properties) {
 
 int number(const Mesh &mesh, const char *name) { return mesh.properties.get<int>(name); }
 
-/// Takes what the effect wrote.
+/// Takes the mesh that the effect wrote.
 void collect(const Mesh &mesh) {
     MeshData &out = session->output;
     out = MeshData();

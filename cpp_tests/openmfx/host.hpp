@@ -13,7 +13,7 @@
 
 namespace mfx {
 
-/// Named values. Those that the host does not know it refuses, as hosts do.
+/// Named values. The host refuses unknown names, as hosts do.
 struct Properties {
     using Value = std::variant<std::monostate, void *, std::string, double, int>;
     std::map<std::string, std::vector<Value>> values;
@@ -54,7 +54,7 @@ struct Mesh {
     bool is_output = false, open = false, allocated = false;
     Properties properties;
     std::vector<std::unique_ptr<Attribute>> attributes;
-    /// Of an input.
+    /// Properties of an input.
     MeshData *data = nullptr;
 };
 
@@ -91,7 +91,7 @@ struct Effect {
     void set(const std::string &name, std::vector<double> values) { param(name).values = std::move(values); }
 };
 
-/// What hosts differ in.
+/// Options in which hosts differ.
 struct Traits {
     bool has_messages = true, has_parameters = true, has_meshes = true;
     bool has_values_at_time = true, has_choices = true;
@@ -112,9 +112,9 @@ public:
 
     Effect descriptor, instance;
     Status described = -1;
-    /// What the effect left in the output.
+    /// The output of the effect.
     MeshData output;
-    /// What the effect did that it must not do.
+    /// Violations by the effect.
     std::vector<std::string> wrongs;
 
 private:

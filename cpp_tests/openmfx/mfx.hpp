@@ -1,5 +1,5 @@
-// What a host and an effect of OpenMfx share: version 1 of the mesh effect API and of its suites, declared anew from
-// the public documentation, and by another hand than the library's own declarations.
+// The interface between a host and an effect of OpenMfx: version 1 of the mesh effect API and its suites. It is
+// declared from the public documentation, independently of the library's declarations.
 #pragma once
 
 namespace mfx {
@@ -66,7 +66,7 @@ struct ParameterSuiteV1 {
     Status (*paramGetPropertySet)(Handle param, Handle *properties);
     Status (*paramGetValue)(Handle param, ...);
     Status (*paramGetValueAtTime)(Handle param, double time, ...);
-    // What effects do not call follows: derivatives, integrals, setting values, keys, copies, edits.
+    // Functions that effects do not call follow: derivatives, integrals, setting values, keys, copies, edits.
     void (*others[12])();
 };
 

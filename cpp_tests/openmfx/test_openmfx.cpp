@@ -246,7 +246,7 @@ TEST_CASE("what need not be there need not be there") {
 TEST_CASE("curves are edges without faces") {
     Cooked rims("boundary_loops");
     MeshData mesh = tube(24, 0, 1);
-    // An edge by itself is no part of the mesh, and no harm to it.
+    // A loose edge is not part of the mesh, and does not disturb it.
     mesh.corners.insert(mesh.corners.end(), {0, 30});
     mesh.sizes.push_back(2);
     mesh.loose_edges = true;
@@ -399,7 +399,7 @@ TEST_CASE("bad meshes are refused with a sentence") {
     bad = loose_cube();
     bad.point_stride = 2;
     CHECK(!refused(bad).empty());
-    // Edges alone are no mesh.
+    // Edges without faces are not a mesh.
     bad = loose_cube();
     bad.constant_size = 2;
     CHECK(refused(bad).find("faces") != std::string::npos);

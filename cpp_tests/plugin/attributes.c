@@ -47,7 +47,7 @@ static gusset_plugin_origins origins_of(const char *of, const gusset_outputs *ou
     return origins;
 }
 
-/* The inputs' own positions as a channel: each vertex of the result has those of its sources, mixed. */
+/* Carries positions of the inputs as a channel: each vertex of the result gets the weighted mean of its sources. */
 static void check_positions(const gusset_filter *filter, const shapes *made, const gusset_outputs *outputs) {
     const gusset_plugin_mesh mesh = mesh_of(filter->id, outputs);
     const gusset_plugin_origins origins =
@@ -89,7 +89,8 @@ static void check_positions(const gusset_filter *filter, const shapes *made, con
     free(carried);
 }
 
-/* Numbers of the inputs' faces: those of the result are some of them, and a host that cancels hears so. */
+/* Carries integers of faces: each integer of the result occurs in an input, and a host that cancels gets the status.
+   */
 static void check_numbers(const gusset_filter *filter, const shapes *made, const gusset_outputs *outputs) {
     const gusset_plugin_mesh mesh = mesh_of(filter->id, outputs);
     const gusset_plugin_channel channel = {
@@ -128,7 +129,7 @@ static int32_t stop(void *user, double fraction, const char *stage) {
     return fraction >= 0;
 }
 
-/* Channels that fit nothing: a status, and of which element of which input. */
+/* Channels that fit no input: a status, with the element and the input. */
 static void check_bad(void) {
     shapes made;
     gusset_host host = {0};

@@ -6,8 +6,8 @@
 
 static const gusset_plugin *plugin;
 
-/* One of a filter's inputs is wrong; the others are good. Index and element are what the account names; element 0:
- * nothing. */
+/* One of a filter's inputs is wrong; the others are good. The expected element and index of the report; element 0:
+   none. */
 static void expect(const gusset_filter *filter, const gusset_input *inputs, uint32_t count, uint32_t which,
                    int32_t status, uint32_t element, uint64_t index, int line) {
     gusset_outputs *outputs = NULL;

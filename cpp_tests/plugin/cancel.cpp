@@ -1,5 +1,6 @@
-// How long after a request to stop a run returns, for each filter on large shapes, less what the system needs to take
-// back the memory of the run. Prints a table, and fails above a tenth of a second. No test of `make test`, which has none
+// Time from a cancel to the return of a run, for each filter on large shapes, minus the time in which the system
+// reclaims the memory of the run. Prints a table, and fails above a tenth of a second. No test of `make test`, which
+// has none
 // that look at clocks.
 #include "instant.hpp"
 #include "shapes.h"
@@ -123,7 +124,7 @@ private:
         shapes_make(&made, &filter, number, size);
         values.assign(filter.value_count, 0);
         static_cast<void>(filter.suggest(&filter, made.inputs, made.count, values.data()));
-        // What is made of nothing, or of curves, is as large as its rows and columns say.
+        // Filters without inputs, or with curves, get their size from parameters for rows and columns.
         const bool of_mesh = made.count > 0 && made.inputs[0].kind == GUSSET_KIND_MESH;
         for (uint32_t i = 0; !of_mesh && i < filter.param_count; ++i) {
             const gusset_param_info &param = *filter.param(&filter, i);

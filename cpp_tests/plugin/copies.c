@@ -8,7 +8,7 @@ enum { MOST_FILTERS = 200 };
 
 static uint32_t shape_size = 10;
 
-/* What one of them made, filter by filter. */
+/* The results of one copy, filter by filter. */
 typedef struct work {
     const gusset_plugin *plugin;
     gusset_outputs *outputs[MOST_FILTERS];

@@ -1,4 +1,4 @@
-/* What a careless host may do, short of pointers to nowhere: hostile LIBRARY */
+/* Mistakes of a careless host, except invalid pointers: hostile LIBRARY */
 #include "loaded.h"
 
 #include <math.h>

@@ -35,14 +35,14 @@ inline Milliseconds between(const Instant &from, const Instant &to) {
     return std::min(to.wall - from.wall, to.work - from.work);
 }
 
-/// What this program holds of memory, in bytes.
+/// Memory of this program in bytes.
 inline double held() {
     double pages = 0;
     std::ifstream("/proc/self/statm") >> pages >> pages;
     return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// How long the system needs to take so many bytes back, by what it needed for a block of them: the least of several times. Nobody
+/// Time in which the system reclaims this many bytes: the least of several measurements with one block. Nobody
 /// who frees memory can be faster.
 inline Milliseconds to_take_back(double bytes) {
     constexpr std::size_t block = std::size_t{1} << 28;
@@ -66,7 +66,7 @@ inline Milliseconds to_take_back(double bytes) {
     return of_block * (std::max(bytes, 0.0) / static_cast<double>(block));
 }
 
-/// The longest time between two progress calls, less what the system needed to take back memory in it, and the stages round it.
+/// The longest time between two progress calls, minus the time to reclaim memory, with the stages before and after.
 struct Silence {
     Instant start, last;
     Milliseconds longest{0};

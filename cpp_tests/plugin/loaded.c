@@ -16,7 +16,7 @@ void *open_library(const char *path) {
 }
 
 gusset_plugin_entry_fn entry_of(void *library) {
-    /* ISO C has no cast from void * to a function. */
+    /* ISO C lacks a cast from void * to a function. */
     void *symbol = dlsym(library, "gusset_plugin_entry");
     gusset_plugin_entry_fn entry;
     if (symbol == NULL) {

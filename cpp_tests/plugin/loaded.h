@@ -1,4 +1,5 @@
-/* What the tests of the plugin share: checks that count, the plugin loaded by its path, and a first run of any filter.
+/* Shared by the tests of the plugin: checks that count failures, the plugin loaded by its path, and a first run of
+   any filter.
  */
 #ifndef LOADED_H
 #define LOADED_H

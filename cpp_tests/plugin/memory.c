@@ -43,7 +43,7 @@ static void check_failure(const char *of, const gusset_outputs *outputs) {
 static void check_filter(const gusset_filter *filter, const shapes *made, const gusset_outputs *expected, long long most) {
     long long all, requests;
     int32_t status;
-    /* What is made once for all runs is there after the first. */
+    /* The first run allocates the memory that is kept for all runs. */
     plugin->output_free(run(filter, made, 0, 0, &all, &status));
     const long long step = all > most ? all / most + 1 : 1;
     for (long long nth = 1; nth <= all; nth += step) {

@@ -56,7 +56,7 @@ static void on_a_thread(int count) {
     if (pthread_create(&thread, NULL, again_and_again, &count) != 0) {
         exit(2);
     }
-    /* The thread has ended after the library was closed: what it kept for its end has been run. */
+    /* The thread ends after the library was closed, and runs its destructors then. */
     CHECK(pthread_join(thread, NULL) == 0);
 }
 

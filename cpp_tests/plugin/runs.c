@@ -67,7 +67,7 @@ static void check_values(const gusset_filter *filter, const gusset_outputs *outp
     CHECK_OF(filter->id, values->name(outputs, index, count) == NULL && isnan(values->value(outputs, index, count)));
 }
 
-/* What came out is what the filter says comes out, and each reader refuses what is none of its kind. */
+/* Outputs have the declared kinds, and each reader refuses outputs of other kinds. */
 static void check_outputs(const gusset_filter *filter, const gusset_outputs *outputs) {
     gusset_failure none = {0};
     gusset_plugin_mesh mesh = {0};
@@ -106,7 +106,7 @@ static void check_outputs(const gusset_filter *filter, const gusset_outputs *out
     CHECK_OF(filter->id, plugin->output_mesh(outputs, UINT32_MAX, &mesh) != GUSSET_PLUGIN_DONE);
 }
 
-/* What the callback has seen, and at which of its calls it asks to stop. */
+/* The calls of the callback so far, and the call at which it cancels. */
 typedef struct follower {
     const char *of;
     pthread_t thread;

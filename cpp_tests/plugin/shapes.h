@@ -1,4 +1,4 @@
-/* Inputs for any filter, made by formulas: what each one must be is read from the plugin's table. */
+/* Inputs for any filter, made by formulas; the plugin's table gives the kind of each. */
 #ifndef SHAPES_H
 #define SHAPES_H
 

@@ -118,7 +118,7 @@ static void check_kinds(const gusset_filter *filter) {
     }
 }
 
-/* What is suggested for shapes is in range too; and for inputs that do not fit, the defaults are left. */
+/* Suggested values for shapes are in range. For inputs of a wrong kind, the defaults remain. */
 static void check_suggest(const gusset_filter *filter) {
     double values[100] = {0};
     shapes made;

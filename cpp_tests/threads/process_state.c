@@ -22,7 +22,7 @@ static uint64_t text(uint64_t hash, const char *of) {
     return of ? hashed(hash, of, strlen(of) + 1) : hash + 1;
 }
 
-/* Names in a folder of /proc, in the order of the kernel; what they lead to, if `targets`. */
+/* Names in a folder of /proc, in the order of the kernel; with the targets of links, if `targets`. */
 static uint64_t entries(const char *path, int targets, uint64_t *count) {
     DIR *const folder = opendir(path);
     uint64_t hash = 0;

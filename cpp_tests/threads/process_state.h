@@ -1,4 +1,4 @@
-/* What a library that lives in somebody else's process must leave as it was. */
+/* The state of the process that a library must leave unchanged. */
 #ifndef PROCESS_STATE_H
 #define PROCESS_STATE_H
 
@@ -14,7 +14,7 @@ process_state process_state_now(void);
 /* How many of the things above differ; names them on standard output. */
 int process_state_changed(const process_state *before, const process_state *after);
 
-/* The hash of what was hashed before and of some bytes, if any: FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo. */
+/* Extends a hash by some bytes, if any: FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo. */
 uint64_t hashed(uint64_t hash, const void *data, size_t size);
 
 #endif

@@ -6,7 +6,7 @@
 
 enum { ROWS = 17, COLUMNS = 25, THREADS = 6, ROUNDS = 3, NODES = 33 * 65 };
 
-/* What is shared: made once, before the threads, and only read by them. */
+/* The shared objects: made once before the threads, which only read them. */
 static struct {
     double points[ROWS * COLUMNS][3];
     uint32_t quads[(ROWS - 1) * (COLUMNS - 1)][4];

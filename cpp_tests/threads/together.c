@@ -26,7 +26,7 @@ int main(int argc, char **argv) {
     if (example_main == NULL) return 2;
     pthread_t threads[THREADS];
     int failed[THREADS], failures = 0;
-    /* What a first thread makes the C library keep is not what is looked for. */
+    /* A first thread makes the C library keep memory, which is not a leak of gusset. */
     if (pthread_create(&threads[0], NULL, run, &failed[0]) != 0 || pthread_join(threads[0], NULL) != 0) return 2;
     const process_state before = process_state_now();
     for (int i = 0; i < THREADS; ++i)

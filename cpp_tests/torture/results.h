@@ -1,4 +1,5 @@
-/* What must hold of the results of a call, and their hashes, by which two calls are compared. Included by torture.h at its end. */
+/* Properties of the results of a call, and their hashes, by which two calls are compared. Included by torture.h at
+   its end. */
 #ifndef TORTURE_RESULTS_H
 #define TORTURE_RESULTS_H
 
@@ -9,7 +10,7 @@ static inline uint64_t torture_hash(uint64_t hash, const void *data, size_t size
     return hash;
 }
 
-/* What a net is: all that a stream of it has. */
+/* The state of a net: the content of its stream. */
 static inline uint64_t torture_hash_net(uint64_t hash, const gusset_net *net) {
     const gusset_stream_options raw = {.struct_size = sizeof raw, .mode = GUSSET_STREAM_RAW};
     gusset_stream *stream = NULL;
@@ -20,7 +21,7 @@ static inline uint64_t torture_hash_net(uint64_t hash, const gusset_net *net) {
     return hash;
 }
 
-/* What a scene is: where all that is in it is, and what it counts. */
+/* The state of a scene: the transforms of its entries, and its counts. */
 static inline uint64_t torture_hash_scene(uint64_t hash, const gusset_scene *scene) {
     static gusset_scene_instance instances[4096];
     gusset_scene_report report = {.struct_size = sizeof report};
@@ -31,7 +32,7 @@ static inline uint64_t torture_hash_scene(uint64_t hash, const gusset_scene *sce
     return hash;
 }
 
-/* What a decoder is: the rows that it has. */
+/* The state of a decoder: its rows. */
 static inline uint64_t torture_hash_decoder(uint64_t hash, const gusset_stream_decoder *decoder) {
     gusset_net *net = NULL;
     if ((gusset_stream_decoder_preview_create)(NULL, decoder, &net) != GUSSET_OK) return hash;

@@ -1,7 +1,8 @@
-/* What the wrappers of wrappers.py do: hostile values one after another, and what must hold after each call.
+/* The work of the wrappers by wrappers.py: passes hostile values one at a time, and checks each call.
  *
- * A call is tried in a process of its own, so that what it changes, and how it dies, touches nobody. Which value is in force stands in
- * memory that both share: when the process dies or does not come back, the parent names the value and goes on after it. */
+ * Each call runs in its own process, so that its changes and crashes do not affect other calls. Shared memory holds
+ * the current value. If the process dies or does not return, the parent reports the value and continues with the next
+ * one. */
 #ifndef TORTURE_H
 #define TORTURE_H
 
@@ -26,8 +27,7 @@
 
 /* No handle that the library makes. */
 #define TORTURE_UNTOUCHED ((uintptr_t)0xDEAD)
-/* Of processor time, which a machine that is busy with other things does not matter to: when a call that goes on is cancelled, and
- * when it should have heard that. */
+/* CPU time, which other processes do not affect: when a running call is cancelled, and when it must have returned. */
 #define TORTURE_PATIENCE 4
 /* Under the address sanitizer, with the library hardly optimised, all takes several times as long. */
 #ifdef __SANITIZE_ADDRESS__
@@ -35,13 +35,12 @@
 #else
 #define TORTURE_SECONDS 6
 #endif
-/* The status of a process after which another one goes on. */
+/* The exit status of a process that another process continues. */
 #define TORTURE_AGAIN 3
 
-/* What is tried, one after another: hostile arguments; a cancel at each step; allocations that fail, each alone and with all after it,
- * or as many of them as TORTURE_ALLOCATIONS says. With TORTURE_FROM=2 only the latter. After each failure the call is made again with the
- * same context, and must give what it gave before. What changes a handle, or keeps something in one, is tried once in
- * each process. */
+/* The phases: hostile arguments; a cancel at each step; failing allocations, each alone and with all later ones.
+ * TORTURE_ALLOCATIONS bounds their number. With TORTURE_FROM=2 only the last phase. After each failure the call is repeated with the
+ * same context, and must give its first result. A call that changes a handle runs once in each process. */
 enum torture_phase { TORTURE_ARGUMENTS, TORTURE_CANCELS, TORTURE_ONE_ALLOCATION, TORTURE_ALL_ALLOCATIONS, TORTURE_PHASES };
 
 struct torture_shared {
@@ -61,7 +60,7 @@ static size_t torture_failures, torture_functions;
 static struct torture_shared *torture_told;
 static const char *torture_function;
 static struct torture_questions *torture_asking;
-/* The values in force: their slots and what was there. */
+/* The current hostile values: their slots and old contents. */
 static struct torture_change {
     struct torture_slot *slot;
     unsigned char *before;
@@ -198,11 +197,11 @@ static inline int torture_choose(size_t value) {
     return 1;
 }
 
-/* Of the call that is tried: the steps that were reported, whether one of them was cancelled, and the blocks in use before it. */
+/* For the current call: the reported steps, whether one of them was cancelled, and the blocks in use before it. */
 static size_t torture_steps;
 static int torture_fired;
 static long long torture_live, torture_bytes, torture_nth;
-/* Whether the call is made again after a failure, and as it was left before the failure, what it changes. */
+/* Whether the call is repeated after a failure, and the state before the failure of the handle that it changes. */
 static int torture_repeats, torture_failed;
 static uint64_t torture_before;
 
@@ -274,7 +273,7 @@ static inline void *torture_nothing(void *nothing) {
     return nothing;
 }
 
-/* Starts a thread as the library does: the C library keeps its stack and what it notes of it for the next one. */
+/* Starts a thread as the library does: the C library keeps its stack for the next thread. */
 static inline void torture_start_thread(void) {
     pthread_attr_t attributes;
     pthread_t thread;
@@ -324,7 +323,7 @@ static inline int torture_next(void) {
     return 0;
 }
 
-/* The status of a call: one that the header names, and what the context says is of that call. */
+/* The status of a call: the header declares it, and the context's report belongs to this call. */
 static inline void torture_check(gusset_status status, const gusset_context *context) {
     gusset_error_report report = {.struct_size = sizeof report};
     struct torture_shared *const told = torture_told;

@@ -1,4 +1,4 @@
-// Shapes, and what the tests ask of data sets.
+// Shapes, and queries of data sets for the tests.
 #ifndef GUSSET_TEST_VTK_SHAPES_HPP
 #define GUSSET_TEST_VTK_SHAPES_HPP
 
@@ -211,7 +211,7 @@ private:
     unsigned long tag_ = 0;
 };
 
-/// Collects the errors and the warnings of a filter; those of its executive, that it failed, are dropped.
+/// Collects the errors and the warnings of a filter, except the message of its executive that it failed.
 struct Messages {
     std::string errors, warnings;
     explicit Messages(vtkAlgorithm *filter)

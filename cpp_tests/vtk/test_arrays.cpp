@@ -24,7 +24,8 @@ vtkPolyData *run(vtkAlgorithm *filter) {
     return made;
 }
 
-/// What must hold of all points of a result whose inputs have the arrays of give_arrays(). `first`: how many points are old, that
+/// Checks all points of a result whose inputs have the arrays of give_arrays(). `first`: how many points are old,
+/// that
 /// keep their numbers.
 void check_points(vtkPolyData *made, vtkPolyData *first) {
     vtkPointData *values = made->GetPointData();
@@ -66,7 +67,7 @@ void check_points(vtkPolyData *made, vtkPolyData *first) {
     }
 }
 
-/// What must hold of all cells of such a result; the cells before `first` are those of the first input.
+/// Checks all cells of the result; the cells before `first` belong to the first input.
 void check_cells(vtkPolyData *made, vtkIdType first) {
     auto *part = vtkIntArray::SafeDownCast(made->GetCellData()->GetArray("part"));
     auto *label = vtkStringArray::SafeDownCast(made->GetCellData()->GetAbstractArray("label"));
@@ -145,7 +146,7 @@ TEST_CASE("arrays go with an assembly; those that not all pieces have stay behin
         auto *height = made->GetPointData()->GetArray("height");
         REQUIRE(height != nullptr);
         for (vtkIdType v = 0; v < made->GetNumberOfPoints(); ++v) {
-            // Blends are bent: there the field is that of the strip between the rims.
+            // Blends are curved: their field is the field of the strip between the rims.
             CHECK(std::abs(height->GetComponent(v, 0) - field(made->GetPoint(v))) < (v < 120 ? 1e-12 : 0.1));
         }
         check_cells(made, 48);
@@ -183,7 +184,7 @@ TEST_CASE("polygons after vertices and lines have their own values") {
     check_cells(made, 51);
     auto *part = vtkIntArray::SafeDownCast(made->GetCellData()->GetArray("part"));
     for (vtkIdType c = 51; c < made->GetNumberOfCells(); ++c) {
-        // That of a quad of the first or the last row.
+        // The value of a quad of the first or the last row.
         CHECK(((part->GetValue(c) <= -3 && part->GetValue(c) > -15) || part->GetValue(c) <= -39));
     }
 }
@@ -224,7 +225,7 @@ TEST_CASE("arrays of other layouts, bits, ghost flags, tables of colours and nam
     CHECK(made->GetPointData()->GetArray("coloured")->GetLookupTable() == table);
     for (vtkIdType v = 0; v < made->GetNumberOfPoints(); ++v) {
         CHECK(std::abs(carried->GetComponent(v, 1) + field(made->GetPoint(v))) < 1e-6);
-        // Of the same point both, and no mean of flags.
+        // Both come from one point, and flags are not averaged.
         const double flag = made->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName())->GetComponent(v, 0);
         CHECK((flag == 1 || flag == 16));
         CHECK(made->GetPointData()->GetArray("bits")->GetComponent(v, 0) == (flag == 1 ? 0 : 1));

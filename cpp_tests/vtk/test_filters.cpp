@@ -1,4 +1,4 @@
-// The filters against the library itself, on the same arrays; composite data sets; what is not a surface.
+// Compares the filters with the library on equal arrays; composite data sets; data sets that are not surfaces.
 #include "shapes.hpp"
 
 #include "vtkGussetAssemble.h"
@@ -351,7 +351,7 @@ TEST_CASE("strips are read as triangles, and vertices and lines are kept") {
     for (vtkIdType c = 11; c < 17; ++c) {
         CHECK((carried->GetValue(c) == 300 || carried->GetValue(c) == 400));
     }
-    // Of many pieces the vertices come first, then the lines, with the points where they are in the result.
+    // In a result of many pieces, vertices come first, then lines, with indices of the result's points.
     vtkNew<vtkGussetAssemble> both;
     both->AddInputData(data);
     vtkNew<vtkPolyData> moved;
@@ -387,18 +387,18 @@ TEST_CASE("empty inputs give empty outputs") {
     assemble->SetInputData(none);
     assemble->Update();
     CHECK(assemble->GetOutput()->GetNumberOfPoints() == 0);
-    // An empty piece is no obstacle to the others.
+    // An empty piece does not disturb the others.
     assemble->SetInputData(nothing);
     assemble->AddInputData(tube({}));
     assemble->Update();
     CHECK(assemble->GetOutput()->GetNumberOfPolys() == 48);
-    // Points alone pass as they are.
+    // Points without cells pass unchanged.
     vtkNew<vtkPolyData> cloud;
     cloud->SetPoints(tube({})->GetPoints());
     fill->SetInputData(cloud);
     fill->Update();
     CHECK(vtkPolyData::SafeDownCast(fill->GetOutputDataObject(0))->GetNumberOfPoints() == 60);
-    // In an assembly they have no part, and that is said.
+    // An assembly omits them with a warning.
     const Messages heard(assemble);
     assemble->AddInputData(cloud);
     assemble->Update();

@@ -1,4 +1,4 @@
-// The filters in a pipeline: errors, progress, abort, what is executed again, threads.
+// The filters in a pipeline: errors, progress, abort, repeated execution, threads.
 #include "shapes.hpp"
 
 #include "vtkGussetAssemble.h"
@@ -204,7 +204,7 @@ TEST_CASE("a filter runs again when its options or its input change, and only th
         change(filter);
         filter->Update();
         CHECK(runs == 2);
-        // The same value again is no change.
+        // Setting an equal value is not a change.
         change(filter);
         filter->Update();
         CHECK(runs == 2);
