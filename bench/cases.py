@@ -36,7 +36,7 @@ JOINS = {
 APART = "join/100000x80000", "join-strip/100000x80000"
 SECONDS, GIBIBYTES = 45, 4
 OUTLINES = "composite", "composite-median", "self", "cubic", "blend"
-# Sides of the polygon that stands for a curve, for each given point.
+# Sides of the polygon that approximates a curve, for each given point.
 FINE = 100
 # A strip that meets itself everywhere has more intersections than are worth counting.
 JUDGE_SECONDS = 20
@@ -163,7 +163,7 @@ class Cases(NetCases):
 
     @staticmethod
     def rows_variants():
-        """The first is the library at its best; the others show what each part of it does."""
+        """The first contender is the library at its best; the others show the effect of each part."""
         fair = dict(meridians="quad", fairing=gusset.FAIRING_THIN_PLATE)
         return {
             "": dict(finish=gusset.FINISH_BLEND),
@@ -229,7 +229,7 @@ class Cases(NetCases):
         for who, theirs in zip(("sisl", "occt"), points):
             yield who, np.split(theirs, np.cumsum(lengths)[:-1])
 
-    # Whatever is compared by its meshes.
+    # Contenders that are compared by their meshes.
 
     def compare(self, case, contenders):
         name = case.split("/")[1]
@@ -256,7 +256,7 @@ class Cases(NetCases):
         return apart(case, who, SECONDS + JUDGE_SECONDS)
 
     def quality(self, contender, outcome):
-        """What the judge says of the last result."""
+        """The judgement of the last result."""
         if outcome.failed or contender.mesh is None:
             return {}
         points, faces, first = contender.mesh(outcome.result)

@@ -1,7 +1,7 @@
 """Discs cut out of closed meshes: the mesh that is left, its one loop, and the surface that was there.
 
-The meshes are those of slabs.py. A disc is what a ball round a vertex holds, along the mesh's own edges; the ball's diameter is 1, 2, 5,
-10 or 20 % of the mesh's size. Discs count that are discs: one component, one simple loop.
+The meshes come from slabs.py. A disc consists of the faces within a ball around a vertex; the ball's diameter is 1, 2, 5, 10 or 20
+% of the mesh's size. Discs count that are discs: one component, one simple loop.
 """
 
 from dataclasses import dataclass

@@ -1,5 +1,6 @@
-"""Filled holes beside the surface that was there: `make bench ONLY=fill/truth`. Each contender fills every disc; the judge measures how
-far the new faces are from what was cut out, and whether the result is closed and cuts itself. A row's ratio is the geometric mean of
+"""Filled holes beside the surface that was there: `make bench ONLY=fill/truth`. Each contender fills every disc. The judge measures
+the distance of the new faces from the removed surface, and checks closedness and self-intersections. A row's ratio is the geometric
+mean of
 the peer's distance over ours, over the discs that both closed."""
 
 import json
@@ -26,7 +27,7 @@ ROWS = {
 
 SPEEDS = "fill/rim-7657", "fill/rim-1e5", "fill/holes-81-in-8M"
 RUNS = 3
-# In mean edges of what was cut out.
+# In mean edges of the removed surface.
 LEAST = 0.01
 # Seconds that a peer gets.
 PATIENCE = 60
@@ -44,13 +45,13 @@ def run(library, report, tools, folder, only):
     cases = list(Fills(library, tools, folder).run().values())
     for case in cases:
         for measures in case.values():
-            # Some patches are what was there: their ratio says nothing.
+            # Some patches equal the removed surface: their ratio means nothing.
             if "rms" in measures:
                 measures["rms"] = max(measures["rms"], LEAST * measures["edge"])
     for row, (ours, peer) in ROWS.items():
         if only in row:
             case, name = row.rsplit("/", 1)
-            # Ours is 1: there is no one distance of all cases.
+            # Ours is 1, because all cases share no unit of distance.
             report.add(case, name, 1.0, truth.nearer(cases, ours, peer), summary(cases, ours, peer), unit="distance")
 
 

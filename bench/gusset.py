@@ -15,10 +15,10 @@ FAIRING_THIN_PLATE = 1
 FINISH_BLEND = 1
 REFINE_RIM_DENSITY, KEEP_LONGEST, INTERSECTIONS_IGNORE = 1, 1, 1
 SEARCH_EXACT = 1
-# Of nets: what becomes of the sides.
+# Nets: gluing of the sides.
 SIDES = {"sheet": 0, "torus": 3, "two-poles": 13}
 OPERATION_MATRIX, DIRECTION_DOWN = 7, 1
-# Of outlines: curve, method, lock.
+# Outlines: curve, method, lock.
 OUTLINES = {
     "composite": (0, 0, 0), "composite-median": (0, 1, 0), "self": (0, 0, 1), "cubic": (4, 0, 0), "blend": (2, 0, 0),
     "blend-c2": (3, 0, 0)}
@@ -279,7 +279,7 @@ class Library:
         return Handle(self.c, "gusset_result_destroy", address)
 
     def strip_area(self, strip, rim_a, rim_b):
-        """What the choice of least area makes least."""
+        """The area that the choice of least area minimises."""
         view = sized(View)
         self._check(self.c.gusset_result_get_mesh(strip.address, byref(view)))
         corners = np.concatenate([rim_a, rim_b])[array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)]
@@ -313,8 +313,8 @@ class Library:
         return Handle(self.c, "gusset_result_destroy", address)
 
     def trimmed_and_joined(self, pieces, max_diameter=0.0):
-        """Overlaps trimmed, what is left joined, and holes filled, up to a diameter if one is given: points, triangles, and for each
-        piece its vertices in the result."""
+        """Trims overlaps, joins the pieces and fills holes, up to a diameter if one is given. Returns points, triangles, and for
+        each piece its vertices in the result."""
         views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
         options, address = sized(JoinOptions), c_void_p()
         options.overlaps = options.fill = 1

@@ -1,5 +1,5 @@
-"""Hosts of other kinds: a small call through the Python package beside C's, models over Dask by two workers beside one, and the memory of
-one mesh in tiles beside what a rank may have."""
+"""Other hosts: a small call through the Python package compared with C, models over Dask by two workers compared with one, and the
+memory of one mesh in tiles compared with the limit of a rank."""
 
 import os
 import re
@@ -12,7 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 ROWS = "python/call/c", "dask/two-workers/one-worker", "tiles/memory/limit"
 RUNS, MODELS, FINENESS = 5, 200, 120
-# Of a rank, in megabytes.
+# Memory limit of a rank, in megabytes.
 LIMIT = 2000
 
 CALL = """

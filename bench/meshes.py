@@ -51,7 +51,7 @@ def read_obj(path):
 
 
 def loops(faces):
-    """The boundary loops, the longest first; plain and slow, as it judges what the contenders are given."""
+    """The boundary loops, the longest first. The code is plain and slow, because it checks the inputs of the contenders."""
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
     ahead, back = ends[:, 0] << 32 | ends[:, 1], ends[:, 1] << 32 | ends[:, 0]
     free = ends[~np.isin(ahead, back)]
@@ -186,7 +186,7 @@ def write(mesh, path):
 
 
 def read(path):
-    """What the programs in C++ wrote in the same form."""
+    """Reads the format of `write`, as the C++ programs write it."""
     with open(path, "rb") as file:
         counts = np.fromfile(file, dtype=np.uint64, count=2).astype(int)
         points = np.fromfile(file, dtype=np.float64, count=3 * counts[0]).reshape(-1, 3)

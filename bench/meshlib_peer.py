@@ -144,7 +144,7 @@ def aligned(views, poses):
 
 
 def fused(pieces, face_count):
-    """One surface of all by voxels, of about so many faces."""
+    """Fuses all pieces to one surface by voxels, with about this many faces."""
     points = np.concatenate([piece.points for piece in pieces])
     built = [mn.meshFromFacesVerts(piece.faces, piece.points) for piece in pieces]
     normals = np.concatenate([np.array(mn.toNumpyArray(mm.computePerVertNormals(mesh))) for mesh in built])

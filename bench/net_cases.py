@@ -33,7 +33,7 @@ class NetCases:
                 self.stream(f"net/stream-{BITS}bit{name}", points())
 
     def enter(self, case, outcomes, quality=None, unit="ms", **judged):
-        """The first outcome is ours; `judged` holds what is said of peers."""
+        """The first outcome is ours; `judged` has the remarks on peers."""
         ours, *peers = outcomes
         for peer in peers:
             said = {**(quality or {}), **({"peer": judged[peer]} if peer in judged else {})}
@@ -78,7 +78,7 @@ class NetCases:
         if not outcomes["vtk"].failed:
             result = vtk_grid_peer.normals(vtk_grid_peer.surface(vtk_grid_peer.grid(ball)))
             off = nets.off_by(vtk_grid_peer.normals_of(result), vtk_grid_peer.points_of(result))
-            # Cells may be taken either way round: normals inwards are no error.
+            # Cells may have either orientation: inward normals are not an error.
             theirs = {"max_error_degrees": min(off, nets.off_by(-vtk_grid_peer.normals_of(result), vtk_grid_peer.points_of(result)))}
         self.enter(case, outcomes, quality, vtk=theirs)
 
@@ -99,7 +99,7 @@ class NetCases:
         ]))
 
     def classes(self, case):
-        """The nodes that are one point: for us from the gluing, for VTK from where they are."""
+        """Classes of coincident nodes: ours come from the gluing, VTK's from positions."""
         points = nets.torus(1000)
         net = self.library.net(points, "torus", as_matrix=True)
         room = np.empty(points.shape[:2], dtype=np.uint32)

@@ -1,5 +1,5 @@
-"""Open CASCADE from Python: a program for the virtual environment of one version of cadquery-ocp. It reads the questions that the
-program in C++ wrote, and prints what it made of them as JSON: for each case times in milliseconds, and the accuracy."""
+"""Open CASCADE from Python: a program for the virtual environment of one version of cadquery-ocp. It reads the queries that the C++
+program wrote, and prints times in milliseconds and accuracies of each case as JSON."""
 
 import json
 import math
@@ -23,7 +23,7 @@ FINE = 100
 
 
 def knots(given):
-    """Of degree 3 with simple inner knots, without repetitions."""
+    """Degree 3, with simple inner knots."""
     values, times = Reals(1, len(given) - 6), Integers(1, len(given) - 6)
     for k, value in enumerate(given[3:-3], 1):
         values.SetValue(k, value)

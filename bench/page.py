@@ -52,20 +52,22 @@ One triangle is checked: by the Python package, and by a loop in C. `overhead_us
 Bumpy balls in four quarters assembled over a cluster of this machine: milliseconds a model with two workers beside one.""",
     "tiles": """## One mesh in tiles
 
-A torus in 256 tiles over two ranks, one tile at a time in memory: megabytes of a rank at its peak beside what it may have.""",
+A torus in 256 tiles over two ranks, one tile at a time in memory: peak megabytes of a rank and its limit.""",
     "truth": """## Joins beside the surface that was there
 
 Slabs cut out of closed meshes, 1, 2, 4 and 8 % of their size wide, exactly or along their own edges: six of CGAL's collection
-(the Debian package libcgal-demo), the bunny, and two that are made at run time. `ratio`: how much nearer to what was cut out ours
-are, root mean square both ways, the geometric mean over the slabs. `default` has the loops' pairs given, as MeshLib has; for
+(the Debian package libcgal-demo), the bunny, and two that are made at run time. `ratio`: the peer's distance from the removed
+surface divided by ours (root mean square in both directions, geometric mean over the slabs). `default` has the loops' pairs given,
+as MeshLib has; for
 `untuned` nothing is given but the pieces. `best`: a blend; `cgal` is a bridge of two triangles, the hole
 triangulated, refined and faired. `clean`: closed, and no new face meets another; `wrong_bridges`: between loops that do not belong
 together; `under_15_share`: of the new triangles.""",
     "fill": """## Holes
 
-`truth`: discs cut out of the same closed meshes, along their own edges, 1, 2, 5, 10 and 20 % of their size wide. `ratio`: how much
-nearer to what was cut out ours are, root mean square both ways, the geometric mean over the discs; distances below a hundredth of
-the mean edge count as that. `plain`: no new vertices, everybody's defaults; `fair`: refined and faired. `clean`: closed, and no new
+`truth`: discs cut out of the same closed meshes, along their own edges, 1, 2, 5, 10 and 20 % of their size wide. `ratio`: the
+peer's distance from the removed surface divided by ours (root mean square in both directions, geometric mean over the discs).
+Distances are at least a hundredth of the mean edge. `plain`: no new vertices, everybody's defaults; `fair`: refined and faired.
+`clean`: closed, and no new
 face meets another; `cuts`: pairs that do, of all discs. `rim-N`: a wavy rim of N vertices with one ring of faces, from arrays to
 arrays; `unchecked`: without the search for cuts. `holes-81-in-8M`: two bunnies, every triangle cut into 64, with 81 holes.""",
     "align": """## Scans aligned
@@ -76,7 +78,8 @@ The ten views of the Stanford bunny at their published poses, each but the first
     "trim": """## Scans joined
 
 The ten views at their published poses; in metres, root mean square both ways between the result and the reference model, whose base
-is open: holes wider than 2 cm are left. `closed`: all filled. `kept`: vertices that are those of a view bit for bit. The peer's is a
+is open: holes wider than 2 cm are left. `closed`: all filled. `kept`: vertices that equal a vertex of a view bit for bit. The
+peer's is a
 fusion by voxels with as many faces, at sigma of 1.5 voxels.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
@@ -99,7 +102,8 @@ outline, by the outline's size, the median over twenty outlines like sections of
 
 A torus of 10^6 or 10^7 nodes in single precision, one thread. Half-edge meshes (OpenMesh, CGAL; C++) have each point once and quads;
 VTK and PyVista (Python) take it as a structured grid. `bandwidth` scales as many numbers in place, `memcpy` copies them: the limits of
-the hardware. `affine` moves all points; `normals` are those of the nodes, for VTK on the polygons of the grid, which are made before;
+the hardware. `affine` moves all points; `normals` are normals of the nodes; VTK computes them on polygons of the grid that are made
+before;
 `concat` joins two nets of half the size (PyVista's must touch); `classes` names the nodes that are one point, for us from the
 gluing, for VTK from their places; `memory` is bytes a node. `stream` is compression at 14 bits a coordinate: bits for each node
 that is there, and times to encode and decode. Draco (DracoPy) takes the triangles of the grid, EDGEBREAKER, at the level of
@@ -149,8 +153,8 @@ TRUTHS = {
     "wrong_bridges": "wrong bridges", "min_angle_median": "least angle, median", "dihedral_p95_median": "dihedral p95, median",
     "under_15_share": "under 15 degrees"}
 ACCURACY_CAPTION = """
-Beside the formula of the surface. Closest points: the error of the distance; wrong: by more than 0.002; unproven: those of
-which it is said that they may not be the nearest, which count in neither. Lines: how far the hits are
+Beside the formula of the surface. Closest points: the error of the distance; wrong: an error above 0.002; unproven: answers that
+report no proof, which count in neither number. Lines: how far the hits are
 from the surface; wrong: not as many hits as there are. Curves: how far their points are from the surface or from both surfaces, and
 the same for the middles between points, where these are the answer.
 """
@@ -217,7 +221,7 @@ FILLS = {
 }
 TRUTH_PICTURE = """![joints beside the surface that was there](truth.jpg)
 
-New faces are orange. Of our best joints the one in the middle by its distance, as part of the gap's size, and the farthest one.
+New faces are orange. Our best joints: the median by relative distance, and the worst.
 """
 
 

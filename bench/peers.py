@@ -1,11 +1,11 @@
-"""The peers in Python. One is imported when it is first used, so that who works alone has nobody else in memory; one that is absent
-fails with a plain message in every case."""
+"""The peers in Python. A peer is imported at its first use, so that a process with one contender does not load others. A missing
+peer fails with a plain message in every case."""
 
 import importlib
 
 
 class Peer:
-    """Stands for a module until something of it is asked for."""
+    """A module that is imported at its first use."""
 
     def __init__(self, module, after=None):
         self._module, self._after = module, after

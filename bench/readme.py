@@ -1,4 +1,4 @@
-"""The table of speed in README.md, between two marks, from the entries of one full run: the figures are those of the page."""
+"""Writes the table of speed in README.md, between two marks, from the entries of one full run."""
 
 import re
 import time
@@ -23,7 +23,7 @@ ROWS = [
     ("an ordered plane section of it", "carcass/plane-1e6"),
     ("intersection of two tori", "carcass/ssi"),
 ]
-# The columns, and what the cases call their contender.
+# The columns, and the names of their contenders in the cases.
 PEERS = {
     "OpenMesh": ["openmesh"],
     "CGAL": ["cgal"],

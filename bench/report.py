@@ -7,7 +7,7 @@ from timing import Outcome
 
 
 def plain(value):
-    """JSON has no infinity: null stands for it."""
+    """JSON lacks infinity: it becomes null."""
     if isinstance(value, dict):
         return {key: plain(item) for key, item in value.items()}
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,7 +1,8 @@
-"""The ten views of the bunny: `make bench ONLY=align` and `ONLY=trim`. Range images become meshes by the library. Aligned: the poses, each
-disturbed by 3 degrees and 3 % of the size, but for the first; a seed is recovered if every view is found again within 0.5 degrees and
-0.5 % of the size of its published pose. Joined: at the published poses, trimmed, joined and filled, beside MeshLib's fusion by voxels
-with as many faces; the judge measures how far the faces are from the reference model, and counts what cuts."""
+"""The ten views of the bunny: `make bench ONLY=align` and `ONLY=trim`. Range images become meshes by the library. Alignment: all
+poses except the first are disturbed by 3 degrees and 3 % of the size. A seed counts as recovered if every view returns to its
+published pose within 0.5 degrees and 0.5 % of the size. Joining: views at the published poses are trimmed, joined and filled. The
+peer is MeshLib's fusion by voxels with as many faces. The judge measures distances from the reference model, and counts
+intersections."""
 
 import os
 import statistics
@@ -204,7 +205,7 @@ def truth_of(path):
 
 
 def judged(judge, folder, reference, points, faces):
-    """How far the reference's vertices and the mesh are from each other, and what is wrong with it."""
+    """The distances between the reference's vertices and the mesh, and the defects of the mesh."""
     made, there = folder / "judged.mesh", folder / "truth.mesh"
     meshes.write(Mesh(points, faces), made)
     meshes.write(reference, there)

@@ -1,4 +1,4 @@
-"""Two slabs of `truth.py` drawn: the joint that is as near to what was cut out as half of all are, and the one that is farthest."""
+"""Draws two slabs of `truth.py`: the joint with the median distance from the removed surface, and the joint with the largest."""
 
 import matplotlib
 
@@ -9,7 +9,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 OLD, NEW = np.array([0.80, 0.82, 0.86]), np.array([0.93, 0.60, 0.25])
 AMBIENT = 0.35
-# The part of the pieces that is shown round what was cut out, in sizes of that.
+# The visible part of the pieces around the removed surface, in sizes of the latter.
 MARGIN = 0.25
 
 
@@ -48,7 +48,7 @@ def draw(axes, truth, points, faces, first, title):
 
 
 def write(rows, path):
-    """`rows`: of each case its title, what was cut out, and by contender the points, the faces and the first new face."""
+    """`rows`: for each case its title, the removed surface, and by contender the points, the faces and the first new face."""
     columns = max(len(row[2]) for row in rows)
     figure = plt.figure(figsize=(3.6 * columns, 2.7 * len(rows)))
     for i, (title, truth, joints) in enumerate(rows):

@@ -1,8 +1,8 @@
 """Slabs cut out of closed meshes: two pieces, the loops that belong together, and the surface that was there.
 
-The meshes are those of CGAL's collection (Debian's libcgal-demo), the bunny, and two that are made here. A slab has a random direction
-and place; it is 1, 2, 4 or 8 % of the mesh's size wide and cut exactly or along the mesh's own edges. Slabs count whose rest has one to
-three bands, each with one simple loop on either side, so that it is known which loops belong together.
+The meshes are CGAL's collection (Debian's libcgal-demo), the bunny, and two that are made here. A slab has a random direction
+and place; it is 1, 2, 4 or 8 % of the mesh's size wide and cut exactly or along the mesh's own edges. A slab counts if it leaves
+one to three bands, each with one simple loop on either side, so that the pairs of loops are known.
 """
 
 import tarfile
@@ -83,7 +83,7 @@ def closed():
 
 
 def components(mesh):
-    """Of each vertex, the least one that it hangs together with."""
+    """For each vertex, the least vertex of its component."""
     label = np.arange(len(mesh.points))
     while True:
         least = label[mesh.faces].min(axis=1)

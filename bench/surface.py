@@ -11,7 +11,7 @@ CASES = ("build", "near", "far", "line", "ray", "plane")
 SIZES = ("1e6-wavy", "1e4", "1e6", "equal-accuracy", "1e7", "spline")
 OTHERS = ("memory", "memory-equal-accuracy", "threads-near", "threads-far", "ssi", "ssi-exact")
 BY_KERNELS = ("near-spline", "far-spline", "line-spline", "plane-spline", "ssi")
-# What the milliseconds of all questions are divided by; the unit. As the program in C++ has it.
+# The unit of each case, and its divisor in milliseconds. As the program in C++ has it.
 UNITS = {"ms": 1, "us": 1e-3}
 SECONDS = 120
 
@@ -33,7 +33,7 @@ def run(report, tools, folder, only, slow):
 
 
 def in_python(report, name, python, questions, only):
-    """Beside what is ours in the entries that the program in C++ has just made."""
+    """Adds the peer to our entries that the C++ program has just made."""
     said = ask(python, questions, only)
     for case in BY_KERNELS:
         ours = next((e for e in report.entries if e["id"].startswith(f"carcass/{case}/")), None)
@@ -54,7 +54,7 @@ def in_python(report, name, python, questions, only):
 
 
 def ask(python, questions, only):
-    """What the program says, or why it says nothing."""
+    """The answers of the program, or why it gives none."""
     if not python.exists():
         return "cadquery-ocp is not installed"
     try:

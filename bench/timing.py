@@ -15,7 +15,7 @@ from typing import Any, Callable
 
 @dataclass
 class Contender:
-    """Someone who does the work of a case. What `prepare` gives goes to `work`; only `work` is timed."""
+    """Someone who does the work of a case. `work` takes the result of `prepare`; only `work` is timed."""
 
     name: str
     work: Callable
@@ -39,7 +39,7 @@ def describe(error):
 
 
 def once(contender, outcome):
-    """One run. Results and what they hold are freed outside of the time."""
+    """One run. Results are freed outside of the timed part."""
     outcome.result = None
     try:
         state = contender.prepare()

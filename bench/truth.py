@@ -1,5 +1,6 @@
-"""Joins beside the surface that was there: `make bench ONLY=truth`. Each contender joins every slab; the judge measures how far the
-new faces are from what was cut out, and whether the result is closed and cuts itself. A row's ratio is the geometric mean of the
+"""Joins beside the surface that was there: `make bench ONLY=truth`. Each contender joins every slab. The judge measures the
+distance of the new faces from the removed surface, and checks closedness and self-intersections. A row's ratio is the geometric
+mean of the
 peer's distance over ours, over the slabs that both closed."""
 
 import json
@@ -42,7 +43,7 @@ def run(library, report, tools, folder, only, docs):
         if only in row:
             case, name = row.rsplit("/", 1)
             ratio = nearer(cases, ours, peer)
-            # Ours is 1: there is no one distance of all cases.
+            # Ours is 1, because all cases share no unit of distance.
             report.add(case, name, 1.0, ratio, summary(cases, ours, peer), unit="distance")
     if docs:
         truth.draw(named, docs / "truth.jpg")
@@ -63,7 +64,7 @@ def whole(slab):
 
 
 class Judged:
-    """Contenders who each work on every case, and the judge of what they made. Each case has a name and a `truth`; a contender gives
+    """Contenders that each work on every case, and the judge of their results. Each case has a name and a `truth`; a contender gives
     points, faces, the first new one, milliseconds, and what else is to be said."""
 
     def __init__(self, library, tools, folder):
@@ -171,7 +172,7 @@ class Truth(Judged):
         for slab in slabs():
             for title in (title for title, name in chosen.items() if name == slab.name):
                 joints = {"what was there": self.there(slab)}
-                # Who joined nothing is left out.
+                # Contenders that joined nothing are omitted.
                 joints |= {
                     who: work(slab)[:3] for who, work in self.contenders()
                     if who in DRAWN and "failed" not in cases[slab.name][who]}
@@ -193,7 +194,7 @@ def share(cases, who, what):
 
 
 def nearer(cases, ours, peer):
-    """How much nearer to the truth ours are: the geometric mean over what both closed."""
+    """The peer's distance from the truth divided by ours: the geometric mean over the cases that both closed."""
     logs = [np.log(case[peer]["rms"] / case[ours]["rms"]) for case in cases if case[ours]["closed"] and case[peer]["closed"]]
     return float(np.exp(np.mean(logs))) if logs else None
 

@@ -30,7 +30,7 @@ def moved(data, matrix):
 
 
 def surface(data):
-    """The cells as polygons: what the filter of normals takes."""
+    """The cells as polygons, the input of the filter of normals."""
     shell = vtk.vtkDataSetSurfaceFilter()
     shell.SetInputData(data)
     shell.Update()

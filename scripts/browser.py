@@ -9,12 +9,12 @@ import time
 
 
 class Missing(Exception):
-    """There is no browser to use, or no way to use it."""
+    """No browser or driver is available."""
 
 
 @contextlib.contextmanager
 def chromium(width, height):
-    """A driver of selenium's whose pages are that large."""
+    """A selenium driver with pages of this size."""
     try:
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
@@ -76,5 +76,5 @@ def url(path):
 
 
 def complaints(opened):
-    """What the page, or the browser about it, has said is wrong."""
+    """The errors that the page or the browser logged."""
     return [json.dumps(entry) for entry in opened.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""links.py FOLDER: every link and picture of the pages in FOLDER that stays there must lead to a file, and to a place in it.
-links.py FILE.md ...: the same for links between files of the source tree, as hosts of repositories show them.
+"""links.py FOLDER: checks that every link and picture within the pages of FOLDER leads to a file and an anchor. links.py FILE.md
+...: checks the links between files of the source tree, as hosts of repositories show them.
 
 LinkChecker would do for the site, but gives its rights away where it runs as root, and then may not read the pages.
 """

@@ -19,7 +19,7 @@ def packed(data):
 
 
 def moved(described, by):
-    """What describes arrays, when the arrays are that much farther on."""
+    """The description of arrays that are shifted by this offset."""
     if isinstance(described, list):
         return [moved(one, by) for one in described]
     if isinstance(described, dict):

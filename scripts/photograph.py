@@ -1,6 +1,7 @@
 """Takes pictures of a page of scripts/page.py: photograph.py PAGE.html WIDTH HEIGHT {PICTURE ADDRESS}...
 
-PICTURE ends in .png or .jpg. ADDRESS is what comes after # (examples/page/page.js has the words). Exit status 3: there is no browser.
+PICTURE ends in .png or .jpg. ADDRESS is what comes after # (examples/page/page.js has the words). Exit status 3: no browser is
+available.
 """
 
 import base64

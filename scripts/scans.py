@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Scans that overlap, made one closed mesh: scans.py PROGRAM FOLDER OUT.ply. `make scans FOLDER=... OUT=...` calls it. The folder has PLY
-files, meshes or range images, and perhaps a .conf file that says where each lies, as those of the Stanford 3D Scanning Repository do;
-otherwise each has to lie within a tenth of the object's size of where it belongs. Pictures of the aligned scans and of the model are written beside OUT
+"""Scans that overlap, made one closed mesh: scans.py PROGRAM FOLDER OUT.ply. `make scans FOLDER=... OUT=...` calls it. The folder
+has PLY files, meshes or range images. A .conf file may give their poses, like the files of the Stanford 3D Scanning Repository.
+Without it, each scan must lie within a tenth of the object's size of its pose. Pictures of the aligned scans and of the model are
+written beside OUT
 if PyVista is installed."""
 
 import json

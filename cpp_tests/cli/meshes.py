@@ -1,4 +1,4 @@
-"""What the tests of the program share: running it, and reading and writing its files without its help."""
+"""Shared by the tests of the program: runs it, and reads and writes files independently of it."""
 
 import json
 import math
@@ -28,13 +28,13 @@ class Program:
         return done
 
     def filters(self):
-        """For each id the kinds of its inputs, how many of them it needs, and the kinds of its outputs; three of those
-        inputs that may be any number."""
+        """For each id: the kinds of its inputs, the number needed, and the kinds of its outputs. Inputs of any number count three
+        times."""
         found = {}
         for line in self("filters").stdout.splitlines():
             name, inputs, outputs, _ = [part.strip() for part in line.split("  ") if part.strip()]
             kinds = [] if inputs == "-" else inputs.rstrip(".").split(", ")
-            # What comes after a bracket may be left out.
+            # Inputs after a bracket are optional.
             needed = sum(kind != "-" and kind != "" for kind in inputs.split("[")[0].rstrip(".").split(", "))
             kinds = [kind.strip("[]") for kind in kinds]
             if inputs.endswith("..."):

@@ -1,4 +1,4 @@
-"""What meshes carry, through the program and its formats, by the word of another reader: Assimp."""
+"""Attributes of meshes through the program and its formats, as another reader sees them: Assimp."""
 import json
 import math
 import pathlib
@@ -185,7 +185,7 @@ class Attributes(unittest.TestCase):
         rows = ["mtllib a.mtl b.mtl", f"mtllib deeper{backslash}c.mtl"]
         rows += ["v " + " ".join(map(repr, vertex)) for vertex in vertices]
         for f, face in enumerate(faces):
-            # A line that goes on.
+            # A continued line.
             rows += [f"usemtl {'abcde'[f % 5]}", f"f {backslash}", " ".join(str(v + 1) for v in face)]
         self.at("odd/odd.obj").write_text("\n".join(rows) + "\n")
         self.at("odd/deeper").mkdir(exist_ok=True)
@@ -196,7 +196,7 @@ class Attributes(unittest.TestCase):
         found = {material for _, material in seen_by_assimp(self.at("even.obj"))}
         self.assertTrue({("a", (1, 0, 0)), ("b", (0, 1, 0)), ("c", (0, 0, 1))} <= {one[:2] for one in found}, found)
         self.assertIn("map_Kd odd/missing a.png", self.at("even.mtl").read_text())
-        # An image that is not there is told, and the file is one that others read.
+        # A missing image is reported, and other programs can read the file.
         lost = self.lost("convert", "odd/odd.obj", "-o", "even.gltf")
         self.assertEqual(sum("which is not there" in text for text in lost), 3, lost)
         self.assertEqual(len(seen_by_assimp(self.at("even.gltf"))), 12)
@@ -232,7 +232,7 @@ class Attributes(unittest.TestCase):
         self.assertEqual(set(was), set(now))
         for point, colour in was.items():
             for a, b in zip(colour, now[point]):
-                # Of 256 steps.
+                # 256 steps.
                 self.assertAlmostEqual(a, b, delta=0.0025)
 
     def test_numbers_of_a_scanner(self):

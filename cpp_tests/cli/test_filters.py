@@ -126,7 +126,7 @@ class Filters(unittest.TestCase):
         write_obj(self.at("lost.obj"), endless, [[0, 1, 2]])
         self.expect(REFUSED, "run", "weld", "lost.obj", says="input 1: lost.obj, vertex number 2 from 0")
         self.expect(REFUSED, "run", "assemble", "grid.obj", "lost.obj", says="input 2: lost.obj, vertex number 2 from 0")
-        # Which of two pieces has no rim, the library knows; whose face is in no grid, it does not say.
+        # The library names the piece that lacks a rim, but not the piece whose face is outside of every grid.
         self.expect(DONE, "run", "net_shape", "-o", "closed.obj")
         self.expect(REFUSED, "run", "stitch", "grid.obj", "closed.obj", says="input 2: closed.obj)")
         self.expect(REFUSED, "run", "stitch", "closed.obj", "grid.obj", says="input 1: closed.obj)")

@@ -1,6 +1,6 @@
 """All filters on real meshes and curves: test_filters_real.py PROGRAM PLUGIN FOLDER DATA; GUSSET_DATA goes before DATA.
 
-Any filter is tried on what its inputs may be until it takes it; some are held to what is known of the files.
+Tries each filter on possible inputs until it accepts them. Some results are compared with known facts of the files.
 """
 
 import csv

@@ -1,5 +1,5 @@
-"""Formats of files, from each to each: test_formats.py PROGRAM PLUGIN FOLDER DATA; GUSSET_DATA goes before DATA. On
-meshes made here, and if there are any, on all real ones: counts stay, what a mesh carries stays or its loss is said."""
+"""Formats of files, from each to each: test_formats.py PROGRAM PLUGIN FOLDER DATA; GUSSET_DATA goes before DATA. Converts meshes
+made here, and all real ones if available: counts stay, and attributes stay or their loss is reported."""
 
 import json
 import os
@@ -15,7 +15,7 @@ from meshes import grid, read_obj, read_off, read_ply, write_glb, write_obj, wri
 DONE, USAGE, FILE = range(3)
 FORMATS = ("obj", "ply", "stl", "off", "gltf", "glb")
 
-# A triangle, a quad and a concave pentagon round a vertex; coordinates that need all their digits but for those of
+# A triangle, a quad and a concave pentagon around a vertex. Coordinates need all digits, except in
 # single precision, an unused vertex, and two vertices in one place.
 POINTS = [(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (-1, 0, 0.25), (-1, 1, 0.25), (0, 2, 0), (0.25, 1.5, 0), (9, 9, 9), (-1, 0, 0.25)]
 FACES = [[0, 1, 2], [8, 0, 2, 4], [2, 6, 5, 3, 4]]
@@ -72,7 +72,7 @@ class Formats(unittest.TestCase):
                         self.assertEqual(again["faces"], held["faces"])
                     if b != "stl":
                         self.assertEqual(again["vertices"], held["vertices"])
-                    # What is carried no more was said to be lost.
+                    # A lost attribute was reported.
                     for name in set(held["attributes"]) - set(again["attributes"]):
                         self.assertTrue(any(name in text for text in lost), (name, lost))
                     self.assertEqual(set(again["attributes"]) - set(held["attributes"]), set())
@@ -195,7 +195,7 @@ class Formats(unittest.TestCase):
             self.assertEqual(normals, ["1", "1"])
 
     def range_image(self, name, rows=9, columns=12, obj_info=True):
-        """A plane with a step to another behind it, without a corner: the cells that there are, and those of the step."""
+        """A plane with a step to another behind it, without a corner: the existing cells, and the cells of the step."""
         missing = {(0, 0), (4, 6)}
         seen = [(i, j) for i in range(rows) for j in range(columns) if (i, j) not in missing]
         depth = lambda i, j: 0 if j < 8 else -20

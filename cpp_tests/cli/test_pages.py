@@ -52,7 +52,7 @@ class Pages(unittest.TestCase):
         self.assertIn("joins, fills, mends and checks meshes", shown)
 
     def complete_in_bash(self, *words):
-        """What bash offers for the last of the words."""
+        """The completions that bash offers for the last word."""
         line = " ".join(f"'{word}'" for word in words)
         script = (f"PATH={pathlib.Path(self.program).parent}:$PATH; source {self.folder}/gusset.bash; COMP_WORDS=({line}); "
                   f"COMP_CWORD={len(words) - 1}; _gusset; printf '%s\\n' \"${{COMPREPLY[@]}}\"")

@@ -1,6 +1,6 @@
 """The page of showcases as a reader has it, in Debian's Chromium: test_page.py PAGE.html FOLDER
 
-What is seen is taken from screenshots, which stay in FOLDER.
+The tests evaluate screenshots, which stay in FOLDER.
 """
 
 import io
@@ -49,7 +49,7 @@ class Page(unittest.TestCase):
         return picture
 
     def empty(self):
-        """The stage without what is drawn on the canvas."""
+        """The stage without the drawing on the canvas."""
         self.opened.execute_script("document.getElementById('canvas').style.visibility = 'hidden'")
         picture = self.seen("empty")
         self.opened.execute_script("document.getElementById('canvas').style.visibility = ''")
@@ -83,7 +83,7 @@ class Page(unittest.TestCase):
                 slider.send_keys(self.Keys.HOME)
                 right = self.seen(f"{name}-right")
                 self.assertGreater(self.share(left, right), 0.004, "the slider changes nothing")
-                # To the left of the line is what the left state shows, to the right what the right one does; names are above.
+                # The left state is shown left of the line, the right state right of it; names are above.
                 inner = (10, 60, width // 2 - 4, height - 10), (width // 2 + 4, 60, width - 10, height - 10)
                 self.assertLess(self.share(half, left, inner[0]), 0.001)
                 self.assertLess(self.share(half, right, inner[1]), 0.001)
@@ -143,7 +143,7 @@ class Page(unittest.TestCase):
             canvas.send_keys(keys)
             self.assertGreater(self.share(before, self.seen("turn-keys")), 0.01, repr(keys))
         canvas.send_keys("0")
-        # But for the outline of what has the focus.
+        # Except the outline of the focused element.
         self.assertLess(self.share(start, self.seen("turn-back"), (10, 10, start.width - 10, start.height - 10)), 0.0005)
 
     def test_close_up_and_side_by_side(self):
@@ -175,7 +175,7 @@ class Page(unittest.TestCase):
             self.element(f"show={name}").click()
             self.seen(f"link-{name}")
             self.assertEqual(self.element("text").text, showcase["text"])
-            # What is said of the two states that are compared.
+            # The description of the two compared states.
             states = [showcase["states"][k] for k in showcase["pairs"][0]]
             told = [line for state in states if "note" in state for line in (state["name"], state["note"])]
             self.assertEqual(self.element("notes").text.split("\n") if told else [], told)

@@ -1,7 +1,7 @@
 """One mesh in tiles, over MPI ranks and with blocks on disk: test_tiles.py CASE PROGRAMS FOLDER MPIRUN
 
-What the program says of itself is held against the files that it writes, which tiles_gather reads as one mesh, and against counts of a
-torus: R x C tiles of n x n cells with a gap of one cell between them are as many cells as R (n + 1) x C (n + 1)."""
+Compares the program's report with its files, which tiles_gather reads as one mesh, and with the counts of a torus: R x C tiles of n
+x n cells with a gap of one cell between them are as many cells as R (n + 1) x C (n + 1)."""
 
 import math
 import os
@@ -19,7 +19,7 @@ os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"
 
 
 def run(ranks, *options, status=0):
-    """What the program prints on so many ranks, in a folder of the test's; 0 ranks: without mpirun."""
+    """Runs the program on this many ranks in the folder of the test, and returns its output; 0 ranks: without mpirun."""
     start = [MPIRUN, *MPI_OPTIONS, "-n", str(ranks)] if ranks else []
     done = subprocess.run([*start, PROGRAMS / "tiles", *map(str, options)], capture_output=True, text=True, cwd=FOLDER, timeout=300)
     assert done.returncode == status, f"status {done.returncode}, not {status}: {options}\n{done.stdout}{done.stderr}"

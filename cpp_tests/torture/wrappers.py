@@ -2,11 +2,10 @@
 """Writes, from the description of the interface, a wrapper for each function: `wrappers.py interface.json source > wrappers.c`, and
 `header` in place of `source` for a header that puts the wrappers in place of the functions.
 
-A file that is compiled with `-include wrappers.h` does what it did; but before each of its calls the wrapper makes that call
-again and again in another process, each time with one number, pointer or size of the arguments replaced by a hostile one. What is
-reached from the arguments is found from the declarations: fields of structs, elements of arrays, options within options. So the
-examples of the reference, of which there is one for each function, are the rows of the table, and no function can be forgotten.
-hostile.h has what is replaced by what; torture.h, results.h and questions.h have what must hold after each call.
+A file that is compiled with `-include wrappers.h` behaves as before. Before each of its calls, the wrapper repeats the call in
+another process, each time with one hostile number, pointer or size. The declarations show everything that the arguments reach:
+fields of structs, elements of arrays, options within options. The examples of the reference, one for each function, are the rows of
+the table, so that no function is forgotten. hostile.h has the hostile values; torture.h, results.h and questions.h check each call.
 """
 
 import json
@@ -18,17 +17,17 @@ NUMBERS = {"double": "F64", "float": "F32", "uint32_t": "U32", "int32_t": "I32",
            "size_t": "COUNT", "uint8_t": "U8"}
 # Pointers to three numbers for which no count follows.
 VECTORS = {"point", "normal", "direction", "query"}
-# What lies behind a `const void *`: coordinates in the type that the field `scalar` names, or numbers.
+# The target of a `const void *`: coordinates in the type of the field `scalar`, or numbers.
 UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "values": "SCALARS", "x": "SCALARS", "y": "SCALARS",
            "z": "SCALARS", "face_offsets": "OFFSET", "face_corners": "U32", "merge": "U32"}
 # Arrays of points: three coordinates each, or as many as a field `dimension` says.
 POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points", "controls"}
-# Arrays that are results: what they hold after a failure is unspecified. Of other outputs, the first element is looked at.
+# Arrays of results, whose content after a failure is unspecified. For other outputs, the first element is checked.
 UNSPECIFIED = {"out", "rows", "columns", "deviations", "merge", "derivatives", "tangents", "curvatures",
                "controls", "parameters", "statuses"}
-# What says that an element is none, where not all of it is 0.
+# The field that marks an empty element, where it is not all 0.
 NONE = {"gusset_surface_nearest_point": "flags"}
-# Handles that functions change, and what results.h calls what it knows of them.
+# Handles that functions change, and the names of their states in results.h.
 HASHED = {"gusset_net": "net", "gusset_scene": "scene", "gusset_stream_decoder": "decoder"}
 # Numbers that say how an array is to be read: only values that no array has.
 READ_AS = {"scalar", "index", "dimension", "face_size", "counts", "value_type", "components"}
@@ -51,7 +50,7 @@ class Item:
 
 class Header:
     def __init__(self, interface):
-        # Functions of which one may know that their work does not grow with the input.
+        # Functions whose work does not grow with the input.
         self.constant = {one["name"] for one in interface["functions"] if one.get("complexity", "").split(" ")[0] == "O(1)."}
         self.names = NUMBERS | {one["name"]: NUMBERS[one["type"]] for one in interface["choices"]}
         self.tagged = {one["name"] for section in ("structs", "handles") for one in interface[section]}
@@ -105,7 +104,7 @@ def number(header, item, kind, lvalue, path, wide):
 
 
 def visit(header, items, at, within, path, wide=False):
-    """The statements that list what is reached through items[at]."""
+    """The statements that list everything reached through items[at]."""
     item, lines = items[at], []
     lvalue = within + item.name
     label = f'torture_path({path}, "{item.name}")' if path else f'"{item.name}"'
@@ -121,7 +120,7 @@ def visit(header, items, at, within, path, wide=False):
         return []  # callbacks
     if item.sizes:
         return [f"for (size_t i = 0; i < {item.sizes[0]}; ++i) torture_slot(TORTURE_POINTER, &{lvalue}[i], {label});"]
-    # An array of handles may begin anywhere; what it holds then is no handle.
+    # An array of handles may begin anywhere; its misaligned elements are not handles.
     loose = item.type in ("void", "char", "uint8_t") and item.stars == 1 or item.stars == 2 and item.constant
     handle = item.stars == 1 and item.type + "_destroy" in header.destroyed
     kind = "HANDLE" if handle else "BYTES" if loose else "POINTER"
@@ -138,7 +137,7 @@ def visit(header, items, at, within, path, wide=False):
         kind = UNTYPED.get(item.name) if item.type == "void" else header.names.get(item.type)
         if kind == "SCALARS":
             told = any(one.name == "scalar" for one in items)
-            # Of what type values are, another struct says.
+            # Another struct gives the type of the values.
             untold = "TORTURE_U8" if item.name == "values" else "TORTURE_F64"
             kind = f"{within}scalar == GUSSET_F64 ? TORTURE_F64 : TORTURE_F32" if told else untold
         elif kind == "COUNT":
@@ -184,7 +183,7 @@ def extent(header, one):
 
 
 def size_of(header, given, one):
-    """What says how large an output is, if that is not fixed."""
+    """The expression for the size of an output, if the size is not fixed."""
     if header.versioned(one.type):
         return f"{one.name}->struct_size"
     return "count" if one.name != "written" and any(other.name == "count" for other in given[:given.index(one)]) else ""
@@ -220,7 +219,7 @@ def wrapper(header, result, name, given, declaration):
             lines.append(f"        struct {many.type} *made[64] = {{0}}, **const own = {many.name} && capacity <= 64 ? made : NULL;\n"
                          f"        if (own) {many.name} = made;")
         for one in given:
-            # Structs of their own, with garbage behind them: a size that is too large is a size beyond what is known.
+            # Copies of structs, with garbage behind them: a size that is too large covers unknown fields.
             if one.stars == 1 and header.versioned(one.type) and count_after(given, given.index(one), "") in "13":
                 lines.append(f"        {one.name} = ({'const ' if one.constant else ''}struct {one.type} *)torture_copy({one.name}, "
                              f"{one.name} ? {one.name}->struct_size : 0, sizeof *{one.name});")
@@ -253,7 +252,7 @@ def wrapper(header, result, name, given, declaration):
             if edited:
                 lines.append(f"            if (torture_told->phase >= TORTURE_ONE_ALLOCATION) torture_before = {hashed};")
             for one in cleared:
-                # What has no possible size is left as it is.
+                # An output with an impossible size stays unchanged.
                 sized = f" && {size_of(header, given, one)} == size_{one.name}" if size_of(header, given, one) else ""
                 lines.append(f"            const int soiled_{one.name} = {one.name} && {one.name} == own_{one.name}{sized};")
                 lines.append(f"            if (soiled_{one.name}) torture_soil({one.name}, {extent(header, one)});")
@@ -264,7 +263,7 @@ def wrapper(header, result, name, given, declaration):
                 part = f"{one.name}, {extent(header, one)}"
                 if one.type in NONE:
                     part = f"&{one.name}->{NONE[one.type]}, 0, sizeof {one.name}->{NONE[one.type]}"
-                # The number that is needed is told of a buffer that is too small.
+                # A buffer that is too small reports the size needed.
                 told = " && status != GUSSET_ERROR_BUFFER_TOO_SMALL" if one.type == "size_t" else ""
                 lines.append(f"            if (soiled_{one.name}{told}) torture_cleared(status, {part}, \"{one.name}\");")
         else:
@@ -287,7 +286,7 @@ def wrapper(header, result, name, given, declaration):
                          f"({many.type}_destroy)(made[i]);\n            }}")
         if fallible:
             for one in given:
-                # What is lent lies elsewhere each time, and the context is not of the call.
+                # Lent arrays have another address each time, and the context does not belong to the result.
                 if one.stars == 1 and not one.constant and header.versioned(one.type) and not header.has_pointers(one.type):
                     lines.append(f"            if ({one.name} && torture_told->phase >= TORTURE_ONE_ALLOCATION) "
                                  f"result = torture_hash(result, {one.name}, sizeof *{one.name});")
@@ -298,7 +297,7 @@ def wrapper(header, result, name, given, declaration):
 
 
 def write_source(header):
-    """Prints the file that is compiled: the wrappers, and what they need."""
+    """Prints the file to compile: the wrappers and their helpers."""
     print("/* Written by wrappers.py from gusset.h. */\n#include \"torture.h\"\n")
     for name in header.structs:
         print(f"static void visit_{name}(struct {name} *s, const char *path);")

@@ -1,5 +1,5 @@
-//! What holds of every computation: the same answer for any number of threads, progress that grows, and
-//! `Cancelled` whenever a step says so.
+//! Properties of every computation: equal answers for any number of threads, growing progress, and
+//! `Cancelled` if a step cancels.
 
 use gusset::{Error, Job, Progress, Result};
 use std::cell::Cell;
@@ -32,7 +32,8 @@ impl Progress for Steps {
     }
 }
 
-/// The answer of one thread; for some choices compared with that of two, or asked for again and cancelled.
+/// Returns the answer of one thread. For some choices it is compared with the answer of two
+/// threads, or the computation is repeated and cancelled.
 ///
 /// # Errors
 /// Those of `run`.

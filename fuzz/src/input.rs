@@ -10,8 +10,8 @@ use gusset::net::{Net, Shape, Sides, Topology};
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
 
-/// Makes the fields of a structure one after the other, as `derive(Arbitrary)` would. That one
-/// asks for features of `syn` that the library alone does not: tests/interface/features.rs.
+/// Makes the fields of a structure one after the other, as `derive(Arbitrary)` would. `arbitrary`
+/// would enable features of `syn` that the library does not: see tests/interface/features.rs.
 macro_rules! in_order {
     ($structure:ident { $($field:ident),+ }) => {
         impl<'a> arbitrary::Arbitrary<'a> for $structure {
@@ -28,7 +28,7 @@ pub(crate) use in_order;
 pub struct Soup {
     points: Vec<[i8; 3]>,
     faces: Vec<Vec<u8>>,
-    /// Of the unit: a power of two.
+    /// The scale of the unit: a power of two.
     scale: i8,
 }
 
@@ -119,7 +119,7 @@ impl<'a> Arbitrary<'a> for Cloud {
 const SPECIAL: [f64; 8] = [f64::NAN, f64::INFINITY, 1e150, -1e300, 1e-310, -0.0, 1e15, f64::MIN_POSITIVE];
 
 impl Point {
-    /// Where it is.
+    /// The origin.
     pub fn at(&self) -> DVec3 {
         // Some lie on a line, or in a plane with many others.
         let unit = if self.special.is_multiple_of(4) { 0.0 } else { f64::from(self.exponent / 4).exp2() };
@@ -168,7 +168,7 @@ impl SmallNet {
     }
 }
 
-/// What the bytes stand for.
+/// Values decoded from the bytes.
 pub fn taken<'a, T: Arbitrary<'a>>(bytes: &'a [u8]) -> Option<T> {
     T::arbitrary_take_rest(Unstructured::new(bytes)).ok()
 }

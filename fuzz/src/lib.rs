@@ -1,5 +1,5 @@
-//! Fuzzers without a fuzzer: what each target makes of bytes, and what must hold of the answers. libFuzzer
-//! chooses the bytes in `fuzz_targets`, fixed seeds do in the tests.
+//! The targets of the fuzzers: each decodes bytes to a case and checks the answers. libFuzzer
+//! chooses the bytes in `fuzz_targets`; the tests use fixed seeds.
 
 pub mod agree;
 pub mod input;
@@ -24,8 +24,8 @@ pub fn distance(p: DVec3, q: DVec3) -> f64 {
     x.hypot(y).hypot(z)
 }
 
-/// The bytes of case `number` of a target, for runs that are always the same, and for the first corpora:
-/// random ones, some with long stretches of equal bytes, as repeated points and equal copies are.
+/// The bytes of case `number` of a target, for repeatable runs and first corpora. They are random;
+/// some have long runs of equal bytes, which give repeated points and equal copies.
 pub fn seed_bytes(number: u64) -> Vec<u8> {
     // SplitMix64, G. Steele, D. Lea and C. Flood, Fast splittable pseudorandom number generators, 2014.
     let mut state = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -39,7 +39,7 @@ pub fn seed_bytes(number: u64) -> Vec<u8> {
     let mut bytes: Vec<u8> = Vec::with_capacity(length);
     while bytes.len() < length {
         match (next() % 8, bytes.len()) {
-            // What came before, again.
+            // A copy of earlier bytes.
             (0, before @ 16..) => bytes.extend_from_within(before - 16..),
             (1, _) => bytes.extend([0; 8]),
             _ => bytes.extend(next().to_le_bytes()),

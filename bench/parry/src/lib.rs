@@ -7,7 +7,7 @@ use parry3d_f64::query::{IntersectResult, PointQuery, Ray, RayCast};
 use parry3d_f64::shape::TriMesh;
 use std::slice;
 
-/// What a mesh is made of.
+/// The arrays of a mesh.
 pub struct Parts(Vec<Vector>, Vec<[u32; 3]>);
 
 /// Receives a point of the answer to question `k`.

@@ -1,5 +1,4 @@
-//! Pieces, some of them given twice, made one mesh: an error, or a valid mesh whose account of itself is that
-//! of the check.
+//! Joins pieces, some of them twice: an error, or a valid mesh whose report agrees with the check.
 
 use crate::agree::agreed;
 use crate::input::{self, Soup};

@@ -1,5 +1,6 @@
-//! Attributes through repairs and fills, of meshes with split vertices, too: weights of the sum 1, values of one
-//! source bit for bit, old corners at vertices that come from their own.
+//! Attributes through repairs and fills, also on meshes with split vertices: weights sum to 1,
+//! values of one source are kept bit for bit, old corners stay at vertices that come from their
+//! own.
 
 use crate::agree::agreed;
 use crate::input::{self, Soup};

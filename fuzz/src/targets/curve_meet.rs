@@ -1,5 +1,5 @@
-//! Two curves, or one and its equal copy: what they have in common is on both of them, and what is near is as
-//! far apart as it says.
+//! Two curves, or a curve and its copy: common points lie on both, and near points have the
+//! reported distance.
 
 use crate::agree::agreed;
 use crate::distance;

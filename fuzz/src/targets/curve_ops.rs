@@ -1,4 +1,4 @@
-//! What can be asked of a curve, of any curve: answers within their ranges, or errors.
+//! Queries of any curve: answers within their ranges, or errors.
 
 use crate::input;
 use crate::input::{Cloud, Point, places};

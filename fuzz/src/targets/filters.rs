@@ -1,5 +1,5 @@
-//! The filters of the plugin's table, with any inputs and values: an error, or outputs of the kinds that the
-//! table says, valid ones, whatever the threads, and `Cancelled` when cancelled.
+//! Runs the filters of the plugin's table with any inputs and values: an error, or valid outputs of
+//! the declared kinds for any number of threads, and `Cancelled` if cancelled.
 
 use crate::agree::agreed;
 use crate::input::{self, Cloud, Point, Soup, places};

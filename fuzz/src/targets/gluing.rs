@@ -1,5 +1,5 @@
-//! Nets glued by hand: the classes of nodes are those of a plain union of all pairs, Euler's formula holds for
-//! the complex, and no detection by coordinates glues more than was glued.
+//! Glues nets by hand: classes of nodes equal a plain union of all pairs, Euler's formula holds for
+//! the complex, and detection by coordinates glues no more than was glued.
 
 use crate::agree::agreed;
 use crate::input;
@@ -27,7 +27,7 @@ pub(crate) fn run(bytes: &[u8]) {
     let complex = agreed(choice, |job| Complex::of_topology(&glued, job)).expect("few nodes");
     let euler = complex.vertices as i64 - complex.edges as i64 + complex.faces() as i64;
     assert_eq!(euler, complex.euler_characteristic());
-    // A net glued to a point is none, nor is one with a point apart.
+    // Excludes a net glued to a point, and a net with a separate point.
     if complex.is_manifold() && complex.orientable && complex.components == 1 && complex.faces() > 0 {
         let genus = complex.genus().expect("a manifold has one") as i64;
         assert_eq!(euler, 2 * complex.components as i64 - 2 * genus - complex.boundary.len() as i64, "{gluings:?}");

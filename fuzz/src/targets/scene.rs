@@ -1,4 +1,4 @@
-//! Scenes edited in any way, beside a list of children for each group: the same children, no group within
+//! Edits scenes beside a plain list of children for each group: equal children, no group within
 //! itself, and as many instances as a walk along all paths finds.
 
 use crate::agree::agreed;

@@ -1,5 +1,5 @@
-//! Borders sewn: an error, or a valid mesh, no edge of which is free that was not, with maps that lead from old
-//! to new and back.
+//! Sews borders: an error, or a valid mesh without new free edges, and with maps between old and
+//! new elements.
 
 use crate::agree::agreed;
 use crate::input::{self, Soup};

@@ -1,5 +1,5 @@
-//! Surfaces through any nodes, and their nearest points: no node is nearer than the distance found
-//! says, nor the bound above it.
+//! Nearest points of surfaces through any nodes: no node is nearer than the reported distance, and
+//! the bound is at most the distance.
 
 use crate::distance;
 use crate::input;

@@ -1,4 +1,4 @@
-//! Welding at any tolerance, and orienting what comes of it: twice is once.
+//! Welds at any tolerance and orients the result: doing it twice changes nothing.
 
 use crate::input;
 use crate::input::Soup;
