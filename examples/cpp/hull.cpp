@@ -1,4 +1,4 @@
-// Draws the lines plan of a ship's hull from its stations, and a view of it with its silhouette:
+// Draws the lines plan of a ship's hull from its stations, and a view with its silhouette:
 //   hull stations.csv hull.svg hull_view.svg
 //   hull - hull.svg hull_view.svg              (a hull by formula)
 // The file is a table of offsets in metres: the columns station_i, waterline_j, x_m, y_half_breadth_m and z_m, a row for each point. x

@@ -82,7 +82,7 @@ struct Request {
     double draught = 0;
 };
 
-/// What is drawn.
+/// The drawing.
 struct Lines {
     Point3 low, high;
     std::vector<double> heights, halves, places;

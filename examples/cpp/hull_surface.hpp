@@ -22,7 +22,7 @@ inline Point3 cross(const Point3 &a, const Point3 &b) {
 }
 inline Point3 unit(const Point3 &a) { return (1 / std::sqrt(std::max(dot(a, a), 1e-300))) * a; }
 
-/// So many points at equal steps of a smooth curve through points.
+/// Samples a smooth curve through points at this many equal steps.
 inline Station faired(const Station &points, int count) {
     Station distinct;
     for (const Point3 &p : points) {

@@ -1,4 +1,4 @@
-// Draws smooth curves through the points of an outline, by each method, and how far these are from each other:
+// Draws smooth curves through the points of an outline by each method, and the distances between the curves:
 //   outline points.csv drawing.svg       (columns x and y; --columns names others)
 //   outline - drawing.svg                (an outline by formula, something like the cross section of a foot)
 #include <gusset.hpp>
@@ -23,7 +23,7 @@ struct Style {
     gusset::CurveKind kind;
     gusset::SectionMethod method;
 };
-// The first one is what the others are compared with.
+// The others are compared with the first curve.
 const Style styles[] = {
     {"bisector", "#b3400e", gusset::CurveKind::composite, gusset::SectionMethod::bisector},
     {"median", "#2f6db5", gusset::CurveKind::composite, gusset::SectionMethod::median},

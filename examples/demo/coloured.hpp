@@ -16,7 +16,7 @@ struct Coloured {
     bool has_vertex_colours = false, has_face_colours = false;
 };
 
-/// Throws where there is no such file, or it is none that OpenMesh reads.
+/// Throws if the file does not exist, or if OpenMesh cannot read it.
 Coloured read(const std::string &path);
 
 /// Both pieces and the strip between them, with colours; without the strip, both pieces.
@@ -27,11 +27,11 @@ struct Joined {
     bool is_coloured = false;
 };
 
-/// Colours of vertices if a piece has some, else of faces; `paints`: what faces of the left piece, of the right one and of the
-/// strip have where they have no colours of their own. New vertices have those of the rims that they are between.
+/// Colours of vertices if a piece has some, else of faces; `paints`: colours of faces of the left piece, the right
+/// piece and the strip that lack their own colours. New vertices get the colours of the rims beside them.
 Joined joined(const Coloured &left, const Coloured &right, const gusset::Stitch &stitch, const std::array<page::Colour, 3> &paints,
               bool with_strip);
 
-/// Writes STEM.ply where vertices have colours, for OpenMesh has no other format for them, else STEM.obj with its materials beside
-/// it. Returns its path.
+/// Writes STEM.ply if vertices have colours, because OpenMesh stores them in no other format; otherwise STEM.obj with
+/// its materials. Returns its path.
 std::string write(const HostMesh &mesh, bool has_vertex_colours, const std::string &stem);

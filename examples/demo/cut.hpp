@@ -7,16 +7,16 @@
 #include <optional>
 #include <vector>
 
-/// The faces between two planes, of which only those that hang together with the nearest one to a point.
+/// The faces between two planes that are connected with the face nearest to a point.
 struct Band {
     HostMesh::Point point, normal;
     double width;
 };
 
 struct Cut {
-    /// The larger shell, the smaller one, and what was between them.
+    /// The larger shell, the smaller shell, and the band between them.
     HostMesh left, right, removed;
-    /// Of each face of the mesh which of the three has it: 0, 1 or 2.
+    /// For each face of the mesh the part that has it: 0, 1 or 2.
     std::vector<uint8_t> part;
 };
 

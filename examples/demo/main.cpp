@@ -1,4 +1,4 @@
-// Stitches two open meshes: what is left of a real closed mesh when a band is taken out of it, or the user's own files. Prints a
+// Stitches two open meshes: the two parts of a real closed mesh without a band, or the user's files. Prints a
 // report, with CGAL as the judge, and writes the meshes and a showcase of them.
 #include "coloured.hpp"
 #include "cut.hpp"
@@ -80,7 +80,7 @@ double gap(const gusset::Stitch &stitch) {
     return sum / (0.5 * static_cast<double>(places.size()));
 }
 
-/// The strip against what was there: printed, and as the showcase's text and scale.
+/// Compares the strip with the removed band: printed, and as the showcase's text and scale.
 void compare(const HostMesh &original, const HostMesh &removed, const gusset::Stitch &stitch, page::Showcase &showcase) {
     const Input truth(removed);
     const Distances found = distances(stitch.strip(), truth.view());

@@ -7,7 +7,7 @@
 #include <vector>
 
 struct Distances {
-    /// Of each vertex.
+    /// One for each vertex.
     std::vector<double> at;
     /// By area, of points spread over the faces; the largest of those and of the vertices.
     double mean, max;

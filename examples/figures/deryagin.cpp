@@ -13,7 +13,7 @@ std::string tin(const std::string &file) {
     const gusset::Fill fill(torn.view(), pictures::faired_patch());
     const gusset::MeshView mesh = fill.mesh();
     std::vector<uint32_t> valence(mesh.vertex_count());
-    // Of a closed mesh of triangles as many faces as edges meet at a vertex.
+    // In a closed mesh of triangles, a vertex has as many faces as edges.
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         for (const uint32_t v : mesh.face(f)) {
             ++valence[v];
@@ -46,7 +46,7 @@ std::string tin(const std::string &file) {
     figure.label({220, 405}, "a TIN");
     figure.label({690, 405}, "a fragment of its net");
     figure.save(file);
-    // What was in the holes before has no face.
+    // The points within the holes lack faces.
     const auto unused = std::count(valence.begin(), valence.end(), 0u);
     const auto odd = std::count_if(valence.begin(), valence.end(), [](uint32_t n) { return n != 0 && n != 6; });
     return std::to_string(mesh.vertex_count() - static_cast<std::size_t>(unused)) + " vertices, " +
@@ -93,7 +93,7 @@ std::string forming(const std::string &file) {
     const double pi = 3.141592653589793;
     Figure figure(960, 430);
     std::string text;
-    // What is still long is drawn smaller.
+    // Long texts are drawn smaller.
     const auto row = [&](double y, const char *name, const gusset::Net &sheet, const gusset::Field &field,
                          const std::array<double, 5> &scales, const char *letter) {
         text += (text.empty() ? "" : "; ") + std::string(name) + " chi";
@@ -242,7 +242,7 @@ std::string bridges(const std::string &file) {
             const bool first = line + 1 + bridge.rows < bridge.at;
             return first ? pictures::blue : line < bridge.at ? pictures::green : pictures::ochre;
         });
-        // A thread has no faces: it is the edges of none.
+        // A thread lacks faces: its edges belong to no face.
         for (std::size_t k = 0; k + 1 < mesh.wires().size(); k += 2) {
             figure.curve({mesh.mesh().position(mesh.wires()[k]), mesh.mesh().position(mesh.wires()[k + 1])}, false,
                          green, 4, 0.05);

@@ -1,4 +1,4 @@
-// Deryagin, "Modelling of 3D objects and scenes by tetragonal regular networks": figures 4 to 6, what is glued.
+// Deryagin, "Modelling of 3D objects and scenes by tetragonal regular networks": figures 4 to 6, gluings.
 #include "net_drawing.hpp"
 
 #include <map>
@@ -17,7 +17,7 @@ std::string letters(const gusset::GluingOccurrence &found) {
 }
 } // namespace
 
-/// Fig. 4: the 18 local gluings in the paper's eight groups; above the net with its glued links, below what it becomes.
+/// Fig. 4: the 18 local gluings in the paper's eight groups; above the net with its glued links, below the glued net.
 std::string gluings(const std::string &file) {
     struct Panel {
         const char *letter;
@@ -60,7 +60,7 @@ std::string gluings(const std::string &file) {
             before.lines(figure, {blue, 1.2, ""});
             before.contracted(figure, net);
             if (type >= GluingType::falling) {
-                // Opposite corners are no link: the pair is a seam.
+                // Opposite corners are not a link: the pair is a seam.
                 for (const gusset::Seam &seam : net.seams()) {
                     figure.line({before.spot(seam.row_a, seam.column_a), before.spot(seam.row_b, seam.column_b)},
                                 {red, 3, "5 4"});

@@ -25,7 +25,7 @@ inline std::string tenths(double value) {
 inline std::string rgb(const Colour &c) {
     return "rgb(" + std::to_string(c[0]) + "," + std::to_string(c[1]) + "," + std::to_string(c[2]) + ")";
 }
-/// A number for the text of a figure, to so many places.
+/// Formats a number for the text of a figure, with this many decimals.
 inline std::string places(double value, int digits) {
     std::ostringstream text;
     text.setf(std::ios::fixed);
@@ -76,8 +76,8 @@ public:
         add("<circle cx='" + tenths(at[0]) + "' cy='" + tenths(at[1]) + "' r='" + tenths(radius) + "' fill='" +
             rgb(fill) + "' fill-opacity='" + tenths(opacity) + "'" + strokes(pen) + "/>\n");
     }
-    /// Letters on a ground of their own, so that lines may pass behind. What follows a '_' is lowered, up to a space
-    /// or another '_'.
+    /// Letters on a ground of their own, so that lines may pass behind. Text after a '_' is lowered, up to a space or
+    /// another '_'.
     void label(const Spot &at, const std::string &text, const char *anchor = "middle", double size = 15,
                const Colour &colour = ink) {
         const std::string head = "<text x='" + tenths(at[0]) + "' y='" + tenths(at[1]) + "' text-anchor='" + anchor +
@@ -154,7 +154,7 @@ private:
     }
 };
 
-/// What a figure is: draws it into a file, and says what its numbers are.
+/// A figure: draws itself into a file, and prints its numbers.
 using Draw = std::string (*)(const std::string &file);
 struct Entry {
     const char *name;

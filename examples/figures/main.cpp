@@ -1,6 +1,5 @@
-// Draws the figures of the four papers, each by the calls of the library that do what it shows, into a folder:
-//   figures FOLDER
-// and says of each what its numbers are. The same bytes each time.
+// Draws the figures of the four papers into a folder, each by the library's functions, and prints their numbers:
+// figures FOLDER The same bytes each time.
 #include "figure.hpp"
 
 #include <iostream>

@@ -115,7 +115,7 @@ std::string chords(const std::string &file) {
                     {method.colour, 2.2, ""});
         figure.label({117 + 130 * static_cast<double>(m), y}, method.name, "start", 14);
     }
-    // Control points of one cubic through all, after so many cycles.
+    // Control points of one cubic through all points, after this many cycles.
     gusset::OutlineOptions options;
     options.curve = gusset::CurveKind::single;
     options.method = SectionMethod::normal;

@@ -168,7 +168,7 @@ std::string facing(const std::string &file) {
     return text;
 }
 
-/// Two lines in space, of so many points.
+/// Two lines in space, with these numbers of points.
 std::array<std::vector<Point3>, 2> lines(std::size_t n, std::size_t m) {
     std::array<std::vector<Point3>, 2> made;
     for (std::size_t i = 0; i < n; ++i) {

@@ -16,7 +16,7 @@ public:
             }
         }
     }
-    /// Where they are, `scale` units of the picture for one of space. The first row is above.
+    /// Places in the picture; `scale` is the length of a unit of space. The first row is above.
     Grid(const gusset::Net &net, const Spot &middle, double scale) : Grid(net.rows(), net.columns(), middle, 0) {
         const double sign = net.at(0, 0)[1] <= net.at(rows_ - 1, 0)[1] ? 1 : -1;
         for (std::size_t k = 0; k < spots_.size(); ++k) {
@@ -86,7 +86,7 @@ private:
     std::vector<Spot> spots_;
 };
 
-/// Figures 4 to 6 of Deryagin's paper, what is glued, in deryagin_gluing.cpp.
+/// Figures 4 to 6 of Deryagin's paper, the gluings, in deryagin_gluing.cpp.
 std::string gluings(const std::string &file);
 std::string closures(const std::string &file);
 std::string cube(const std::string &file);

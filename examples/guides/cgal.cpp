@@ -42,7 +42,7 @@ int main() {
     //! [judge]
 
     //! [map]
-    // A property of your own goes along by the maps.
+    // The maps carry your own property over.
     auto piece = joined.add_property_map<Mesh::Face_index, int>("f:piece", 0).first;
     for (const int mesh : {0, 1}) {
         for (const uint32_t face : stitch.face_map(mesh)) {

@@ -32,7 +32,7 @@ static bool two_meshes(const Mesh &left, const Mesh &right) {
 
 static bool one_mesh(Mesh mesh) {
     //! [holes]
-    // Deleted elements are skipped; what the strip adds keeps the handles and properties of the rest.
+    // Deleted elements are skipped. Appending the strip keeps all handles and properties.
     const gusset::openmesh::Input input(mesh);
     const gusset::Boundary loops(input.view());
     if (loops.size() >= 2) {

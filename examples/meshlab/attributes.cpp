@@ -26,11 +26,11 @@ bool is_finite(const Point3f &p) { return std::isfinite(p[0]) && std::isfinite(p
 bool is_finite(const Color4b &) { return true; }
 bool is_finite(short) { return true; }
 
-/// Texture coordinates, and as a third one the texture, times so much: coordinates in different textures are never
-/// taken for one chart then, however near they are.
+/// Texture coordinates, with the scaled index of the texture as a third: coordinates in different textures then never
+/// form one chart.
 constexpr float APART = 1e6f;
 constexpr short NO_TEXTURE = -1;
-/// What MeshLab has for faces without a texture.
+/// MeshLab's value for faces without a texture.
 const Point3f nowhere(0.5f, 0.5f, APART *NO_TEXTURE);
 
 Point3f coordinates(const CMeshO::FaceType::TexCoordType &from, short texture) {
@@ -61,7 +61,7 @@ public:
         if (own >= 0 && static_cast<std::size_t>(own) < numbers.size()) {
             return numbers[static_cast<std::size_t>(own)];
         }
-        // Without any names it may be that of a texture still to be made.
+        // Without any names, the index may belong to a texture that does not exist yet.
         return names_.empty() ? own : NO_TEXTURE;
     }
 
@@ -76,9 +76,9 @@ public:
     Carrier(const Inputs &inputs, const Outputs &outputs, std::uint32_t index)
         : inputs_(inputs), outputs_(outputs), index_(index) {}
 
-    /// The values of a domain's elements. `get(mesh, element, input)` reads those of layers that have `what`, a
-    /// MeshModel::MM_..., where elements are vertices, triangles, or wedges, three to a triangle. Other layers, and
-    /// what comes from nothing, have `blank`. None if no layer has it.
+    /// The values of a domain's elements. `get(mesh, element, input)` reads the values of layers that have `what`, a
+    /// MeshModel::MM_... Elements are vertices, triangles, or wedges, three to a triangle. Other layers, and
+    /// what comes from nothing, have `blank`. Empty if no layer has it.
     template <class T, class Get>
     std::vector<T> carried(int what, std::uint32_t domain, std::uint32_t rule, const T &blank, Get get) const {
         std::vector<std::vector<T>> values;
@@ -114,7 +114,7 @@ public:
     }
 
 private:
-    /// The elements of the layer that those of the input are.
+    /// For each element of the input its element in the layer.
     std::vector<std::size_t> elements_of(std::size_t input, std::uint32_t domain) const {
         const Polygons &faces = inputs_.faces(input);
         if (inputs_.list()[input].kind != GUSSET_KIND_MESH) {
@@ -126,7 +126,7 @@ private:
         const bool vertices = domain == GUSSET_PLUGIN_VERTICES;
         std::vector<std::size_t> elements(vertices ? inputs_.layer(input).cm.vert.size() : faces.offsets.size() - 1);
         for (std::size_t k = 0; k < elements.size(); ++k) {
-            // A polygon has what the triangle at its first corner has.
+            // A polygon takes the values of the triangle at its first corner.
             elements[k] = vertices ? k : faces.wedges[faces.offsets[k]] / 3;
         }
         return elements;

@@ -1,4 +1,4 @@
-// What layers carry beside positions and faces, which are all that filters know of.
+// Attributes of layers beside the positions and faces that filters process.
 #pragma once
 
 #include "layers.hpp"
@@ -12,19 +12,19 @@
 /// output may replace an input.
 class Attributes {
 public:
-    /// None if the plugin does not tell where the elements of the output come from.
+    /// Empty if the plugin does not report the origins of the output.
     Attributes(const Inputs &inputs, const Outputs &outputs, std::uint32_t index);
 
     /// Gives them to a layer that the output was put into, cut into these triangles.
     void put(MeshModel &layer, const Triangles &triangles) const;
 
 private:
-    /// Those that any input has, MeshModel::MM_...; the others have no values below.
+    /// The attributes that an input has, MeshModel::MM_...; the arrays of other attributes are empty.
     int which_ = 0;
     std::vector<std::string> textures_;
     std::map<std::string, QImage> images_;
 
-    // Of vertices, of faces and of their corners.
+    // Values of vertices, of faces and of their corners.
     std::vector<vcg::Color4b> vertex_colours_, face_colours_;
     std::vector<Scalarm> vertex_qualities_, face_qualities_;
     std::vector<vcg::Point3f> vertex_coordinates_, corner_coordinates_;

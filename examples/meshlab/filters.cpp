@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Filters of more inputs than this take all visible layers; those of fewer have a parameter for each.
+/// Filters with more inputs take all visible layers; filters with fewer have a parameter for each.
 constexpr std::uint32_t NAMED_INPUTS = 8;
 
 QString text(const char *utf8) { return QString::fromUtf8(utf8); }
@@ -39,7 +39,8 @@ QVariant number(double value) {
     return whole ? QVariant(static_cast<int>(value)) : QVariant(value);
 }
 
-/// For each input a layer that fits: the current one where it does, then visible ones, then others. Fewer if there are
+/// For each input a layer of the right kind: the current one if it fits, then visible ones, then others. Fewer if
+/// there are
 /// none.
 std::vector<const MeshModel *> candidates(const gusset_filter &filter, const MeshDocument &document) {
     std::vector<const MeshModel *> layers, found;
@@ -126,7 +127,7 @@ FilterPlugin::FilterArity GussetFilters::filterArity(const QAction *action) cons
 
 int GussetFilters::getPreConditions(const QAction *action) const {
     const gusset_filter &of = filter(action);
-    // It is the current layer that is looked at: where layers are chosen, a run says what is missing.
+    // Only the current layer is checked; if layers are chosen by parameters, a run reports missing ones.
     const bool faces = of.min_inputs == 1 && of.max_inputs == 1 && input_kind(of, 0) == GUSSET_KIND_MESH;
     return faces ? MeshModel::MM_FACENUMBER : MeshModel::MM_NONE;
 }
@@ -254,7 +255,7 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
             counts["edges"] = layer->cm.en;
             counts["faces"] = layer->cm.fn;
         }
-        // What is told of the layer is so whatever the report calls the same.
+        // Values of the layer replace values of one name in the report.
         counts.insert(numbers.begin(), numbers.end());
         return counts;
     } catch (const std::runtime_error &error) {

@@ -14,8 +14,7 @@ class GussetFilters : public QObject, public FilterPlugin {
 public:
     GussetFilters();
 
-    /// Throws MLException if there is no plugin to wrap: this is what a host asks first, and where it expects to be
-    /// told.
+    /// Throws MLException if the plugin cannot be loaded. A host calls it first, and reports the exception.
     std::pair<std::string, bool> getMLVersion() const override;
     QString pluginName() const override;
     QString vendor() const override;

@@ -41,7 +41,7 @@ Polygons faces_of(const gusset_plugin_mesh &mesh) {
     return faces;
 }
 
-/// Vertices and faces of a mesh, and what they carry, into one that is empty.
+/// Copies vertices and faces of a mesh, with their attributes, into an empty one.
 void build(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &faces, const Attributes &attributes) {
     vcg::tri::Allocator<CMeshO>::AddVertices(layer.cm, mesh.vertex_count);
     for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
@@ -55,7 +55,7 @@ void build(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &fac
     layer.updateBoxAndNormals();
 }
 
-/// Takes everything out of a layer, and with it what is known of its elements.
+/// Removes all elements of a layer, with their attributes.
 void empty(MeshModel &layer) {
     const int always = MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_VERTFLAG |
                        MeshModel::MM_FACEVERT | MeshModel::MM_FACENORMAL | MeshModel::MM_FACEFLAG |

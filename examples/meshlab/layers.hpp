@@ -19,7 +19,7 @@ public:
     /// Adds a layer as an input of this kind. Its vertices stay where they are if the layer lies as the first one does.
     void add(const MeshModel &model, std::uint32_t kind);
 
-    /// What run and suggest take; valid until the next add.
+    /// The inputs for run and suggest; valid until the next add.
     const std::vector<gusset_input> &list() const { return list_; }
     const MeshModel &layer(std::size_t input) const { return *held_[input].layer; }
     /// The faces of an input that is a mesh; else none.

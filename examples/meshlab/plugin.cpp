@@ -132,7 +132,7 @@ std::vector<std::pair<std::string, double>> Outputs::values(std::uint32_t index)
 
 std::vector<double> suggested(const gusset_filter &filter, const std::vector<gusset_input> &inputs) {
     std::vector<double> values(filter.value_count);
-    // After a failure they are the plain defaults, and a run will say what is wrong.
+    // After a failure they are the plain defaults, and the run reports the error.
     (void)filter.suggest(&filter, inputs.data(), static_cast<std::uint32_t>(inputs.size()), values.data());
     return values;
 }

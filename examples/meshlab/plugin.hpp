@@ -16,7 +16,7 @@ public:
     /// Looks for `path`, or for a file of its name in the folder of this library.
     explicit Plugin(const std::string &path);
 
-    /// Why there is no plugin; empty if there is one.
+    /// Why the plugin was not loaded; empty if it was.
     const std::string &error() const { return error_; }
     /// NULL if there is none.
     const gusset_plugin *tables() const { return tables_; }
@@ -28,7 +28,7 @@ private:
     std::string error_;
 };
 
-/// What the host wants to hear of a run.
+/// Callbacks of the host during a run.
 struct Listener {
     /// False cancels.
     std::function<bool(double fraction, const char *stage)> progress;
@@ -53,7 +53,7 @@ public:
     bool has_origins(std::uint32_t index) const;
     /// Where the output's elements of a GUSSET_PLUGIN_... domain come from, if it tells.
     gusset_plugin_origins origins(std::uint32_t index, std::uint32_t domain) const;
-    /// Writes the values of the output's elements, `count` of them, packed, mixed from those of the inputs' elements.
+    /// Writes packed values of the `count` elements of the output, interpolated from the elements of the inputs.
     void carry(std::uint32_t index, const gusset_plugin_channel &channel,
                const std::vector<gusset_plugin_channel_values> &inputs, void *values, std::size_t count) const;
 
@@ -61,7 +61,7 @@ public:
     std::vector<std::pair<std::string, double>> values(std::uint32_t index) const;
 
 private:
-    /// NULL if the plugin has no such functions.
+    /// NULL if the plugin lacks these functions.
     const gusset_plugin_attributes *attributes() const {
         return static_cast<const gusset_plugin_attributes *>(plugin_.extension("attributes/1"));
     }

@@ -2,8 +2,7 @@
 
     python3 try.py build/meshlab/libgusset_meshlab.so
 
-Needs pymeshlab of the MeshLab version that the wrapper was built for, and numpy. Ends with an error if a result is not
-what it must be.
+Needs pymeshlab of the MeshLab version that the wrapper was built for, and numpy. Exits with an error if a result is wrong.
 """
 
 import os
@@ -60,7 +59,7 @@ def tube(low, high, sides=24, rings=4):
 
 
 def steps(count):
-    """A colour of its own for each of so many elements, one of the 256 steps in each part."""
+    """A distinct colour for each of this many elements, with 256 steps in each component."""
     k = np.arange(count)
     return np.stack([k % 256, 7 * k % 256, 255 - k % 256, 255 - 3 * k % 256], axis=1) / 255.0
 
@@ -91,7 +90,7 @@ def joined_colours():
            mesh.has_wedge_tex_coord() or mesh.has_vertex_tex_coord(), False)
 
     print("\nA cup without colours counts as white:")
-    # PyMeshLab's own meshes have colours in any case, those of files if the files have them.
+    # PyMeshLab's own meshes always have colours; meshes of files only if the files have them.
     scene.set_current_mesh(1)
     scene.save_current_mesh("plain.ply", save_vertex_color=False, save_vertex_quality=False)
     scene.load_new_mesh("plain.ply")

@@ -1,4 +1,5 @@
-// What showcase.hpp wrote, read: arrays as differences in planes of bytes, and what the meshes need beside them to be drawn.
+// Reads the files of showcase.hpp: arrays as differences in planes of bytes, and the data that drawing the meshes
+// needs.
 
 /** The bytes of a script element: base64 of a gzip stream. */
 async function unpacked(id) {
@@ -34,7 +35,7 @@ function decoded(buffer, body) {
     }
   }
   const corners = elements(buffer, body.corners);
-  // Vertices of faces; others do not count for what is to be seen.
+  // Vertices of faces; other vertices do not affect the view.
   const used = new Uint8Array(count);
   corners.forEach((v) => {
     used[v] = 1;
@@ -92,7 +93,7 @@ function normalsOf({ points, corners, first, paint }, hidden) {
   return normals;
 }
 
-/** Of each paint its triangles, three corners each, the faces that they are of, and the edges of its faces. */
+/** For each paint its triangles, three corners each, their faces, and the edges of these faces. */
 function partsOf({ corners, first, paint }, paints, hidden) {
   const parts = paints.map(() => ({ triangles: [], faces: [], edges: [] }));
   const seen = paints.map(() => new Set());

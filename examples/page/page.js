@@ -1,4 +1,4 @@
-// The page: what its controls say, and the part of the address after # says, is what the view shows.
+// The page: its controls, and the part of the address after #, select the view.
 //   #show=ID  pair=0  slider=0..1  side=1  wire=1  distance=0  look=near  eye=x,y,z  zoom=1.2  theme=dark
 //   plain=1: nothing but the meshes; named=1: with the names of the states
 
@@ -106,7 +106,7 @@ async function start() {
     redraw();
   };
 
-  /** What the address says. */
+  /** The selection in the address. */
   const read = () => {
     const given = new URLSearchParams(location.hash.slice(1));
     const body = document.body.classList;

@@ -1,4 +1,5 @@
-// Showcases for the page that scripts/page.py makes: meshes in several states, which a reader turns and compares. write() puts
+// Showcases for the page by scripts/page.py: meshes in several states, which a reader rotates and compares. write()
+// puts
 // what describes them into NAME.json and their arrays into NAME.bin, in the form that page.js reads: each array of elements of
 // k bytes as differences to the element before, modulo 2^(8 k), all lowest bytes first, so that it compresses well.
 #pragma once
@@ -18,11 +19,11 @@ namespace page {
 using gusset::Point3;
 using Colour = std::array<uint8_t, 3>;
 
-/// What some of the faces are made of.
+/// The material of some faces.
 struct Paint {
     std::string name, colour;
     double metalness = 0, roughness = 0.55;
-    /// Of new faces: they keep this paint where the body has colours of its own, and show its distances.
+    /// New faces: they keep this paint if the body has its own colours, and show distances.
     bool joint = false;
 };
 
@@ -34,15 +35,15 @@ struct Curve {
     double radius;
 };
 
-/// A mesh with what is drawn on it.
+/// A mesh with its drawing.
 struct Body {
     std::vector<Point3> points;
     std::vector<uint32_t> sizes, corners;
-    /// Of each face the index of its paint.
+    /// For each face the index of its paint.
     std::vector<uint8_t> paint;
     /// Colours of its own, of each vertex or of each face, in place of the paints'. Or none.
     std::vector<Colour> vertex_colours, face_colours;
-    /// Of each vertex its distance; negative: none. Or none at all.
+    /// For each vertex its distance; negative: none. Or none at all.
     std::vector<double> distances;
     std::vector<Curve> curves;
 
@@ -70,7 +71,7 @@ struct State {
     std::size_t body;
     /// Paints whose faces are not there.
     std::vector<std::size_t> hidden = {};
-    /// What is to be said of it under the picture: how it was made, how far off it is.
+    /// The text under the picture: its origin and its error.
     std::string note = {};
 };
 
@@ -81,11 +82,12 @@ struct Showcase {
     std::vector<State> states;
     /// Pairs of states to compare, the first one to begin with.
     std::vector<std::array<std::size_t, 2>> pairs;
-    /// The direction to the eye, what is up, and the place for a close look: its middle, its radius, the direction to the eye.
+    /// The direction to the eye, the up vector, and the close-up: its centre, its radius, the direction to the eye.
     Point3 eye, up;
     Point3 near_centre, near_eye;
     double near_radius = 0;
-    /// The distance at the end of the scale, in the unit of the points; what it is there in the unit of the legend; that unit.
+    /// The distance at the end of the scale in the unit of the points and in the unit of the legend, and the latter
+    /// unit.
     double distance_limit = 0, distance_shown = 0;
     std::string distance_unit;
 };

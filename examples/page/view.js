@@ -104,7 +104,7 @@ class View {
     this.states = [];
   }
 
-  /** Shows a showcase, whose bodies are decoded, in place of what was shown. */
+  /** Shows a showcase with decoded bodies, in place of the current one. */
   show(showcase, bodies) {
     for (const state of this.states) {
       state.traverse((object) => {
@@ -222,7 +222,8 @@ class View {
   /** Draws two states: each in a half of its own, or one to the left and one to the right of a line at `share` of the width. */
   draw(left, right, share, isSideBySide) {
     const { renderer, width, height } = this;
-    // The light comes from above the reader's left shoulder, and its shadows are as fine as what is looked at allows.
+    // The light comes from above the reader's left shoulder; the resolution of its shadows follows the size of the
+    // view.
     const { target } = this.controls, distance = this.camera.position.distanceTo(target);
     const reach = Math.min(this.ball.radius + this.ball.center.distanceTo(target), 0.45 * distance);
     this.camera.updateMatrixWorld();

@@ -38,7 +38,7 @@ public:
     /// The place in the picture where the origin of space is from now on.
     void place(double x, double y) { x_ = x, y_ = y; }
 
-    /// Seen from elsewhere from now on, in front of what was drawn.
+    /// Changes the viewpoint for later drawing, in front of earlier drawing.
     void look(const Point3 &eye, double scale) {
         flush();
         eye_ = unit(eye), right_ = unit(cross({0, 0, 1}, eye_)), up_ = cross(eye_, right_), scale_ = scale;
@@ -47,7 +47,7 @@ public:
     /// Where a point of space is in the picture.
     std::array<double, 2> at(const Point3 &p) const { return {x_ + scale_ * dot(p, right_), y_ - scale_ * dot(p, up_)}; }
 
-    /// An element of SVG, in front of what was drawn.
+    /// An element of SVG, in front of earlier drawing.
     void add(const std::string &element) {
         flush();
         body_ += element;
@@ -61,8 +61,8 @@ public:
         });
     }
 
-    /// A mesh with a texture of checks, `checks` of them to a unit of its coordinates, which are those of its corners;
-    /// odd checks in the darker colour of two.
+    /// A mesh with a checked texture, `checks` to a unit of the corners' texture coordinates; odd checks have the
+    /// darker colour.
     void textured(const gusset::MeshView &mesh, const std::vector<std::array<double, 2>> &coordinates, double checks,
                   const std::array<Colour, 2> &colours) {
         faces(mesh, [&](std::size_t f, const std::vector<Point3> &corners, double lit) {
@@ -92,7 +92,8 @@ public:
         });
     }
 
-    /// A curve, drawn with what it lies on; `nearer`: how far it is lifted towards the eye, so that the faces it lies on do not hide it.
+    /// A curve, drawn with its surface; `nearer`: how far it is lifted towards the eye, so that the faces it lies on
+    /// do not hide it.
     void curve(const std::vector<Point3> &points, bool closed, const Colour &colour, double width, double nearer) {
         for (std::size_t k = 0; k + (closed ? 0 : 1) < points.size(); ++k) {
             const std::vector<Point3> piece{points[k], points[(k + 1) % points.size()]};
@@ -110,7 +111,7 @@ public:
         captions_ += line.str();
     }
 
-    /// What was drawn since the last call goes behind what will be drawn.
+    /// Puts the drawing since the last call behind later drawing.
     void flush() {
         std::stable_sort(painted_.begin(), painted_.end(), [](const Painted &a, const Painted &b) { return a.depth < b.depth; });
         for (const Painted &one : painted_) {
@@ -155,7 +156,7 @@ private:
         return made;
     }
 
-    /// What of a polygon is beyond a line, or before it if `side` is -1.
+    /// The part of a polygon beyond a line, or before it if `side` is -1.
     static std::vector<Textured> clipped(const std::vector<Textured> &polygon, std::size_t axis, double line, double side) {
         std::vector<Textured> made;
         for (std::size_t k = 0; k < polygon.size(); ++k) {

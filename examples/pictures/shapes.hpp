@@ -31,7 +31,8 @@ inline Mesh shell(uint32_t sides, uint32_t rings, double up, double gap) {
     return mesh;
 }
 
-/// Coordinates on a texture that is wrapped once round the z axis, for each corner; a face at the end of it goes on beyond 1.
+/// Texture coordinates of each corner on a texture wrapped once around the z axis; a face at its end extends beyond
+/// 1.
 using Pair = std::array<double, 2>;
 inline std::vector<Pair> coordinates_of(const Mesh &mesh, double shift, double stretch) {
     const double turn = 6.283185307179586;

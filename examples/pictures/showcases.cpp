@@ -94,7 +94,7 @@ page::Showcase filled() {
         const std::size_t old = torn.corners.size() / 3;
         page::Body &body = show.bodies.emplace_back();
         body.add(fill.mesh(), [&](std::size_t f) { return f < old ? 0 : 1; });
-        // The other one has no new vertices to measure.
+        // The other one lacks new vertices to measure.
         for (std::size_t v = 0; is_fair && v < body.points.size(); ++v) {
             body.distances.push_back(std::abs(std::sqrt(dot(body.points[v], body.points[v])) - 1));
             largest = std::max(largest, body.distances.back());

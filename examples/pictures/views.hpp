@@ -1,4 +1,4 @@
-// What a scanner sees of a body from several sides: range images, each in a frame that is a little off.
+// Range images of a body from several sides, each in a slightly displaced frame.
 #pragma once
 
 #include "shapes.hpp"
@@ -45,7 +45,7 @@ inline gusset::Net range_image(const Point3 &from, std::size_t n) {
     return gusset::Net::from_points(n, n, points);
 }
 
-/// A small turn about a slanted axis, and a shift: those of view k.
+/// The small rotation about a slanted axis, and the shift, of view k.
 inline gusset::Transform misplaced(std::size_t k) {
     const double angle = k == 0 ? 0 : 0.07, phase = 1.3 * static_cast<double>(k);
     const Point3 axis = unit({std::sin(phase), std::cos(2 * phase), std::cos(phase)});
@@ -71,7 +71,7 @@ inline void move(std::vector<Point3> &points, const gusset::Transform &by) {
     }
 }
 
-/// Five views of the body, each misplaced but for the first.
+/// Five views of the body, all displaced except the first.
 inline std::vector<Mesh> misplaced_views() {
     gusset::NetMeshOptions triangles;
     triangles.faces = gusset::NetFaces::triangles_shorter;

@@ -28,7 +28,7 @@ static void colours_across_a_strip(void) {
     MUST(gusset_result_origins_create(NULL, stitch, &origins));
     gusset_result_destroy(stitch);
     MUST(gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &vertices));
-    /* Old vertices have one source, themselves; those of the row two, one on each rim. */
+    /* Old vertices have one source, themselves. Vertices of the row have two, one on each rim. */
     HOLDS(vertices.starts.count == 3 && vertices.starts.data[1] == 5 && vertices.starts.data[2] == 10);
     HOLDS(vertices.sources.data[7] == 7 && vertices.weights[7] == 1.0);
     HOLDS(vertices.offsets.data[11] - vertices.offsets.data[10] == 2 && vertices.weights[10] == 0.5);
@@ -43,7 +43,7 @@ static void colours_across_a_strip(void) {
 //! [fill]
 static void texture_coordinates_in_a_hole(void) {
     const gusset_mesh_view mesh = pyramid(up);
-    /* Of corners, so that a vertex may have others in another face. */
+    /* At corners, so that a vertex may have different values in other faces. */
     double given[12][2];
     const gusset_channel channel = {.struct_size = sizeof channel,
                                     .domain = GUSSET_DOMAIN_CORNERS,
@@ -91,7 +91,7 @@ static void materials_of_pieces(void) {
     MUST(gusset_join(NULL, pieces, 2, NULL, &assembly));
     MUST(gusset_result_origins_create(NULL, assembly, &origins));
     MUST(gusset_attributes_apply(NULL, origins, &materials, given, 2, made, 16, 0));
-    /* The strip's faces have the material of the piece that they hang on. */
+    /* The strip's faces have the material of the piece beside them. */
     for (f = 0; f < 16; ++f) {
         of_wood += made[f] == 3;
     }

@@ -1,4 +1,4 @@
-/* Curves: outlines, sections, frames, and what is asked and made of curves of Bezier segments. */
+/* Curves: outlines, sections, frames, and queries and operations of curves of Bezier segments. */
 #include "example.h"
 
 /* Points of a circle of radius 1 about (0, 0, height). */
@@ -159,7 +159,8 @@ static void what_curves_are(const gusset_curve *arch) {
     gusset_curve_measures measures = {.struct_size = sizeof measures};
     gusset_place place;
 
-    /* The point (1, 1), and the first derivative there; direction and curvature. NULL for what is not wanted. */
+    /* The point (1, 1), and the first derivative there; direction and curvature. NULL for outputs that are not
+       needed. */
     MUST(gusset_curve_evaluate(NULL, arch, &top, 1, 1, derivatives, tangent, &curvature));
     HOLDS(derivatives[0] == 1.0 && derivatives[1] == 1.0 && derivatives[3] == 2.0 && derivatives[4] == 0.0);
     HOLDS(about(tangent[0], 1.0) && about(curvature, -0.5)); /* it turns to the right */

@@ -1,4 +1,4 @@
-/* What the examples of the reference share: calls that must succeed, facts that must hold, and a mesh to begin with. */
+/* Shared by the examples of the reference: calls that must succeed, facts that must hold, and a first mesh. */
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 
@@ -29,7 +29,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Whether two numbers are the same but for rounding. */
+/* Whether two numbers are equal except for rounding. */
 static inline int about(double a, double b) {
     return fabs(a - b) <= 1e-9 * (1.0 + fabs(a) + fabs(b));
 }

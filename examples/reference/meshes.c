@@ -1,4 +1,4 @@
-/* Meshes: what is loaded, contexts, loops, tables, checks, welding, sewing, orientation. */
+/* Meshes: the version, contexts, loops, tables, checks, welding, sewing, orientation. */
 #include "example.h"
 
 /* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from outside. */
@@ -49,7 +49,7 @@ static void a_context(void) {
     gusset_boundary_destroy(boundary);
     HOLDS(steps > 0 && gusset_context_get_progress(context) == 1.0);
 
-    /* What went wrong, for people and for programs. */
+    /* The error, for people and for programs. */
     wrong.face_corners = beyond;
     HOLDS(gusset_boundary_create(context, &wrong, NULL, &boundary) == GUSSET_ERROR_INDEX_OUT_OF_RANGE);
     HOLDS(strlen(gusset_context_get_message(context)) > 0);
@@ -103,7 +103,7 @@ static void loops(void) {
         MUST(gusset_boundary_get_loop(boundary, i, &loop));
         HOLDS(loop.flags == 0 && loop.vertices.count == 4 && about(loop.length, 4.0 * sqrt(2.0)));
     }
-    /* The mesh has no defects. */
+    /* The mesh lacks defects. */
     HOLDS(all.defect_count == 0);
     gusset_boundary_destroy(boundary);
 }

@@ -123,7 +123,7 @@ static void glued(void) {
     HOLDS(moved == 2);
     gusset_net_destroy(net);
 
-    /* What was glued is forgotten, and found again from the coordinates. */
+    /* Removes the gluing, and detects it again from the coordinates. */
     MUST(gusset_net_set_gluing(NULL, ball, &none));
     MUST(gusset_net_glue(NULL, ball, &by_place, NULL));
     MUST(gusset_net_get_gluing(ball, NULL, 0, NULL, 0, &report));

@@ -86,12 +86,12 @@ static void pieces_that_are_far_apart(void) {
     pieces[1] = scan(&second, 0.35, 0.0, 9.0);
     MUST(gusset_alignment_create(NULL, pieces, 2, NULL, &alignment));
     MUST(gusset_alignment_get_view(alignment, &found));
-    /* That is no error: the second piece stays, and is not trusted. */
+    /* This is not an error: the second piece stays, and is not trusted. */
     HOLDS(found.pieces[1].reason == GUSSET_ALIGNED_NO_OVERLAP && found.overlap_count == 0);
     HOLDS(about(found.pieces[1].pose.rows[0], 1.0) && about(found.pieces[1].pose.rows[3], 0.0));
     gusset_alignment_destroy(alignment);
 
-    /* If more is known of where it is, the rest is found. */
+    /* With a better start, its pose is found. */
     MUST(gusset_alignment_create(NULL, pieces, 2, &from_there, &alignment));
     MUST(gusset_alignment_get_view(alignment, &found));
     HOLDS(found.pieces[1].reason == GUSSET_ALIGNED_TRUSTED && fabs(found.pieces[1].pose.rows[3] + 9.0) < 1e-2);

@@ -54,7 +54,7 @@ static void two_loops_joined(void) {
     MUST(gusset_result_get_stitch(stitch, &parts));
     MUST(gusset_result_get_quality(stitch, &quality));
     HOLDS(quality.loops_left == 0 && quality.orientation_conflicts == 0);
-    /* The faces of A, those of B, then the strip; old vertices keep their bits. */
+    /* The faces of A, the faces of B, then the strip; old vertices keep their bits. */
     HOLDS(parts.strip_face_first == 8 && whole.face_count == 8 + strip.face_count);
     HOLDS(memcmp(whole.positions, up, sizeof up) == 0);
     /* Each new vertex has parents on the rims: in a row the ends of its meridian, the second one twice. */

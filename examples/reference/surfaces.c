@@ -1,4 +1,4 @@
-/* Smooth surfaces: sheets, surfaces, and what is asked of them. */
+/* Smooth surfaces: sheets, surfaces, and queries. */
 #include "example.h"
 
 enum { ROWS = 9, COLUMNS = 13 };
@@ -42,7 +42,7 @@ static gusset_surface *indexed(const gusset_sheet *sheet) {
     return surface; /* it keeps what it needs: the sheet may be destroyed */
 }
 
-/* What was found with a surface stays when it is destroyed. */
+/* Results stay valid when their surface is destroyed. */
 static void found_and_kept(const gusset_sheet *sheet) {
     const double query[3] = {2, 0, 1};
     gusset_surface *surface = indexed(sheet);
@@ -64,7 +64,7 @@ static void found_and_kept(const gusset_sheet *sheet) {
 
 //! [sheet]
 static void through_nodes(void) {
-    /* In the host's memory, which must stay as it is. */
+    /* In the host's memory, which must not change. */
     double points[4][4][3];
     const gusset_nodes nodes = {
         .struct_size = sizeof nodes, .nodes = points, .rows = 4, .columns = 4, .scalar = GUSSET_F64};
@@ -298,7 +298,7 @@ static void distances(const gusset_surface *tube, const gusset_surface *table) {
     MUST(gusset_surface_distance(NULL, tube, &along, 0.0, &found));
     HOLDS(about(found.distance, 1.5) && about(found.curve_place.t, 0.5));
     gusset_curve_destroy(curve);
-    /* The tube stands in the table: where they meet, the distance is 0. */
+    /* The tube intersects the table: the distance is 0. */
     MUST(gusset_surface_distance(NULL, tube, &other, 0.0, &found));
     HOLDS(found.distance == 0.0 && (found.flags & GUSSET_DISTANCE_MEETS) && about(found.point[2], 1.7));
 }

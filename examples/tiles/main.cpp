@@ -1,5 +1,5 @@
-// Joins a torus of tiles, each a soup of triangles, to one closed mesh with global 64-bit ids. No rank has the whole: tiles
-// are DIY blocks over MPI ranks, and all but a few may be on disk.
+// Joins a torus of tiles, each a soup of triangles, to one closed mesh with global 64-bit ids. No rank has the whole
+// mesh: tiles are DIY blocks over MPI ranks, and most may be on disk.
 //   mpirun -n 4 tiles --tiles 8 8 --cells 500 --gap --in-memory 1 --out folder
 #include "report.hpp"
 

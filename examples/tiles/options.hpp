@@ -1,4 +1,4 @@
-// What a run of the program is asked for.
+// The options of a run.
 #pragma once
 
 #include "plan.hpp"

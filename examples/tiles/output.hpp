@@ -49,8 +49,9 @@ inline Hash hash_of(const TileHeader &header) {
     return hash;
 }
 
-/// Sums over half-edges a to b and over the same from b to a. If they are equal, each edge is run as often one way as the
-/// other, but for one case in 2^64: the surface is closed and oriented. Sums of tiles add up.
+/// Sums over half-edges a to b and over the same from b to a. If they are equal, each edge has as many half-edges in
+/// one direction as in the other, except in one case of 2^64: the surface is closed and oriented. Sums of tiles add
+/// up.
 struct EdgeSums {
     uint64_t forth = 0, back = 0;
 
@@ -67,7 +68,7 @@ struct EdgeSums {
     }
 };
 
-/// What a finished tile leaves in memory.
+/// The record of a finished tile that stays in memory.
 struct TileRecord {
     uint64_t first_id = 0, vertices = 0, edges = 0, faces = 0, hash = 0;
     EdgeSums sums;

@@ -50,7 +50,7 @@ inline Packet rim_packet(uint32_t tile, uint64_t first_id, const Rim &rim, uint3
     return packet;
 }
 
-/// What a tile has received, by sender and part.
+/// The packets that a tile received, by sender and part.
 class Packets {
 public:
     void add(Packet &&packet) {

@@ -1,4 +1,4 @@
-// The plan of a torus of tiles: which tiles are neighbours, which of two or four owns what they share, where grid points are.
+// The plan of a torus of tiles: neighbours, owners of shared elements, positions of grid points.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What all ranks together have found, and what must hold of it.
+// The results of all ranks, and their checks.
 #pragma once
 
 #include "run.hpp"
@@ -7,7 +7,7 @@
 #include <iostream>
 
 namespace tiles {
-/// What a rank tells the first one, beside the records of its tiles.
+/// The report of a rank to the first rank, beside the records of its tiles.
 struct RankReport {
     uint64_t tiles = 0;
     double peak_megabytes = 0, disk_megabytes = 0;

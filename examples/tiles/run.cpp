@@ -194,7 +194,7 @@ private:
         } else {
             foreign = foreign_ids(plan_, tile, rim, packets);
             for (uint32_t k = 0; k < 4; ++k) {
-                // Edges on a rim are those of the tile that owns it.
+                // Edges on a rim belong to the tile that owns the rim.
                 if (plan_.owns_side(tile, k)) {
                     ++seams.count;
                 } else {

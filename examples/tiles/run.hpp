@@ -1,4 +1,4 @@
-// The whole way of all tiles of this rank, by DIY: blocks in memory or on disk, and what they send each other.
+// Processes all tiles of this rank by DIY: blocks in memory or on disk, and their messages.
 #pragma once
 
 #include "options.hpp"
@@ -10,7 +10,7 @@
 #include <vtkdiy2/mpi.hpp>
 
 namespace tiles {
-/// What a rank has when its tiles are finished, in the order of their numbers.
+/// The results of a rank's tiles, in their order.
 struct Outcome {
     std::vector<TileRecord> tiles;
     Stopwatch watch;

@@ -1,10 +1,10 @@
-// What is between tiles: strips and corners where they are apart, one number for two vertices where they coincide.
+// Seams between tiles: strips and corners across gaps, common ids of coincident vertices.
 #pragma once
 
 #include "packet.hpp"
 
 namespace tiles {
-/// Faces between tiles, by ids in the whole, and how many edges they add to those of the tiles.
+/// Faces between tiles by global ids, and the number of edges that they add.
 struct Seams {
     std::vector<std::array<uint64_t, 3>> faces;
     uint64_t edges = 0;

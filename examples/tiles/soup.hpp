@@ -14,7 +14,7 @@ namespace tiles {
 /// Three points for each triangle; nothing says which are the same.
 using Soup = std::vector<PointF>;
 
-/// The triangles of a tile: one in about 128 is turned over, one in about 500 has no area and two equal corners.
+/// The triangles of a tile: about one in 128 is reversed, and about one in 500 has two equal corners.
 inline Soup soup_by_formula(const Plan &plan, uint32_t tile) {
     const TileGrid grid(plan, tile);
     const uint32_t n = plan.segments(tile);

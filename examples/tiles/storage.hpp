@@ -1,5 +1,4 @@
-// Blocks and messages on disk. DIY's own storage sees neither a folder that cannot be written to
-// nor a full disk.
+// Blocks and messages on disk. DIY's own storage detects neither an unwritable folder, nor a full disk.
 #pragma once
 
 #include "soup.hpp"
@@ -45,7 +44,7 @@ public:
         files_.erase(number);
     }
 
-    /// Of all files together, at most.
+    /// The largest total size of all files.
     std::size_t max_bytes() const { return max_bytes_; }
 
 private:

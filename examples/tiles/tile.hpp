@@ -15,15 +15,15 @@ struct Mesh {
     std::vector<uint32_t> corners;
 };
 
-/// What is known of a tile when its mesh is on disk: O(sqrt n).
+/// The data of a tile that stay in memory while its mesh is on disk: O(sqrt n).
 struct Rim {
-    /// The vertices of each side along the rim, both corners included, and where they are.
+    /// The vertices of each side along the rim, with both corners, and their positions.
     std::array<std::vector<uint32_t>, 4> vertices;
     std::array<std::vector<Point3>, 4> points;
     uint32_t owned = 0, foreign = 0, edges = 0, faces = 0;
 };
 
-/// What cleaning found.
+/// The report of cleaning.
 struct Cleaned {
     uint64_t soup_faces = 0, turned = 0, dropped = 0;
 };
@@ -68,7 +68,7 @@ inline std::array<std::vector<uint32_t>, 4> cut_rim(const gusset::MeshView &mesh
     return sides;
 }
 
-/// Which vertices of a tile a lower one has too: those of coincident rims.
+/// The vertices that a lower tile owns: vertices of coincident rims.
 inline std::vector<uint8_t> foreign_vertices(const Plan &plan, uint32_t tile, const Rim &rim, std::size_t count) {
     std::vector<uint8_t> foreign(count);
     if (plan.gap) {

@@ -1,4 +1,4 @@
-// What the filters share: arrays of points and cells, carried over to results.
+// Shared by the filters: carries arrays of points and cells over to results.
 #ifndef GUSSET_VTK_ARRAYS_HPP
 #define GUSSET_VTK_ARRAYS_HPP
 
@@ -6,9 +6,10 @@
 
 namespace gusset_vtk {
 
-/// Arrays of points, carried to the points of the output. Floats, doubles and bytes are mixed by the weights of the library,
-/// normals on the sphere; integers, strings, ghost flags and ids are those of the source that counts most. Of many pieces, arrays
-/// that not all of them have, with the same type and number of components, are left behind with a warning.
+/// Arrays of points, carried to the points of the output. Floats, doubles and bytes are averaged by the library's
+/// weights, normals on the sphere. Integers, strings, ghost flags and ids come from the source with the largest
+/// weight. An array is dropped with a warning if a piece lacks it, or has it with another type or number of
+/// components.
 void carry_points(vtkPolyData *output, const gusset::Origins &origins, const std::vector<Piece> &pieces, const Run &run);
 
 /// The same of arrays of cells. The output's vertices and lines come first and have their own values.

@@ -1,4 +1,4 @@
-// What the filters share: the data sets within composite ones.
+// Shared by the filters: the data sets within composite ones.
 #ifndef GUSSET_VTK_LEAVES_HPP
 #define GUSSET_VTK_LEAVES_HPP
 
@@ -18,11 +18,12 @@ struct Leaf {
     std::string name;
 };
 
-/// A vtkPolyData, or those of a partitioned data set, of a collection of such or of blocks. Warns of others.
+/// A vtkPolyData, or all vtkPolyData of a partitioned data set, a collection of partitioned data sets, or blocks.
+/// Warns of others.
 std::vector<Leaf> leaves(vtkDataObject *input, const Run &run);
 
-/// Makes `output`, of the type of `input`, of it: `work(from, to)` for each vtkPolyData. Ones without faces pass as they are, and so
-/// do data sets of other types, with a warning.
+/// Makes `output`, of the type of `input`, of it: `work(from, to)` for each vtkPolyData. Data sets without faces pass
+/// unchanged; data sets of other types pass with a warning.
 void each_leaf(vtkDataObject *input, vtkDataObject *output, Run &run,
                const std::function<void(vtkPolyData *from, vtkPolyData *to)> &work);
 

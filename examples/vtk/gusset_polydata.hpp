@@ -1,4 +1,4 @@
-// What the filters share: vtkPolyData as the library's input and output.
+// Shared by the filters: vtkPolyData as the library's input and output.
 #ifndef GUSSET_VTK_POLYDATA_HPP
 #define GUSSET_VTK_POLYDATA_HPP
 
@@ -14,12 +14,12 @@
 
 namespace gusset_vtk {
 
-/// The polygons and strips of a vtkPolyData as a mesh. Points of floats and doubles side by side are read where they are, and so
-/// are polygons of 32-bit ids; all else is copied. Strips are read as triangles.
+/// The polygons and strips of a vtkPolyData as a mesh. Packed points of floats or doubles and polygons of 32-bit ids
+/// are read in place; other arrays are copied. Strips are read as triangles.
 class Piece {
 public:
-    /// `name`: what errors call it, or empty. Throws std::invalid_argument if there are no points,
-    /// std::out_of_range if a cell has an id that no point can have.
+    /// `name`: what errors call it, or empty. Throws std::invalid_argument if points are missing, std::out_of_range
+    /// if the id of a cell is not a point.
     explicit Piece(vtkPolyData *data, std::string name = {});
     Piece(Piece &&) = default;
     Piece &operator=(Piece &&) = default;

@@ -1,4 +1,4 @@
-// What the filters share: one execution of a filter, with its threads, its progress, its abort and its errors.
+// Shared by the filters: one execution, with threads, progress, abort and errors.
 #ifndef GUSSET_VTK_RUN_HPP
 #define GUSSET_VTK_RUN_HPP
 
@@ -57,7 +57,8 @@ private:
     double low_ = 0.0, high_ = 1.0, done_ = 0.0;
 };
 
-/// What RequestData returns of work that may throw. The output of work that failed, or was aborted, is empty.
+/// Runs work that may throw, and returns the result of RequestData. The output of work that failed, or was aborted,
+/// is empty.
 template <class Work>
 int guarded(Run &run, vtkDataObject *output, Work &&work) {
     try {

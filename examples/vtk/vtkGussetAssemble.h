@@ -3,11 +3,12 @@
  * @brief   join all pieces of the inputs to one surface, carrying point and cell data
  *
  * Takes any number of connections: each a vtkPolyData, a vtkPartitionedDataSet, a vtkPartitionedDataSetCollection or a
- * vtkMultiBlockDataSet. All their vtkPolyData become one: borders that coincide are sewn, loops that face each other across a gap are
- * joined by a strip or a blend, and with FillHoles the holes that are left are filled.
+ * vtkMultiBlockDataSet. All their vtkPolyData become one. Coincident borders are sewn. Loops that face each other
+ * across a gap are joined by a strip or a blend. With FillHoles, the remaining holes are filled.
  *
  * Values of points and cells are carried as vtkGussetFill does it, of arrays that all pieces have. Vertices and lines are kept;
- * strips become triangles. Field data are those of the first input. A vtkPolyData without polygons is left out, with a warning.
+ * strips become triangles. The output has the field data of the first input. A vtkPolyData without polygons is left
+ * out, with a warning.
  *
  * @sa vtkGussetFill vtkGussetStitch vtkAppendPolyData
  */
@@ -26,7 +27,7 @@ public:
     enum FinishType { FINISH_STRIP = 0, FINISH_BLEND = 1 };
     ///@{
     /**
-     * What lies between the loops: strips without new points, or blends, with new points, which are the best-looking joints.
+     * The faces between the loops: strips without new points, or smooth blends with new points.
      * FINISH_STRIP by default.
      */
     vtkSetClampMacro(Finish, int, FINISH_STRIP, FINISH_BLEND);

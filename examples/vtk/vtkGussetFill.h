@@ -4,11 +4,12 @@
  *
  * Fills the boundary loops of a vtkPolyData, or of each one of a vtkPartitionedDataSet, a vtkPartitionedDataSetCollection or a
  * vtkMultiBlockDataSet; the output is of the type of the input. Old points and cells keep their numbers and values; new points and
- * cells come after them. Patches go on with the curvature of the surface round the hole; with Refine they get new points as dense as
- * those of the rim, and with Fair these lie on a thin plate.
+ * cells come after them. Patches continue the curvature of the surface around the hole. With Refine they get new
+ * points as dense as the rim, and with Fair these lie on a thin plate.
  *
- * Floats, doubles and bytes of points are mixed by where a new point is, normals on the sphere; integers and strings are those of the
- * nearest. New cells have the values of the cell across the nearest edge of the rim. Vertices and lines are kept; strips become
+ * Floats, doubles and bytes of new points are interpolated, normals on the sphere. Integers and strings come from the
+ * nearest point. New cells have the values of the cell across the nearest edge of the rim. Vertices and lines are
+ * kept; strips become
  * triangles.
  *
  * @sa vtkGussetAssemble vtkGussetStitch vtkFillHolesFilter
@@ -27,7 +28,7 @@ public:
 
     ///@{
     /**
-     * New points in patches, as dense as those of the rim. Off by default.
+     * Patches get new points as dense as the rim. Off by default.
      */
     vtkSetMacro(Refine, vtkTypeBool);
     vtkGetMacro(Refine, vtkTypeBool);
@@ -36,7 +37,7 @@ public:
 
     ///@{
     /**
-     * The new points lie on a thin plate that goes on with the surface. Read with Refine. Off by default.
+     * The new points lie on a thin plate that continues the surface. Read with Refine. Off by default.
      */
     vtkSetMacro(Fair, vtkTypeBool);
     vtkGetMacro(Fair, vtkTypeBool);
@@ -46,8 +47,8 @@ public:
     enum KeepLoops { KEEP_NONE = 0, KEEP_LONGEST = 1, KEEP_BORDERS = 2 };
     ///@{
     /**
-     * The loops that are no holes: none; the longest, as the outline of an open sheet; or all that go round a sheet rather than a
-     * hole in it. KEEP_NONE by default.
+     * The loops that stay open: none; the longest, as the outline of an open sheet; or the outer border of each
+     * sheet. KEEP_NONE by default.
      */
     vtkSetClampMacro(Keep, int, KEEP_NONE, KEEP_BORDERS);
     vtkGetMacro(Keep, int);
@@ -58,7 +59,7 @@ public:
 
     ///@{
     /**
-     * Loops of more edges are left open; 0, the default, is no limit.
+     * Loops with more edges stay open; 0, the default, sets no limit.
      */
     vtkSetClampMacro(MaxEdges, int, 0, VTK_INT_MAX);
     vtkGetMacro(MaxEdges, int);
@@ -66,7 +67,7 @@ public:
 
     ///@{
     /**
-     * Loops whose bounding box has a longer diagonal are left open; 0, the default, is no limit.
+     * Loops whose bounding box has a longer diagonal stay open; 0, the default, sets no limit.
      */
     vtkSetClampMacro(MaxDiameter, double, 0.0, VTK_DOUBLE_MAX);
     vtkGetMacro(MaxDiameter, double);
@@ -83,7 +84,8 @@ public:
 
     ///@{
     /**
-     * The precision of the output's points, one of vtkAlgorithm::DesiredPrecision. By default that of the input.
+     * The precision of the output's points, one of vtkAlgorithm::DesiredPrecision. The default is the precision of
+     * the input.
      */
     vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
     vtkGetMacro(OutputPointsPrecision, int);

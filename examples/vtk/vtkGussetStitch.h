@@ -2,8 +2,8 @@
  * @class   vtkGussetStitch
  * @brief   join two boundary loops across a gap, carrying point and cell data
  *
- * With one input joins the two loops that lie nearest to each other, within a vtkPolyData or within each one of a
- * vtkPartitionedDataSet, a vtkPartitionedDataSetCollection or a vtkMultiBlockDataSet; the output is of the type of the input. With a
+ * With one input, joins the two nearest loops of a vtkPolyData, or of each vtkPolyData in a vtkPartitionedDataSet, a
+ * vtkPartitionedDataSetCollection or a vtkMultiBlockDataSet. The output has the type of the input. With a
  * vtkPolyData at the second input too, joins that to the first, which must be a vtkPolyData then. Nothing old moves. To join many
  * pieces at once use vtkGussetAssemble.
  *
@@ -27,7 +27,7 @@ public:
     enum FinishType { FINISH_STRIP = 0, FINISH_BLEND = 1 };
     ///@{
     /**
-     * What lies between the loops: a strip without new points, or a blend, with new points, which is the best-looking joint.
+     * The faces between the loops: a strip without new points, or a smooth blend with new points.
      * FINISH_STRIP by default.
      */
     vtkSetClampMacro(Finish, int, FINISH_STRIP, FINISH_BLEND);
@@ -38,7 +38,8 @@ public:
 
     ///@{
     /**
-     * Interior rows of a strip: 0, the default, is none; -1 as many as make edges across it about as long as those along it.
+     * Interior rows of a strip: 0, the default, for none; -1 chooses them so that edges across the strip are about as
+     * long as edges along it.
      */
     vtkSetClampMacro(Rows, int, -1, VTK_INT_MAX);
     vtkGetMacro(Rows, int);
@@ -46,7 +47,7 @@ public:
 
     ///@{
     /**
-     * The points of interior rows lie on a thin plate that goes on with the surface. Read with Rows. Off by default.
+     * The points of interior rows lie on a thin plate that continues the surface. Read with Rows. Off by default.
      */
     vtkSetMacro(Fair, vtkTypeBool);
     vtkGetMacro(Fair, vtkTypeBool);

@@ -1,4 +1,4 @@
-// Makes a shoe last from sections of a foot, roomier than the foot towards the toes; lays its upper out flat.
+// Makes a shoe last from sections of a foot, roomier than the foot towards the toes, and flattens its upper.
 //   last [sections.json] [--ease 0,8] [--picture last.svg] [--pattern pattern.svg] [--mesh last.off] [--page NAME]
 // The file has "stations" from the heel to the toes, each with "points": x to the side, y up, z forward. Without one,
 // or with -, the foot is made by formula. Lengths are in decimetres, volumes thus in litres.
@@ -80,7 +80,7 @@ Sections without_toes(const Sections &foot) {
     return made;
 }
 
-/// What the workshop makes of sections, one of the other.
+/// The results of the workshop from sections, each made of the one before.
 struct Last {
     gusset::Frame foot, frame;
     gusset::Sheet sheet;
@@ -171,7 +171,7 @@ gusset::Development lay_out(const Last &last, uint32_t darts, const std::string 
     return flat;
 }
 
-/// The upper on the ground under the last, its heel under that of the last, as much redder as some of its lengths change.
+/// The upper on the ground under the last, heel below heel, redder where lengths change more.
 void add_upper(page::Body &body, const gusset::Development &flat, const MeshView &on) {
     std::size_t heel = 0, toe = 0;
     double low = INFINITY;

@@ -1,8 +1,9 @@
 // From a range image to a clean mesh: steps from one surface to another are left open, small holes are filled.
 //   relief [heights.csv] [--spacing 10] [--picture relief.svg] [--mesh relief.off] [--page NAME]
-// The file has a row of heights on each line; what is empty or no number is missing. Without one, or with -, the image
-// is made by formula: hills with a block and a drum on them, noise, and pixels that are missing. Of a file some pixels
-// are taken out, so that what is filled in can be compared with what was there.
+// The file has a row of heights on each line; cells that are empty or not numbers are missing. Without one, or with
+// -, the image
+// is made by formula: hills with a block and a drum on them, noise, and pixels that are missing. Some pixels of the
+// file are removed, so that filled heights can be compared with known ones.
 #include "workshop.hpp"
 
 #include <CLI/CLI.hpp>
@@ -146,7 +147,7 @@ std::size_t describe(const char *what, const MeshView &mesh) {
     return loops.size();
 }
 
-/// Before and after: what was filled is green, borders are red.
+/// Before and after: filled faces are green, borders red.
 void draw(const MeshView &raw, const MeshView &clean, const Image &image, const std::string &file) {
     const double wide = image.spacing * static_cast<double>(image.columns);
     const double deep = image.spacing * static_cast<double>(image.rows);
@@ -172,7 +173,7 @@ void draw(const MeshView &raw, const MeshView &clean, const Image &image, const 
     drawing.add("</g>\n");
     save(drawing, file);
 }
-/// Both for a page; what was filled shows how far it is from what was there.
+/// Both for a page; filled faces show their distance to the known surface.
 page::Showcase show(const MeshView &raw, const MeshView &clean, const Image &image, const std::string &text) {
     page::Showcase shown;
     shown.id = "relief";

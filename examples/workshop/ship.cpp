@@ -14,7 +14,7 @@ using gusset::MeshView;
 using gusset::Point3;
 using ship::operator+, ship::operator-, ship::operator*;
 
-/// What a ship displaces: a volume, its centre; the area of the waterplane and its centre, where flotation is.
+/// Hydrostatics of a ship: displaced volume and its centre, area of the waterplane and its centre of flotation.
 struct Hydrostatics {
     double volume = 0, area = 0;
     Point3 buoyancy{}, flotation{};
@@ -36,8 +36,9 @@ std::vector<Point3> below(const std::array<Point3, 3> &triangle, double water) {
     return part;
 }
 
-/// Of a closed mesh. Cones from a point of the waterplane need no faces there, and the waterplane has the area and the
-/// moments that the vertical components of all faces below it have, turned over: nothing has to be cut and closed.
+/// From a closed mesh. Cones from a point of the waterplane need no faces there. The waterplane has the area and the
+/// moments of the vertical components of all faces below it, with opposite sign, so that the mesh need not be closed
+/// at the cut.
 Hydrostatics of_mesh(const MeshView &mesh, double water) {
     Hydrostatics sum;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -75,7 +76,7 @@ struct Waterplane {
     }
 };
 
-/// Of waterplanes at the middles of equal layers, from `low` up to the water; and the waterplane at the water.
+/// From waterplanes at the middles of equal layers between `low` and the water, and the waterplane at the water.
 Hydrostatics of_layers(const std::vector<Waterplane> &layers, const Waterplane &top, double low, double water) {
     const double thick = (water - low) / static_cast<double>(layers.size());
     Hydrostatics sum;
@@ -95,7 +96,7 @@ Hydrostatics of_layers(const std::vector<Waterplane> &layers, const Waterplane &
 Waterplane of_table(const std::vector<ship::Station> &stations, double height) {
     std::vector<Point3> line;
     for (const ship::Station &station : stations) {
-        // Where a station is not that low or high it has no breadth.
+        // Below or above a station, its breadth is 0.
         Point3 at{station.front()[0], 0, height};
         for (std::size_t k = 1; k < station.size(); ++k) {
             const Point3 &a = station[k - 1], &b = station[k];
@@ -124,7 +125,7 @@ std::vector<Waterplane> of_surface(const gusset::Surface &port, const std::vecto
     return found;
 }
 
-/// Of each face of the closed hull whether a piece has it; the others are new.
+/// For each face of the closed hull whether it comes from a piece; the others are new.
 std::vector<bool> given_faces(const gusset::Join &whole) {
     std::vector<bool> given(whole.mesh().face_count());
     for (const gusset_piece_map &piece : whole.pieces()) {
@@ -144,7 +145,7 @@ bool is_wet(const MeshView &mesh, std::size_t f, double water) {
     return height < water;
 }
 
-/// The hull from the bow and above, and from the stern and below; what is under water in red, what was filled in green.
+/// The hull from the bow and above, and from the stern and below; faces under water in red, filled faces in green.
 void draw(const gusset::Join &whole, double water, const Point3 &centre, double scale, const std::string &file) {
     const std::vector<bool> given = given_faces(whole);
     const auto colour = [&](std::size_t f) {

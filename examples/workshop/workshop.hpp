@@ -1,4 +1,5 @@
-// What all showcases of the workshop need: numbers of meshes, properties that must hold, files of meshes, and what a page says.
+// Shared by all showcases of the workshop: numbers of meshes, properties that must hold, files of meshes, and text of
+// a page.
 #pragma once
 
 #include "../page/showcase.hpp"
@@ -15,7 +16,7 @@ using pictures::cross;
 using pictures::dot;
 using pictures::minus;
 
-/// What must hold of a result. A program ends with status(): 1 if anything did not.
+/// A property that must hold. A program ends with status(): 1 if anything did not.
 class Claims {
 public:
     void hold(bool holds, const std::string &what) {
@@ -37,8 +38,8 @@ private:
     bool broken_ = false;
 };
 
-/// Area, volume and its centre. Faces are cut into triangles from their first corners; the volume is that of the
-/// cones from a vertex of the mesh, which loses less to rounding than those from a far origin.
+/// Area, volume and its centre. Faces are cut into triangles from their first corners. The volume sums cones from a
+/// vertex of the mesh, which loses less to rounding than cones from a far origin.
 struct Measure {
     double area = 0, volume = 0;
     Point3 centre{};

@@ -1,4 +1,4 @@
-// Joins a body and its hand, which were modelled apart, at the wrist; eyes and mouth stay open.
+// Joins a body and its separately modelled hand at the wrist; eyes and mouth stay open.
 //   wrist [body.obj hand.obj] [--picture wrist.svg] [--mesh joined.off] [--page NAME]
 // The body's wrist may have few edges and the hand's many. Without files, or with - for the first, a doll is made by
 // formula, with 6 edges at its wrist and 52 at its hand's. OBJ files have y up.
@@ -40,7 +40,7 @@ struct Rings {
                 {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}));
         }
     }
-    /// Faces between the last two rings, but for some. Of three times as many points every third goes on.
+    /// Faces between the last two rings, except some. Every third of the points continues.
     void join(const std::set<std::size_t> &open = {}) {
         const auto &a = rings[rings.size() - 2], &b = rings.back();
         const std::size_t sides = std::max(a.size(), b.size());
@@ -110,7 +110,7 @@ Mesh mitten() {
     return std::move(hand.mesh);
 }
 
-/// What is within a frame of the picture, from `x` on and so wide.
+/// The drawing within a frame of the picture, from `x` on and this wide.
 void clip(pictures::Drawing &drawing, int x, int width) {
     std::ostringstream text;
     text << "<clipPath id='from" << x << "'><rect x='" << x << "' y='8' width='" << width
@@ -167,7 +167,7 @@ void draw(const std::vector<MeshView> &pieces, const gusset::Join &whole, const 
     }
     save(drawing, file);
 }
-/// What a joint is, in words.
+/// Describes a joint in words.
 std::string account(const gusset_joint &joint, const MeshView &mesh) {
     const std::size_t cut = joint.intersections.count / 2;
     return said(joint.side[0].count, " edges to ", joint.side[1].count, " across a gap of ", joint.gap, ", ", joint.face_count,
