@@ -9,7 +9,7 @@ CARGO   ?= cargo
 OBJCOPY ?= objcopy
 # release, or release-debug: the same with line tables.
 PROFILE ?= release
-# Where the archive of `make dist` will be downloaded from, for the recipes beside it.
+# The download address of the archive of `make dist`, for the recipes beside it.
 DIST_URL ?= file://$(CURDIR)/build/dist
 
 manifest = $(shell sed -n 's/^$(1) = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
@@ -17,7 +17,8 @@ version := $(call manifest,version)
 abi     := $(basename $(version))
 release := $(or $(CARGO_TARGET_DIR),target)/$(PROFILE)
 stage   := $(CURDIR)/build/stage
-# Where the program is built, and how CMake is told to. An installation has the program where it has been built; the stage is without.
+# Build folder of the program, and its CMake flags. An installation includes the program if it was built; the stage
+# does not.
 program  = build/cli
 program_flags =
 cli      = $(shell test -x '$(program)/gusset' && echo yes)
@@ -26,14 +27,14 @@ openmfx := $(abspath $(release))/libgusset_openmfx.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
-# Of what is linked in. Debian's tools move the file and install it themselves.
+# Licences of the linked libraries. Debian's tools install the file themselves.
 notices  = packaging/debian/copyright
 
 build_packages := cmake g++ pkg-config
 cli_packages   := $(build_packages) libcli11-dev libtinygltf-dev libtinyobjloader-dev nlohmann-json3-dev
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
 docs_packages  := doxygen
-# A browser without a window: it takes the pictures of the demo, and the tests read the pages with it.
+# A browser without a window: takes the pictures of the demo, and reads pages in tests.
 browser_packages := chromium chromium-driver python3-selenium
 test_packages  := $(host_packages) $(cli_packages) $(docs_packages) $(browser_packages) assimp-utils python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools python3-venv
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libcgal-demo libeigen3-dev libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
@@ -86,25 +87,25 @@ help:
 	@echo 'make check-deb                    the tests of those packages, which it installs and removes again; as root'
 	@echo 'make clean                        remove build and target'
 
-# What is built tells no folders of the machine that built it; unless RUSTFLAGS is set, which cargo takes instead of these flags.
+# Keeps folders of the build machine out of the binaries, unless RUSTFLAGS is set, which replaces these flags.
 cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
 remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
 released   := --config 'build.rustflags=[$(remapped)]'
 
-# What the library for C has and the crate has not.
+# Features of the library for C that the crate lacks.
 features   := --features reserve
 
 build:
 	$(CARGO) build -p gusset $(features) --profile $(PROFILE) --locked $(released)
 
-# All that a change must pass, the hosts' side apart.
+# All checks of a change, except the hosts' side.
 check: lint-rust test-rust
 
 test-rust: test-units test-programs
 
 lint: lint-rust lint-hosts
 
-# The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
+# Also checks the fuzzers, under a stable compiler and without linking; `make fuzz` runs them.
 lint-rust:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
@@ -113,13 +114,14 @@ lint-rust:
 	@if command -v cargo-deny > /dev/null; then $(CARGO) deny --workspace --locked --offline check bans licenses sources; \
 	else echo 'Skipped, as it is not installed: cargo-deny (cargo install cargo-deny)'; fi
 
-# The site of the C and C++ interface without a warning or a broken link; each header and each example compiled by itself. Needs no library.
+# Builds the site of the C and C++ interface without warnings or broken links, and compiles each header and example
+# alone. Needs no library.
 lint-hosts: docs
 	@scripts/install-packages.sh $(test_packages)
 	@$(MAKE) --no-print-directory -s install-data PREFIX='$(CURDIR)/build/lint' DESTDIR=
 	scripts/lint-hosts.sh build/lint
 
-# The description of the C interface, from which other files are generated: it is written only if it changes.
+# The description of the C interface, from which other files are generated. Its time changes only if it changes.
 interface = $(CARGO) run -q --locked -p gusset-interface --
 .PHONY: build/interface.json
 build/interface.json:
@@ -132,18 +134,18 @@ test-units:
 	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib
 	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset $(features) --doc
 
-# From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
+# Tests the released library from outside. No second one is compiled if both select equal features of all packages.
 test-programs: build
 	$(CARGO) test --locked -p gusset-tests --release $(released) --no-fail-fast
 
-# What is ignored in `make test` because it takes minutes, and all cases of the tests that try some of many.
+# Runs the tests that `make test` ignores because they take minutes, and all cases of sampled tests.
 exhaustive:
 	GUSSET_EXHAUSTIVE=1 $(CARGO) test --locked -p gusset-tests --release $(released) --test curve --test mesh --test net --test surface
 	$(CARGO) test --locked $(units) --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 
-# Mistakes planted one at a time in a folder of a crate, and whether its unit tests or a program of tests notices: build/mutants.out lists those
-# that nothing notices. SHARD=0/20 tries one of twenty.
+# Plants mistakes one at a time in a folder of a crate, and runs its unit tests and a test program. build/mutants.out
+# lists the mistakes that no test notices. SHARD=0/20 tries one of twenty.
 mutated = $(notdir $(firstword $(subst /src, ,$(FOLDER))))
 mutants:
 	@test -n '$(FOLDER)' -a -d '$(FOLDER)' || { echo 'gusset: say which folder of a crate: make mutants FOLDER=crates/gusset-stitch/src/boundary'; exit 1; }
@@ -156,12 +158,12 @@ mutants:
 openmfx:
 	$(CARGO) build -p gusset-openmfx --profile $(PROFILE) --locked $(released)
 
-# Both sides at once: each has stretches where it keeps one core busy.
+# Runs both sides at once, because each keeps only one core busy at times.
 test:
 	@scripts/install-packages.sh $(test_packages)
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts test-rust
 
-# The tests have a program and an archive of their own: the program compiles in a third of the time of that of `make cli`.
+# The tests have their own program and archive. This program compiles in a third of the time of `make cli`.
 test_folder   := $(CURDIR)/build/test
 test_program  := pack_level=1 program='$(test_folder)/cli' program_flags='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=100' archive='$(test_folder)/dist/$(notdir $(archive))'
 test-hosts: openmfx build/interface.json
@@ -171,7 +173,7 @@ test-hosts: openmfx build/interface.json
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2 || \
 	    { echo 'FAILED. The same tests once more, to see whether they fail again:'; ctest --test-dir build/cpp --rerun-failed --output-on-failure; exit 1; }
 
-# What needs VTK, MPI, PyVista or Dask.
+# Tests that need VTK, MPI, PyVista or Dask.
 test-hosts-all: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages) libopenmpi-dev libvtk9-dev openmpi-bin
 	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_ALL_HOSTS=ON
@@ -187,7 +189,7 @@ cli: stage
 scans: cli
 	@python3 scripts/scans.py build/cli/gusset '$(FOLDER)' '$(or $(OUT),scans.ply)'
 
-# Beside the native library, whose bytes must be the same.
+# Compares bytes with the native library.
 wasm: stage build/interface.json
 	@CARGO='$(CARGO)' scripts/wasm.sh '$(stage)'
 
@@ -197,14 +199,15 @@ torture: stage build/interface.json
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture plugin_memory --parallel 2
 	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 TORTURE_ALLOCATIONS=1000000 ctest --test-dir build/cpp -R '^torture/|^plugin/memory$$' --verbose --parallel 2
 
-# All families, unless FAMILY says which; CASES of each. A failure is printed with what repeats it.
+# Runs CASES of each family, or of FAMILY. A failure prints the command that repeats it.
 differential: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target campaign --parallel 2
 	build/cpp/differential/campaign --cases $(or $(CASES),1000) --seed $(or $(SEED),1) $(addprefix --family ,$(FAMILY))
 
-# Memory at n, 2 n and 4 n on the worst inputs that are known, larger ones than in `make test`, which also counts work by valgrind.
+# Measures memory at n, 2 n and 4 n on the worst known inputs, larger than in `make test`, which also counts
+# instructions.
 complexity: stage build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
@@ -212,12 +215,12 @@ complexity: stage build/interface.json
 	build/cpp/complexity/complexity --scale 16
 	build/cpp/complexity/complexity --operations --scale 4
 
-# Both kinds, one after the other, unless KIND says which.
+# Runs both kinds in turn, or KIND.
 sanitize: build/interface.json
 	@scripts/install-packages.sh $(test_packages)
 	@for kind in $(or $(KIND),address thread); do scripts/sanitize.sh $$kind '$(TESTS)' || exit 1; done
 
-# A clang of the system is not needed: the compiler has what libFuzzer asks for.
+# Needs no clang: the Rust compiler has the passes of libFuzzer.
 fuzz:
 	@scripts/install-packages.sh g++
 	@CARGO='$(CARGO)' scripts/fuzz.sh '$(or $(SECONDS),60)' '$(TARGET)'
@@ -246,8 +249,8 @@ figures: stage
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)
 
-# Both without what debuggers read; the static library also without the Rust compiler's own code, half of it, which C linkers have
-# no use for and nm stumbles over where clang is.
+# Strips debug data of both. The static library also loses the Rust compiler's bitcode, half of its size, which C
+# linkers ignore and nm misreads beside clang.
 strip_shared = --strip-unneeded
 strip_static = --strip-debug
 install: install-library install-data
@@ -262,8 +265,8 @@ install-library: build
 	$(OBJCOPY) -D $(strip_static) -R .llvmbc -R .llvmcmd $(release)/libgusset.a $(libdir)/libgusset.a
 	chmod 644 $(libdir)/libgusset.a
 
-# What needs no build, and suffices to compile against. Headers that are the same already keep their time, so that what includes them is
-# not compiled again.
+# Installs the files that need no build and suffice to compile against. Unchanged headers keep their time, so that
+# their users are not compiled again.
 install-data:
 	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
 	install -C -m 644 include/*.h include/*.hpp $(incdir)
@@ -281,12 +284,12 @@ install-data:
 install-debug:
 	@$(MAKE) --no-print-directory install PROFILE=release-debug strip_shared= strip_static=
 
-# For those without Rust: docs/guides/linking.md.
+# For machines without Rust: docs/guides/linking.md.
 pack_level = 9
 dist: cli
 	@scripts/dist.sh '$(archive)' '$(DIST_URL)' '$(program)' '$(pack_level)'
 
-# Compiled by itself: a shared library alone is another thing to cargo.
+# Compiled separately: cargo treats a shared library alone as another target.
 wheel:
 	@scripts/install-packages.sh python3-venv
 	@scripts/wheel.sh $(released)
@@ -300,7 +303,7 @@ check-dist: dist
 check-conan: dist
 	@scripts/check-conan.sh build/dist/conan
 
-# The binary interface against packaging/abi, whose script says the rule; `make test` does the same.
+# Compares the binary interface with packaging/abi, whose script states the rule; `make test` does this, too.
 check-abi abi-baseline:
 	@scripts/install-packages.sh abigail-tools
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test interface
@@ -315,7 +318,7 @@ deb:
 check-deb:
 	@scripts/check-deb.sh autopkgtest
 
-# An installation of its own for tests and demo. What is the same as before keeps its time; what is no longer installed goes.
+# A separate installation for tests and demo. Unchanged files keep their time; files no longer installed are removed.
 stage:
 	@rm -rf '$(stage).new'
 	@$(MAKE) --no-print-directory -s install PREFIX='$(stage).new' DESTDIR= cli=

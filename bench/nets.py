@@ -42,7 +42,7 @@ def sphere(rows, columns):
 
 @cache
 def real():
-    """The grids with three coordinates, in single precision, by the first word of their names; none where there is no data."""
+    """The grids with three coordinates, in single precision, by the first word of their names; empty without data."""
     paths = sorted((DATA / "grids").glob("*.npz"))
     loaded = {path.stem: np.load(path) for path in paths}
     return {name.split("_range")[0].split("_table")[0]: arrays["xyz"].astype(np.float32)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# make bench: builds the benchmarks against the installation in $1 and runs those whose names contain $2; if $3 is not empty, also
-# what is skipped for its length. The remaining arguments are the Debian packages it needs. Peers in Python go into a virtual
-# environment; one that cannot be had is reported as absent. A full run also writes docs/benchmarks.md and docs/benchmarks.svg.
+# make bench: builds the benchmarks against the installation in $1 and runs those whose names contain $2; if $3 is not
+# empty, also the slow cases. The remaining arguments are the Debian packages it needs. Python peers go into a virtual
+# environment; a peer that cannot be installed is reported as absent. A full run also writes docs/benchmarks.md and
+# docs/benchmarks.svg.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1 only=$2 slow=$3
@@ -24,7 +25,7 @@ if ! cmp -s bench/pins.txt "$venv/pins.txt"; then
   done
   cp bench/pins.txt "$venv/pins.txt"
 fi
-# Open CASCADE from Python brings a gigabyte along: only for those who ask for it.
+# Open CASCADE for Python is a gigabyte: installed only on request.
 ocp() {
   local venv=build/bench-$1
   cmp -s bench/pins.txt "$venv/pins.txt" && return

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Installs by cargo-c into build/cargo-c/stage, and asks of that what the tests ask of `make install`.
+# Installs by cargo-c into build/cargo-c/stage, and runs the tests of `make install` on it.
 #   check-cargo-c.sh [packages to install first]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/install-packages.sh "$@"
 
-# The release that goes with Rust 1.95.
+# The release for Rust 1.95.
 cargo_c=0.10.24
 work=$PWD/build/cargo-c
 stage=$work/stage/usr/local
@@ -16,7 +16,7 @@ rm -rf "$work/stage"
 PATH=$work/bin:$PATH cargo cinstall --release --locked --prefix /usr/local --libdir lib --destdir "$work/stage"
 
 cpp_tests/consumer/library.sh "$stage" include/gusset.symbols
-# Its pkg-config file says where it was meant to lie: it is read as if it lay there.
+# Its pkg-config file names the final prefix; pkg-config reads it with the staging prefix.
 package="PKG_CONFIG_LIBDIR='$stage/lib/pkgconfig' pkg-config --define-prefix gusset"
 field() { sed -nE "s/^$1: *//p" "$2" | tr -s ' '; }
 for name in Name Description Version; do
@@ -24,7 +24,7 @@ for name in Name Description Version; do
     <(sed "s|@VERSION@|$(eval "$package --modversion")|; s|@DESCRIPTION@|$(sed -n 's/^description = "\(.*\)"/\1/p' Cargo.toml)|" \
       packaging/gusset.pc.in | field "$name" /dev/stdin)
 done
-# Flags for the linker are ours alone: cargo-c names libraries.
+# Only our pkg-config file has linker flags: cargo-c names libraries.
 words() { tr ' ' '\n' | sed '/^$/d; /^-Wl,/d' | sort -u; }
 diff <(field Libs.private "$stage/lib/pkgconfig/gusset.pc" | words) <(field Libs.private packaging/gusset.pc.in | words)
 mkdir -p "$work/pkg_config" && make --always-make -C "$work/pkg_config" -f "$PWD/cpp_tests/consumer/pkg_config/Makefile" \

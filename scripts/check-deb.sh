@@ -8,7 +8,7 @@ scripts/install-packages.sh "$@"
 [ "$(id -u)" -eq 0 ] || { echo 'gusset: the packages are installed for this: run it as root, in a container say' >&2; exit 1; }
 packages=(build/deb/*.deb)
 mapfile -t names < <(for package in "${packages[@]}"; do dpkg-deb -f "$package" Package; done)
-# Where none of them is known, that is no failure.
+# Unknown packages are not a failure.
 installed() { { dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${names[@]}" 2>/dev/null || true; } | sed -n 's/^installed //p'; }
 there=$(installed)
 [ -z "$there" ] || { echo "gusset: installed already, and not to be replaced: $there" >&2; exit 1; }

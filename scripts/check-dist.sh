@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# make check-dist: whether a clone of this checkout elsewhere makes the same bytes of the archive $1. Builds the library again.
+# make check-dist: checks that a clone of this checkout in another folder makes the archive $1 with equal bytes.
+# Builds the library again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 archive=$1

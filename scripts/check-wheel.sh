@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make check-wheel: installs the wheel into a new environment where no Rust is to be found, and runs the README's lines and the tests.
+# make check-wheel: installs the wheel into a new environment without Rust, and runs the README's lines and the tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 venv=$(mktemp -d)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Debian packages of this tree in build/deb, with the toolchain on PATH; packaging/debian/README.source says more.
+# Builds the Debian packages of this tree in build/deb, with the toolchain on PATH; see
+# packaging/debian/README.source.
 #   deb.sh [packages to install first]
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make demo: installs the library in $1, builds the demo against it and runs it on the meshes $2 and $3, or, where these are empty, on
-# a real closed mesh that it takes a band out of. The remaining arguments are the Debian packages it needs; after -- those that
-# only the pictures need. Where there is no apt to install them it stitches shapes that it generates.
+# make demo: installs the library in $1, builds the demo against it and runs it on the meshes $2 and $3. If these are
+# empty, the demo cuts a band out of a real closed mesh. The remaining arguments are the Debian packages it needs;
+# packages after -- serve only the pictures. Without apt, the demo stitches generated shapes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1 left=$2 right=$3
@@ -40,7 +40,7 @@ compiled() { # A target of the examples
     env -u MAKELEVEL -u MAKEFLAGS cmake --build build/examples --target "$1" --parallel 2 >>build/examples.log 2>&1 ||
     { tail -n 40 build/examples.log; return 1; }
 }
-# The demo's own files are compiled while cargo, which seldom keeps all cores busy, builds the library that they are linked to.
+# Compiles the demo while cargo builds the library, which seldom keeps all cores busy.
 compiled demo_objects &
 staged install-library || { wait; exit 1; }
 wait $!

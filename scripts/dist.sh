@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make dist: packs an installation into the archive $1, the same bytes wherever the same sources are built by the same compiler, with
-# its checksum; and beside it, in conan and vcpkg, the recipes of packaging/ for that archive, as it will be found under the URL $2. $3: where
-# the program is built; $4: the level of gzip. An archive of the same files is not packed again.
+# make dist: packs an installation into the archive $1, with its checksum. Equal sources and compilers give equal
+# bytes. Beside it, conan and vcpkg get the recipes of packaging/ for the archive at the URL $2. $3: build folder of
+# the program; $4: level of gzip. An archive of unchanged files is not packed again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 archive=$1 url=${2%/} program=$3 level=$4
@@ -14,7 +14,7 @@ rm -rf "${out:?}/$name" "$out/conan" "$out/vcpkg"
 env -u MAKELEVEL -u MAKEFLAGS make --no-print-directory -s install PREFIX="$out/$name" DESTDIR= program="$program"
 cp packaging/archive/CMakeLists.txt "$out/$name"
 
-# The time of the last commit; of sources without a history, the beginning of 1980, before which some archives know no time.
+# The time of the last commit. Without a history it is the beginning of 1980, the earliest time in some archives.
 epoch=${SOURCE_DATE_EPOCH:-$([ ! -e .git ] || git log -1 --format=%ct)}
 pack() {
   tar --sort=name --format=gnu --mtime="@${epoch:-315532800}" --owner=0 --group=0 --numeric-owner --mode='u=rwX,go=rX' -C "$out" -c "$name"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The site of the C and C++ interface, into build/docs/html; any warning of doxygen's is an error, and any broken link.
+# Writes the site of the C and C++ interface into build/docs/html. Warnings of doxygen and broken links are errors.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mkdir -p build

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# make figures: builds the program that draws the figures of the papers against the installation in $1, and draws those of docs/figures
-# anew. The remaining arguments are the Debian packages it needs. The same bytes each time.
+# make figures: builds the program that draws the figures of the papers against the installation in $1, and redraws
+# docs/figures with equal bytes. The remaining arguments are the Debian packages it needs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The fuzzers, built for libFuzzer and run one after the other: scripts/fuzz.sh SECONDS [TARGET]. `make fuzz` calls it. What libFuzzer needs
-# of the compiler is stable, so no nightly one is asked for. Corpora grow in build/fuzz; what fails is left beside them.
+# The fuzzers, built for libFuzzer and run one after the other: scripts/fuzz.sh SECONDS [TARGET]. `make fuzz` calls
+# it. libFuzzer needs only stable features of the compiler. Corpora grow in build/fuzz; failing inputs are left beside
+# them.
 set -eu
 seconds=$1
 only=${2:-}
@@ -8,7 +9,8 @@ host=$(rustc -vV | sed -n 's/^host: //p')
 folder=${FUZZ_DIR:-build/fuzz}
 mkdir -p "$folder"
 
-# The edges and comparisons of the library alone, with its checks of overflow: a target is named, so that what runs while building is left as it is.
+# Instruments edges and comparisons of the library only, with overflow checks. The target triple keeps build scripts
+# uninstrumented.
 RUSTFLAGS="--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
     -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares -Cdebug-assertions -Ccodegen-units=8" \
     "${CARGO:-cargo}" build --locked -p gusset-fuzz --bins --features libfuzzer --release --target "$host" --target-dir "$folder/target"

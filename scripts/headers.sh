@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The headers that programs include, each by itself, in every standard that it is promised for; with `parts` each part of the wrapper
-# by itself too: whether it includes what it needs is the same for every compiler.
+# Compiles each header that programs include alone, in every supported standard. With `parts`, also compiles each part
+# of the wrapper alone; one compiler suffices for this.
 #   headers.sh PREFIX C_COMPILER C++_COMPILER [parts]
 set -euo pipefail
 include=$1/include cc=$2 cxx=$3 parts=${4:-}
 strict=(-fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "-I$include")
 
-# One compilation a line: compiler, language, standard, header. What the adapters include of other libraries lies where compilers look
-# by themselves, and do not warn.
+# One compilation a line: compiler, language, standard, header. Headers of other libraries lie in system folders,
+# where compilers do not warn.
 cd "$include"
 jobs=$(
   for header in *.h gusset/*.h; do
@@ -24,14 +24,15 @@ jobs=$(
 one() { # The words of a line, then the flags.
   local compiler=$1 language=$2 standard=$3 header=$4
   shift 4
-  # Twice: a header may be included again. As a file of its own a header is no main file, of which compilers expect other things.
+  # Includes it twice, because a header may be included again. A separate main file avoids warnings that apply to main
+  # files.
   printf '#include <%s>\n#include <%s>\n' "$header" "$header" | "$compiler" -x "$language" "-std=$standard" "$@" - ||
     { echo "FAILED: $header as $standard by $compiler" >&2; return 1; }
 }
 export -f one
 xargs -P "$(nproc)" -L 1 bash -c 'one "${@: -4}" "${@:1:$#-4}"' one "${strict[@]}" <<<"$jobs"
 
-# After every header of C99: names of theirs are macros, <complex.h> has `complex`.
+# After every header of C99, whose macros could clash: <complex.h> has `complex`.
 standard=(assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdarg stdbool stddef stdint stdio
   stdlib string tgmath time wchar wctype)
 for header in *.h; do

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages named on the command line, those that are missing only.
-# It says what it is about to do first. As root it installs; through sudo it installs; otherwise it prints the
-# command for the reader to run and stops.
+# Installs the missing Debian packages of the command line, after it has named them. It installs as root or through
+# sudo; otherwise it prints the command and stops.
 #
-# Exit status: 0 all present, 1 could not install, 3 there is no apt here (the caller may have another way).
+# Exit status: 0 all present, 1 could not install, 3 apt is missing (the caller may have another way).
 set -euo pipefail
 
 missing=()
@@ -33,7 +32,7 @@ export DEBIAN_FRONTEND=noninteractive
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 install() { "${run[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}" >"$log" 2>&1; }
-# The lists of a new machine may be missing or old: one refresh, then once more.
+# The lists of a new machine may be missing or old: refreshes them once and tries again.
 install || { "${run[@]}" apt-get update -q >>"$log" 2>&1 && install; } || {
   tail -n 20 "$log" >&2
   echo "gusset: apt-get could not install: ${missing[*]}" >&2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # make lint-hosts: compiles each header by gcc and by clang, and each example in C++ by itself. Tests compile many examples as one file,
-# where one may use what another includes. $1: an installation of the headers.
+# where one may depend on an include of another. $1: an installation of the headers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 prefix=$PWD/$1

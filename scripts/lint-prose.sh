@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # make lint: refuses openings and phrases that read like a translation, in comments, pages and docstrings, and functions called `of`.
-# The rules stand in CONTRIBUTING.md. The program in tools/gusset is exempt until the command in Rust replaces it.
+# CONTRIBUTING.md has the rules. The program in tools/gusset is exempt until the command in Rust replaces it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make pictures: builds the examples that draw against the installation in $1, and draws the pictures of docs/ anew, all but that of
-# the benchmarks, which `make bench` draws; and the page of showcases, which begins with that of `make demo`. The remaining arguments
-# are the Debian packages it needs. The same bytes each time.
+# make pictures: builds the drawing examples against the installation in $1, and redraws the pictures of docs/ with
+# equal bytes, except the plot of the benchmarks. It also writes the page of showcases, which begins with the showcase
+# of `make demo`. The remaining arguments are the Debian packages it needs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1

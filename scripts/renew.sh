@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the folder $2 what the folder $1 is, which goes. Files that are the same keep their place and their time.
+# Replaces the folder $2 by the folder $1, which is removed. Unchanged files keep their time.
 set -euo pipefail
 from=$1 to=$2
 mkdir -p "$to"

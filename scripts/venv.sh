@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the virtual environment $1 with the Python packages of the lists that follow, unless it has them already. The lists have the
-# versions.
+# Makes the virtual environment $1 with the packages of the following lists, which have the versions, unless it has
+# them already.
 set -euo pipefail
 venv=$1
 shift

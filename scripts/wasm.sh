@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# make wasm: builds the package wasm/ with gusset.wasm, whose parts that follow from the library must be as wasm/generate.mjs writes them,
-# and runs its tests under node beside the native library. Arguments: the installation of that; "build" to stop after building.
+# make wasm: builds the package wasm/ with gusset.wasm, checks its generated files against wasm/generate.mjs, and runs
+# its tests under node beside the native library. Arguments: the installation of the native library; "build" to stop
+# after building.
 #
-# The compiler is cargo's own if it has the target wasm32-unknown-unknown (rustup target add). Else it is Debian's for browsers, which
-# has the sources of the standard library: unpacked into build/wasm, as its packages would take the place of rustc's. RUSTC_BOOTSTRAP
-# lets it build those sources; nothing of gusset is unstable.
+# The compiler is cargo's own if it has the target wasm32-unknown-unknown (rustup target add). Otherwise it is
+# Debian's compiler for browsers, which has the sources of the standard library. It is unpacked into build/wasm,
+# because its packages would replace rustc. RUSTC_BOOTSTRAP lets it build these sources; gusset uses no unstable
+# feature.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1 until=${2:-test}
@@ -22,7 +24,7 @@ else
     echo "gusset: there is no compiler for $target: rustup target add $target, or Debian's packages rustc-web and rust-web-src" >&2
     exit 3
   fi
-  # What those packages are linked with takes nothing's place.
+  # The libraries of these packages replace no other package.
   mapfile -t shared < <({ depends "$std"; depends cargo-web; } | grep '^lib' | grep -v '^libstd-rust' | sort -u)
   scripts/install-packages.sh lld-19 "${shared[@]}"
   toolchain=$out/toolchain version=$(apt-cache policy rustc-web | sed -n 's/^ *Candidate: //p')
@@ -41,11 +43,12 @@ else
   remapped="--remap-path-prefix=$toolchain=/rust"
 fi
 
-# Folders of their own: this compiler may be another than that of target. No names of functions, which are a third of the file.
+# Separate folders, because this compiler may differ from the compiler of target. Strips the names of functions, a
+# third of the file.
 CARGO_PROFILE_RELEASE_STRIP=true "$cargo" rustc --locked -p gusset --lib --crate-type cdylib --features reserve --release --target "$target" \
   --target-dir "$out/target" "${flags[@]}" \
   --config "build.rustflags=[\"$remapped\", \"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo\", \"--remap-path-prefix=$PWD=/gusset\"]"
-# A running test reads the old one to its end.
+# A running test keeps reading the old file.
 install -m 644 "$out/target/$target/release/gusset.wasm" wasm/gusset.wasm
 install -m 644 LICENSE-* wasm
 unset LD_LIBRARY_PATH

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# make wheel: builds the wheel of the Python package into target/wheels. Arguments: maturin's, which hands them on to cargo.
+# make wheel: builds the wheel of the Python package into target/wheels. Arguments: passed to maturin, which passes
+# them to cargo.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/venv.sh build/python python/requirements.txt

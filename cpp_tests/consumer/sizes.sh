@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What an installation weighs, the README's program with the static library, and one that stitches only.
+# Sizes of an installation, of the README's program with the static library, and of a program that only stitches.
 #   sizes.sh PREFIX STITCH_C
 set -euo pipefail
 prefix=$1 source=$2

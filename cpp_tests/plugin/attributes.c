@@ -1,4 +1,4 @@
-/* What meshes carry beside positions, through every filter: attributes LIBRARY [SIZE], of shapes of this size, 8
+/* Attributes of meshes through every filter: attributes LIBRARY [SIZE], on shapes of this size, 8
  * unless told */
 #include "loaded.h"
 

@@ -57,7 +57,7 @@ static inline void torture_soil(void *output, size_t from, size_t to) {
     if (from < to) memset((char *)output + from, 0x5A, to - from);
 }
 
-/* The same output after it: 0 if the call failed, or all ones, which is no type and no index. */
+/* An output after the call: 0 if the call failed, or all ones, which is neither a type, nor an index. */
 static inline void torture_cleared(gusset_status status, const void *output, size_t from, size_t to, const char *name) {
     const unsigned char *const bytes = output;
     for (size_t i = from; status != GUSSET_OK && i < to; ++i)

@@ -2,7 +2,8 @@
 //   hull stations.csv hull.svg hull_view.svg
 //   hull - hull.svg hull_view.svg              (a hull by formula)
 // The file is a table of offsets in metres: the columns station_i, waterline_j, x_m, y_half_breadth_m and z_m, a row for each point. x
-// goes forward, y to port, z up; y is empty where there is no hull. Stations follow each other from the stern to the bow, the
+// goes forward, y to port, z up; y is empty outside the hull. Stations follow each other from the stern to the bow,
+// the
 // points of each from the keel to the deck. Other names of the columns: --columns.
 #include "hull_stations.hpp"
 #include "hull_view.hpp"

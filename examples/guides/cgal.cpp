@@ -36,7 +36,7 @@ int main() {
     //! [stitch]
 
     //! [judge]
-    // What gusset says of the result, and what CGAL does.
+    // Checks of the result by gusset and by CGAL.
     const bool ours = stitch.intersections()->empty() && stitch.quality().loops_left == 0;
     const bool theirs = CGAL::is_closed(joined) && !CGAL::Polygon_mesh_processing::does_self_intersect(joined);
     //! [judge]
@@ -56,7 +56,7 @@ int main() {
     }
 
     //! [surface]
-    // What CGAL does not have: nearest points and sections of a smooth surface, not of triangles.
+    // Queries that CGAL lacks: nearest points and sections of a smooth surface instead of triangles.
     std::vector<Kernel::Point_3> nodes;
     for (int i = 0; i < 12; ++i) {
         for (int j = 0; j < 12; ++j) {

@@ -105,7 +105,7 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
     //! [left]
     const auto why = [](const gusset_left_loop &loop) -> std::string {
         switch (loop.reason) {
-        case GUSSET_LEFT_ALONE: return "there is no other loop";
+        case GUSSET_LEFT_ALONE: return "no other loop exists";
         case GUSSET_LEFT_NOT_SIMPLE: return "it is open, or the faces along it do not fit together";
         case GUSSET_LEFT_TOO_SHORT: return "it has fewer than three vertices";
         case GUSSET_LEFT_NOT_JOINED: return "no strip was possible: see the outcomes of the joints";

@@ -21,7 +21,7 @@ struct TileHeader {
     uint64_t tile = 0;
     uint64_t first_id = 0; // of the vertices that the tile owns, which are those in the file
     uint64_t vertex_count = 0;
-    uint64_t face_count = 0; // those of the tile, then those of the seams that it owns
+    uint64_t face_count = 0; // faces of the tile, then faces of the seams that it owns
     uint64_t hash = 0;       // of all words but the magic one and this
     uint64_t reserved[2] = {0, 0};
 };

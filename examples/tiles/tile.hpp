@@ -143,7 +143,7 @@ inline void clean(const Plan &plan, uint32_t tile, Soup &&soup, const gusset::Co
         const gusset::Check check(view, context);
         const gusset_check_view found = check.view();
         if (!check.is_manifold() || !check.is_oriented() || found.component_count != 1 || found.degenerate_faces.count != 0) {
-            throw std::runtime_error("the clean tile is no oriented manifold in one piece");
+            throw std::runtime_error("the clean tile is not a connected, oriented manifold");
         }
         rim.edges = found.edge_count;
         rim.faces = found.face_count;

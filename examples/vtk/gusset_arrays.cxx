@@ -19,7 +19,8 @@ using gusset::Rule;
 /// The elements of one piece that have values: tuples `first` and on, or those that are listed.
 struct Source {
     vtkDataSetAttributes *values;
-    /// How many tuples an array must have: others, of broken data sets, are no arrays of these elements.
+    /// The number of tuples that an array must have. Arrays of broken data sets with other numbers do not belong to
+    /// these elements.
     vtkIdType total;
     vtkIdType first;
     vtkIdType count;
@@ -41,8 +42,7 @@ Attributes attributes_of(vtkDataSetAttributes *values, vtkAbstractArray *array) 
     return found;
 }
 
-/// The array of a piece that belongs with one of another piece: that of its name, or without a
-/// name that of its first attribute.
+/// The array of a piece that matches an array of another piece: by name, or without a name by its first attribute.
 vtkAbstractArray *same(const Source &source, vtkAbstractArray *array, const Attributes &attributes) {
     vtkAbstractArray *found = nullptr;
     const auto attribute = std::find(attributes.begin(), attributes.end(), true);
@@ -82,7 +82,7 @@ public:
     Carrier(const gusset::Origins &origins, Domain domain, std::vector<Source> sources, const Run &run)
         : origins_(origins), domain_(domain), sources_(std::move(sources)), run_(run) {}
 
-    /// `copied`: the piece and the tuple of each tuple before those of the result's elements.
+    /// `copied`: the piece and the tuple of each tuple before the elements of the result.
     void carry(vtkDataSetAttributes *output, const std::vector<std::pair<std::size_t, vtkIdType>> &copied);
 
 private:
@@ -157,7 +157,7 @@ void Carrier::pick(vtkAbstractArray *made, vtkIdType first, const Arrays &arrays
 }
 
 void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<std::size_t, vtkIdType>> &copied) {
-    // Pieces without elements have no say in which arrays there are.
+    // Pieces without elements do not affect the choice of arrays.
     const auto has_elements = [](const Source &source) { return source.total > 0; };
     const auto base = std::find_if(sources_.begin(), sources_.end(), has_elements);
     if (base == sources_.end()) {

@@ -13,7 +13,7 @@ namespace {
 
 std::string name_of(vtkDataObjectTree *tree, vtkDataObjectTreeIterator *at) {
     const unsigned index = at->GetCurrentFlatIndex();
-    // Of a partitioned data set itself, index 0 is the whole.
+    // In a partitioned data set, index 0 is the whole.
     const bool flat = vtkPartitionedDataSet::SafeDownCast(tree) != nullptr;
     std::string name = flat ? "partition " + std::to_string(index - 1) : "block " + std::to_string(index);
     if (at->HasCurrentMetaData() && at->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME())) {

@@ -41,7 +41,7 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
             for (const gusset_vtk::Leaf &leaf : gusset_vtk::leaves(vtkDataObject::GetData(inputs[0], i), run)) {
                 const std::string name = "input " + std::to_string(i) + (leaf.name.empty() ? "" : ", " + leaf.name);
                 if (leaf.data->GetNumberOfPolys() + leaf.data->GetNumberOfStrips() == 0) {
-                    // What is empty is no mistake: a part of a pipeline may have nothing to do.
+                    // An empty input is valid: a part of a pipeline may be idle.
                     if (leaf.data->GetNumberOfPoints() + leaf.data->GetNumberOfCells() > 0) {
                         vtkWarningMacro(<< name << ", which has no polygons, is left out");
                     }

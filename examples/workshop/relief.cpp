@@ -227,7 +227,7 @@ int main(int argc, char **argv) try {
     gusset::NetMeshOptions triangles;
     triangles.faces = gusset::NetFaces::triangles_shorter;
     triangles.fill_corners = true;
-    triangles.max_edge_ratio = ratio; // steps from one surface to another are no faces
+    triangles.max_edge_ratio = ratio; // omits faces across steps between surfaces
     const gusset::NetMesh raw(net, triangles);
     gusset::FillOptions small;
     small.refine = gusset::FillRefinement::rim_density;

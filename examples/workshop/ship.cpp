@@ -1,7 +1,8 @@
 // Closes a ship's hull from its table of offsets, and computes its hydrostatics at a draught: from the closed mesh,
 // from the smooth surface and from the table itself.
 //   ship [stations.csv] [--draught 4] [--picture ship.svg] [--mesh ship.off] [--page NAME]
-// The file is as that of examples/cpp/hull.cpp, in metres: cells of the table may be empty. Without one, or with -, the
+// The file has the format of examples/cpp/hull.cpp, in metres: cells of the table may be empty. Without one, or with
+// -, the
 // hull is made by formula.
 #include "../cpp/hull_stations.hpp"
 #include "workshop.hpp"
@@ -273,7 +274,7 @@ int main(int argc, char **argv) try {
     smooth.pop_back();
     const Hydrostatics mesh = of_mesh(whole.mesh(), water), surface = of_layers(smooth, top, low, water),
                        table = of_layers(drawn, of_table(stations, water), low, water);
-    std::cout << "draught " << water - low << " m; the differences are those of the mesh\n"
+    std::cout << "draught " << water - low << " m; differences of the mesh\n"
               << "            volume, m3       waterplane, m2       buoyancy x, z    flotation x, m\n";
     print("mesh", mesh, mesh);
     print("surface", surface, mesh);

@@ -36,7 +36,7 @@ impl Progress for Steps {
 /// threads, or the computation is repeated and cancelled.
 ///
 /// # Errors
-/// Those of `run`.
+/// The errors of `run`.
 ///
 /// # Panics
 /// If the answers differ, progress runs backwards, or a cancel is not obeyed.

@@ -11,7 +11,7 @@ pub use targets::TARGETS;
 /// Runs one case of a target.
 ///
 /// # Panics
-/// If an oracle fails, or there is no such target.
+/// If an oracle fails, or the target does not exist.
 pub fn run(name: &str, bytes: &[u8]) {
     let target = TARGETS.iter().find(|(known, _)| *known == name).expect("a target of the table");
     (target.1)(bytes);

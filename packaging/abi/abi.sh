@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# The binary interface, and what it was when its baseline was written.
+# Compares the binary interface with its baseline.
 #   abi.sh check INCLUDE      compares; INCLUDE holds the headers, and gusset.symbols or is beside share/gusset
 #   abi.sh baseline INCLUDE   writes the baseline of this SONAME, and the symbols file of the Debian package
 #
-# The rule: within one SONAME the interface only grows. What is there keeps its name, its signature, its layout and its value; new
-# functions and constants may come. Whatever else changes needs a new SONAME, and that a new minor version in Cargo.toml.
+# The rule: within one SONAME the interface only grows. Existing items keep their names, signatures, layouts and
+# values; new functions and constants may be added. Any other change needs a new SONAME, and so a new minor version in
+# Cargo.toml.
 #
-# The interface is read from the headers, as C programs read it; tests hold them equal to the sources, and the list of symbols to
-# the library. (What Rust tells debuggers of the same types has names of Rust's own, which change where C programs see no change.)
-# The functions are given empty bodies and the constants variables of types of their own, since only what is compiled leaves a trace that
-# abidw can read.
+# The interface is read from the headers, as C programs see it. Tests keep the headers equal to the sources, and the
+# list of symbols equal to the library. (Rust's debug data use Rust names, which change where C programs see no
+# change.)
+# Functions get empty bodies, and constants become variables of their own types, because abidw reads compiled items
+# only.
 set -euo pipefail
 verb=$1 include=$2
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -31,7 +33,7 @@ for header in $parts gusset_plugin.h; do
   sed -nE '/GUSSET_VERSION_/d; s/^(#define|   ) (GUSSET_[A-Z0-9_]+) (= )?(0x)?[0-9A-F]+,?$/enum the_\2 { value_of_\2 = \2 } the_\2;/p' \
     "$include/$header"
 done >"$work/interface.c"
-# Where this was compiled, the baseline does not hold.
+# The baseline does not include the build folder.
 (cd "$work" && gcc -std=c17 -w -g -shared -fPIC -nostdlib "-Wl,-soname,$soname" interface.c -o "$soname")
 functions=$(nm -D --defined-only "$work/$soname" | awk '$2 == "T" { print $3 }' | LC_ALL=C sort)
 diff <(echo "$functions") <(LC_ALL=C sort "$symbols") || { echo "FAILED: the headers do not declare what $symbols lists" >&2; exit 1; }
@@ -47,7 +49,7 @@ elif ! compare; then
   compare --no-added-syms || state=broken
 fi
 
-# Symbols that the Debian package's list has not yet, with the version that brings them.
+# Symbols that the list of the Debian package lacks, with the version that adds them.
 unlisted() {
   grep -vxFf <(sed -nE 's/^ (\S+)@Base .*/\1/p' "$debian" 2>/dev/null) "$symbols" || true
 }
