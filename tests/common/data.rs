@@ -14,7 +14,7 @@ pub fn path(name: &str) -> Option<PathBuf> {
     None
 }
 
-/// What is in a file of text.
+/// The content of a text file.
 pub fn text(name: &str) -> Option<String> {
     path(name).map(|path| std::fs::read_to_string(path).unwrap())
 }

@@ -114,9 +114,9 @@ pub fn sheet(w: u32, h: u32) -> Soup {
     soup
 }
 
-/// The part of the unit sphere above (`sign` = 1) or below (-1) the height z = `sign` * `rim`: a
-/// pole, `rings` rings of `n` vertices, the last one being the rim; faces counter-clockwise from
-/// outside.
+/// The part of the unit sphere above (`sign` = 1) or below (-1) the height z = `sign` * `rim`. It
+/// has a pole and `rings` rings of `n` vertices, the last of which is the rim. Faces are
+/// counter-clockwise from outside.
 pub fn cap(n: u32, rings: u32, rim: f64, sign: f64) -> Soup {
     let mut soup = Soup { points: vec![[0.0, 0.0, sign]], offsets: vec![0], ..Soup::default() };
     let end = rim.acos();
@@ -205,7 +205,7 @@ impl Progress for Steady {
     }
 }
 
-/// Neither listens nor cancels.
+/// Ignores progress and never cancels.
 pub struct Silent;
 
 impl Progress for Silent {

@@ -1,4 +1,4 @@
-//! The pages hold what the code does.
+//! The pages agree with the code.
 
 mod rust;
 mod snippets;

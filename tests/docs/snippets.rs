@@ -1,6 +1,6 @@
-//! What the README and the guides show is what the tests compile and run: a block of code names the
-//! file that it is from, and, if it is a part of it, the part, which lies between two lines that
-//! end in `! [part]`. `GUSSET_UPDATE=1 cargo test --test docs` copies them in. A block that names
+//! The README and the guides show code that the tests compile and run. A block of code names its
+//! file, and perhaps a part of it, which lies between two lines that end in `! [part]`.
+//! `GUSSET_UPDATE=1 cargo test --test docs` copies them in. A block that names
 //! no file may hold calls of make, whose targets there must be, or output.
 
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
-//! Rims that are hard to join, in every way that strips are made: what comes out is always a valid
-//! surface, what is said of its faces that cut each other is true, and neither units, axes, numbers
-//! nor threads change it.
+//! Joins difficult rims by every kind of strip. The result is always a valid surface, and the
+//! reported intersections are true. Units, axes, vertex numbers and threads do not change the
+//! result.
 
 use crate::common::{Soup, Steady, edge_counts, euler, faces_of};
 
@@ -143,9 +143,9 @@ fn bits(positions: &PositionBuffer) -> Vec<[u64; 3]> {
     points.iter().map(|p| p.map(f64::to_bits)).collect()
 }
 
-/// Two-manifold and oriented, with the Euler characteristic and loops of the pieces less the two
-/// rims; old vertices bit for bit and old faces as they were or turned over; no NaN; pairs of faces
-/// that exist, each once.
+/// The result is an oriented two-manifold with the Euler characteristic and loops of the pieces
+/// minus the two rims. Old vertices are kept bit for bit, old faces are kept or reversed. No
+/// coordinate is NaN, and each reported pair of faces exists once.
 pub(crate) fn assert_valid(a: &Shell, b: &Shell, joined: &Stitch, what: &str) {
     assert!(edge_counts(faces_of(&joined.mesh)).values().all(|&(f, g)| f <= 1 && g <= 1), "{what}");
     let found = check(&joined.mesh.view(&Job::default()).unwrap(), &Job::default()).unwrap();
@@ -411,7 +411,7 @@ fn other_numbers_give_the_same_strip() {
         }
         Shell { soup: other, rim }
     };
-    // Columns of matrix P by the bits of their positions, whatever the numbers.
+    // Columns of matrix P by the bits of their positions, independent of vertex numbers.
     let columns = |joined: &Stitch| -> BTreeSet<Vec<[u64; 3]>> {
         let (all, count) = (bits(&joined.mesh.positions), joined.meridians.len());
         let column = |k: usize| joined.matrix[k..].iter().step_by(count).map(|&v| all[v as usize]).collect();

@@ -46,8 +46,9 @@ fn middle(soup: &Soup) -> DVec3 {
     soup.points.iter().map(|&p| DVec3::from_array(p)).sum::<DVec3>() / soup.points.len() as f64
 }
 
-/// The mean distance of points of each view from the planes at the nearest points of the others, where
-/// these are within 1.5 mm, on no border, and face the same way: by cells, not by the library.
+/// The mean distance of points of each view from the planes at the nearest points of other views.
+/// Pairs count within 1.5 mm, off borders, and with normals on one side. The search uses cells, not
+/// the library.
 fn mean_residual(scans: &[Soup], poses: &[Pose]) -> f64 {
     const CELL: f64 = 0.0015;
     let cell = |p: DVec3| (p / CELL).floor().to_array().map(|x| x as i64);
@@ -90,8 +91,8 @@ fn mean_residual(scans: &[Soup], poses: &[Pose]) -> f64 {
     sum / count
 }
 
-/// The ten views, disturbed by 3 degrees and 3 % of the size each, are back where they were published,
-/// to half a degree and half a percent, and trusted.
+/// The ten views, each disturbed by 3 degrees and 3 % of the size, return to their published poses
+/// within half a degree and half a percent, and are trusted.
 #[test]
 fn views_of_the_bunny_find_back() {
     let Some((scans, poses)) = bunny() else { return };
@@ -192,7 +193,7 @@ fn placed(soup: &Soup, pose: &Pose) -> Soup {
     Soup { points, ..soup.clone() }
 }
 
-/// Ten views become one closed mesh, most of whose vertices are those of a view, bit for bit.
+/// Ten views become one closed mesh, and most of its vertices equal a vertex of a view bit for bit.
 #[test]
 fn views_of_the_bunny_become_one_closed_mesh() {
     let Some((scans, poses)) = bunny() else { return };

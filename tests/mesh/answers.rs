@@ -1,4 +1,4 @@
-//! What is said of requests that cannot be done, and of options that are not read.
+//! Answers to impossible requests, and to options that are not read.
 
 use crate::common::{Soup, cap, sheet};
 use crate::pieces::cube;
@@ -103,7 +103,7 @@ fn a_pair_that_names_nothing_is_told_why() {
             assert_eq!(error, Error::BadLoopPair { option: "pairs", pair: number, side, piece, vertex, fault });
             assert_eq!(error.to_string(), format!("pair {number} of pairs: {text}"));
         }
-        // An exclusion may name a whole piece, or what is no loop.
+        // An exclusion may name a whole piece, or a list that is not a loop.
         if matches!(fault, PairFault::NoPiece | PairFault::NoVertex) {
             let error = run(&[], &[right, right, pair]);
             assert_eq!(error.to_string(), format!("pair 2 of excluded: {text}"));

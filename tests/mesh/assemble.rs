@@ -43,9 +43,9 @@ pub(crate) fn volume_of(done: &Assembly) -> f64 {
     volume(|v| position(&done.mesh, v), faces_of(&done.mesh))
 }
 
-/// What must hold of every assembly: faces and positions of the pieces found through the maps,
-/// turned where the account says so; each new face and vertex the work of one joint or hole; counts
-/// that agree with the mesh.
+/// Checks every assembly. The maps lead to faces and positions of the pieces, reversed where the
+/// report says so. Each new face and vertex belongs to one joint or hole. Counts agree with the
+/// mesh.
 pub(crate) fn assert_account(pieces: &[Soup], done: &Assembly) {
     let faces: Vec<&[u32]> = faces_of(&done.mesh).collect();
     assert_eq!(done.maps.len(), pieces.len());
@@ -190,7 +190,7 @@ fn pieces_inside_out_agree_with_the_first() {
     }
 }
 
-/// What the joints join, by the bits of the positions.
+/// The loops of the joints, by the bits of their positions.
 pub(crate) fn sides(done: &Assembly) -> BTreeSet<BTreeSet<[u64; 3]>> {
     let at = |&v: &u32| position(&done.mesh, v).map(f64::to_bits);
     done.joints.iter().map(|joint| joint.sides.iter().flatten().map(at).collect()).collect()
@@ -198,8 +198,8 @@ pub(crate) fn sides(done: &Assembly) -> BTreeSet<BTreeSet<[u64; 3]>> {
 
 #[test]
 fn a_face_may_be_turned_twice() {
-    // All of the second piece is inside out but for one face, which is turned to agree with its
-    // piece, and then with the first one.
+    // The second piece is inside out except one face, which is reversed to agree with its piece,
+    // and then with the first piece.
     let (mut pieces, chi, _) = with_gaps().swap_remove(0);
     let (kept, mut other) =
         (pieces[1].clone(), Soup { points: pieces[1].points.clone(), offsets: vec![0], ..Soup::default() });
@@ -311,7 +311,7 @@ fn the_same_piece_twice_and_thrice() {
     let done = run(&[piece.clone(), piece.clone()], &welding());
     assert_eq!((done.loops_left, done.non_manifold_edges, done.sewn_edges), (0, 0, 10));
     assert_closed(&done, 2);
-    // It has no inside, and that is said.
+    // It encloses no volume, and the report says so.
     assert_eq!(done.zero_volume.len(), 1);
     let [lower, upper] = [-1.0, 1.0].map(|side| crate::common::cap(12, 3, 0.2, side));
     let notes = crate::answers::Notes::default();
@@ -321,7 +321,7 @@ fn the_same_piece_twice_and_thrice() {
     let done =
         run(&[piece.clone(), piece.clone(), piece.clone()], &Options { max_gap: MaxGap::Given(0.0), ..welding() });
     assert_eq!((done.loops_left, done.sewn_edges, done.welded_vertices), (3, 0, 0));
-    // Joined though they have no gap: the mesh is manifold all the same.
+    // Joined without a gap: the mesh is still manifold.
     let done = run(&[piece.clone(), piece.clone(), piece], &Options::default());
     let found = check(&done.mesh.view(&Job::default()).unwrap(), &Job::default()).unwrap();
     assert!(found.manifold && found.oriented);

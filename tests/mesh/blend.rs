@@ -1,5 +1,5 @@
-//! Blends: the surface is nearer to the one that was there than the strip is, its triangles are as fine
-//! as those round it and not sharp, and everything that holds of a strip holds of a blend.
+//! Blends: the surface is nearer to the original than the strip, its triangles are as fine as the
+//! surfaces beside it and not sharp, and every property of a strip holds for a blend.
 
 use crate::adversarial::{Shell, assert_valid, cases, join, join_with, ring, shell, up};
 use crate::answers::Notes;

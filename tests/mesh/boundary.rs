@@ -15,7 +15,7 @@ fn loops(boundary: &Boundary) -> Vec<Vec<u32>> {
     boundary.iter().map(|l| l.vertices.to_vec()).collect()
 }
 
-/// The fast way gives the same loops as the exact one, but for what it does not look at.
+/// The fast algorithm gives the loops of the exact one, without the defects that it ignores.
 fn check_fast(soup: &Soup) {
     let exact = boundary(soup);
     let options = Options { survey: Survey::BoundaryOnly, ..Options::default() };
@@ -36,8 +36,7 @@ fn check_fast(soup: &Soup) {
     }
 }
 
-/// What holds for every boundary of every mesh: the edges are real, each free edge is in exactly
-/// one loop, loops are simple.
+/// Checks every boundary: edges exist, each free edge is in exactly one loop, loops are simple.
 fn check_invariants(soup: &Soup, found: &Boundary) {
     let counts = edge_counts(soup.faces());
     let mut seen = HashSet::new();
@@ -177,7 +176,7 @@ fn degenerate_faces_are_bridged_and_reported() {
     // A quad with a repeated corner is a triangle.
     let soup = Soup::flat(3, &[&[0, 1, 1, 2]]);
     assert_eq!(loops(&boundary(&soup)), [[0, 1, 2]]);
-    // A slit inside one face is no border.
+    // A slit inside one face is not a border.
     let soup = Soup::flat(5, &[&[0, 1, 2, 3, 4, 3]]);
     assert_eq!(boundary(&soup).get(0).map(|l| l.vertices.len()), Some(4));
 }

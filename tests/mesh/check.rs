@@ -11,8 +11,8 @@ fn checked(soup: &Soup) -> Check {
     check(&soup.view(), &Job::default()).unwrap()
 }
 
-/// A w x h sheet whose left and right sides are one, turned over on the way if `twisted`; and, if
-/// `closed`, top and bottom too: tube, Moebius strip, torus, Klein bottle.
+/// A w x h sheet with glued left and right sides, twisted if `twisted`. If `closed`, top and bottom
+/// are glued, too: tube, Moebius strip, torus, Klein bottle.
 fn glued(w: u32, h: u32, twisted: bool, closed: bool) -> Soup {
     let rows = if closed { h } else { h + 1 };
     let at = |i: u32, j: u32| {
@@ -170,7 +170,7 @@ proptest! {
 fn degenerate_faces_have_no_edges_and_close_nothing() {
     let c = checked(&Soup::flat(3, &[&[0, 1, 1]]));
     assert_eq!((c.edges, c.degenerate_faces.as_slice(), c.closed), (0, &[0][..], false));
-    // Nor do they open what is closed: a tetrahedron, with all of its faces or without one.
+    // They do not open a closed mesh: a tetrahedron with all of its faces, or without one.
     let faces: [&[u32]; 5] = [&[0, 1, 1], &[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]];
     for (faces, edges, closed) in [(&faces[..], 6, true), (&faces[..4], 6, false)] {
         let c = checked(&Soup::flat(4, faces));

@@ -107,10 +107,9 @@ fn distances(filled: &Filled, surface: &Surface) -> (f64, f64) {
     (distances.clone().fold(0.0, f64::max), distances.sum::<f64>() / count)
 }
 
-/// How much the normal curvature across the rim differs between both sides, beyond what it does on
-/// the surface itself at the same places: the mean over the rim. On either side it is that of
-/// circles along the surface's tangent plane at a vertex of the rim, through that and vertices up
-/// to three edges away that lie across the rim.
+/// The jump of the normal curvature across the rim, minus the jump on the surface itself at these
+/// places: the mean over the rim. The curvature on a side is measured by circles in normal planes
+/// at a vertex of the rim, through it and vertices up to three edges away across the rim.
 fn curvature_jump(filled: &Filled, surface: &Surface, edge: f64) -> f64 {
     let hole = filled.holes.iter().find(|hole| !hole.vertices.is_empty()).unwrap();
     let rim = &filled.rims[hole.rim.clone()];
@@ -216,8 +215,8 @@ fn patches_stay_near_their_rims() {
     }
 }
 
-/// Where nothing is known beyond the faces at the rim, where it is but one face wide, or where
-/// those beyond are those of another hole's, there is a patch all the same.
+/// A patch exists even if only the faces at the rim are known, if the surface is one face wide, or
+/// if the next faces belong to another hole.
 #[test]
 fn narrow_surroundings_are_enough() {
     let ring = |rows: u32| {

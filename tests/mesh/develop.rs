@@ -18,7 +18,7 @@ pub(crate) fn at(soup: &Soup, v: u32) -> DVec3 {
     DVec3::from_array(soup.points[v as usize])
 }
 
-/// What every development has, whatever the surface.
+/// Properties of every development of any surface.
 pub(crate) fn assert_sound(soup: &Soup, done: &Developed) {
     let faces: Vec<&[u32]> = faces_of(&done.mesh).collect();
     assert_eq!(faces.len(), soup.faces().count());
@@ -144,8 +144,8 @@ pub(crate) fn tetrahedron() -> Soup {
     Soup::new(points, &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]])
 }
 
-/// The energy of the best map of a cap that turns circles round its centre into circles: r(a) for
-/// the angle a from the centre, found on a line by itself.
+/// The energy of the best map of a cap that maps circles about its centre to circles: r(a) for the
+/// angle a from the centre, computed by a one-dimensional search.
 pub(crate) fn best_radial_energy(rim: f64) -> f64 {
     let n = 400;
     let h = rim / n as f64;
@@ -153,7 +153,7 @@ pub(crate) fn best_radial_energy(rim: f64) -> f64 {
     let value = |s: f64| s * s + 1.0 / (s * s);
     let slope = |s: f64| 2.0 * s - 2.0 / (s * s * s);
     let bend = |s: f64| 2.0 + 6.0 / (s * s * s * s);
-    // Of ring k the sine of its middle, and the two singular values.
+    // For ring k the sine of its middle, and the two singular values.
     let ring = |r: &[f64], k: usize| {
         let sine = ((k as f64 + 0.5) * h).sin();
         (sine, (r[k + 1] - r[k]) / h, (r[k + 1] + r[k]) / 2.0 / sine)
@@ -309,8 +309,8 @@ fn mistakes_are_named() {
     assert!(matches!(found, Error::RepeatedCorner { face: 1, vertex: 1 }), "{found:?}");
 }
 
-/// Rough ground, slivers, triangles without area, pieces that touch, wrong orientation, three
-/// faces at an edge: always a development without folds, or one that says that it has some.
+/// Rough ground, slivers, triangles without area, pieces that touch, wrong orientation, three faces
+/// at an edge: each gives a development without folds, or one that reports its folds.
 #[test]
 fn rough_surfaces_do_not_fold() {
     for seed in some_of(6, 0..60) {
@@ -382,7 +382,7 @@ pub(crate) fn bumps(n: usize) -> Soup {
     grid(n, n, true, |u, v| DVec3::new(u, v, 0.3 * (3.0 * u).sin() * (4.0 * v).cos()))
 }
 
-/// Rough ground whose border touches itself on the way: the map goes on as if it did not.
+/// Rough ground whose border touches itself during the iteration: the map continues.
 #[test]
 fn borders_that_touch_on_the_way_do_not_stop_a_descent() {
     let mut random = fastrand::Rng::with_seed(1);

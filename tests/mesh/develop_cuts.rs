@@ -119,7 +119,8 @@ fn darts_lower_the_distortion() {
     assert!(most <= 1.15 && least >= 1.0 / 1.15 && some.darts > 0 && some.darts < 30, "{} darts", some.darts);
 }
 
-/// A slit whose sides touch at first does not hold the rest, and a dart that does not help is none.
+/// A slit whose sides touch at first does not block the rest, and a dart without effect is not
+/// made.
 #[test]
 fn darts_never_raise_the_distortion() {
     for soup in [bumps(4), bumps(16)] {

@@ -1,4 +1,4 @@
-//! What a development tells its host on the way.
+//! The progress that a development reports.
 
 use crate::common::{Soup, Steady, torus};
 use gusset::develop::{Cuts, Options, develop};

@@ -1,5 +1,5 @@
 //! The paper as printed, word for word, and where it fails; beside each failure, our reading.
-//! Numbers are those of the list of errata that the sources quote: (n) in the names below.
+//! Numbers refer to the list of errata that the sources quote: (n) in the names below.
 
 use crate::common::{Soup, cap, edge_counts, sheet};
 use glam::DVec3;
@@ -24,8 +24,9 @@ fn is_free(edge: &WingedEdge) -> bool {
     (edge.left == NONE) != (edge.right == NONE)
 }
 
-/// Algorithm 1 as printed but for its criterion: from the first free edge's initial vertex along
-/// it, then at each vertex the first incident free edge. `exclude`: not the one just traversed.
+/// Algorithm 1 as printed, except its criterion: it starts at the initial vertex of the first free
+/// edge, and takes the first incident free edge at each vertex. `exclude`: not the one just
+/// traversed.
 /// Gives up after `limit` vertices.
 fn printed_walk(tables: &WingedEdges, exclude: bool, limit: usize) -> (Vec<u32>, bool) {
     let start = tables.edges().iter().position(is_free).unwrap();
@@ -66,8 +67,8 @@ fn e02_the_table_has_as_many_records_as_edges_not_faces() {
 
 #[test]
 fn e03_the_initial_vertex_leaves_the_direction_open() {
-    // The same sheet, faces counter-clockwise and clockwise: the printed walk starts at the same
-    // vertex and goes the same way, once with the surface on its left and once on its right.
+    // One sheet with counter-clockwise and with clockwise faces: the printed walk takes equal
+    // steps, with the surface once on its left and once on its right.
     let soup = sheet(3, 2);
     let turned = soup.turned();
     let walks = [&soup, &turned].map(|s| printed_walk(&tables(s), true, 100).0);

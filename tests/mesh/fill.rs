@@ -57,9 +57,8 @@ fn volume_of(mesh: &Mesh) -> f64 {
     volume(|v| mesh.positions.get(v).to_array(), faces(mesh))
 }
 
-/// A fan of long triangles round the loop through `points`, all to one far vertex: an open cone
-/// whose rim is the loop, seen from the far vertex clockwise, so that its filling faces away from
-/// it.
+/// A fan of long triangles from the loop through `points` to one far vertex: an open cone whose rim
+/// is the loop. Seen from the far vertex, the loop is clockwise, so that its patch faces away.
 fn cone(points: &[[f64; 3]], tip: [f64; 3]) -> Soup {
     let n = points.len() as u32;
     let mut soup = Soup { points: points.to_vec(), offsets: vec![0], ..Soup::default() };
@@ -228,7 +227,7 @@ proptest! {
         scale in 1e-3..1e3f64,
         start in 0usize..20,
     ) {
-        // The rim is that of a crown: old faces of several bends.
+        // The rim of a crown: old faces bend by several angles.
         let n = points.len();
         let moved = |p: [f64; 3]| {
             let turn = glam::DQuat::from_euler(glam::EulerRot::XYZ, turn[0], turn[1], turn[2]);
@@ -276,9 +275,9 @@ fn a_saddle_rim() {
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
     }
-    // No disk over the rim has less area than its shadow on the plane has, and the saddle z =
-    // (x^2 - y^2) / 2 has the area below, the integral of sqrt(1 + r^2) over the disk; without vertices
-    // inside there must be more of it.
+    // A disc over the rim has at least the area of its projection. The saddle z = (x^2 - y^2) / 2
+    // has the area below, the integral of sqrt(1 + r^2) over the disc. Without inner vertices the
+    // area is larger.
     let saddle = TAU / 3.0 * (2f64.powf(1.5) - 1.0);
     let area = fill(&soup, &AREA).quality.area;
     assert!(area > 0.98 * PI && area < 1.15 * saddle, "{area} {saddle}");
@@ -366,7 +365,7 @@ fn loops_that_are_left_say_why() {
     assert_eq!(filled.mesh.face_count(), soup.faces().count());
     assert_eq!(&filled.rims[filled.holes[1].rim.clone()], bad[1]);
 
-    // A vertex that does not exist is no reason to leave a loop, but a mistake.
+    // A vertex that does not exist is an error, not a reason to leave a loop open.
     let missing: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 1000]];
     let refused =
         fill_holes(&soup.view(), Selection::Loops(&missing), &Options::default(), &Job::default()).unwrap_err();

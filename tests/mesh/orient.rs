@@ -64,7 +64,7 @@ proptest! {
             total += count;
         }
         prop_assert_eq!(done.turned_faces as usize, total);
-        // The flags say what was done, and each face keeps its first corner.
+        // The flags report the reversed faces, and each face keeps its first corner.
         let again = turned(&soup, |f| done.turned[f]);
         prop_assert_eq!(&again.corners, &done.mesh.face_corners);
         prop_assert_eq!(oriented(&again, &Options::default()).turned_faces, 0);
@@ -106,9 +106,9 @@ fn inside_out_is_turned_only_if_asked_and_closed() {
     let done = oriented(&inside_out, &OUTWARDS);
     assert_eq!((done.turned_faces, done.inverted_components), (24, 1));
     assert!(volume_of(&done) > 0.0);
-    // An open surface has no inside.
+    // An open surface encloses no volume.
     assert_eq!(oriented(&cap(8, 3, 0.2, 1.0).turned(), &OUTWARDS).turned_faces, 0);
-    // Neither has a sheet doubled.
+    // A doubled sheet encloses no volume.
     let flat = Soup::flat(3, &[&[0, 1, 2], &[0, 2, 1]]);
     assert_eq!(oriented(&flat, &OUTWARDS).turned_faces, 0);
     // A bent one too, whatever round-off makes of its volume: the lower side starts each face
@@ -157,7 +157,7 @@ fn edges_of_three_faces_connect_nothing() {
     let soup = Soup::flat(6, &[&[0, 1, 2], &[0, 1, 3], &[1, 0, 4], &[2, 1, 5]]);
     let done = oriented(&soup, &Options::default());
     assert_eq!((done.components, done.turned_faces), (3, 0));
-    // A degenerate face neither connects nor is turned, and a closed surface with one is closed
+    // A degenerate face connects no faces and is not reversed; a closed surface with one is closed
     // without it.
     let mut soup = torus(4, 4).turned();
     soup.face(&[0, 0, 1]);

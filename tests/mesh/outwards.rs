@@ -1,5 +1,5 @@
-//! Closed results turned outwards: by assembly unless it is told not to, by stitching and filling
-//! if asked to. Volumes by the divergence theorem say which way a result faces.
+//! Closed results are oriented outwards: by default in assembly, on request in stitching and
+//! filling. Volumes by the divergence theorem say which way a result faces.
 
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus, volume};
 use crate::pieces::{cube, cut};
@@ -100,7 +100,7 @@ fn whole_closed_consistent_components_are_turned_and_no_others() {
         assert_eq!(turn_outwards(&mut mesh, &Job::new(threads, &notes)).unwrap().turned, expected);
         assert_turned(&before, &mesh, &expected);
         assert_eq!(notes.0.borrow().len(), 1);
-        // A second time nothing is left to do, and nothing is said.
+        // A second call changes and reports nothing.
         assert!(turn_outwards(&mut mesh, &Job::new(threads, &notes)).unwrap().turned.is_empty());
         assert_turned(&before, &mesh, &expected);
         assert_eq!(notes.0.borrow().len(), 1);
@@ -156,7 +156,7 @@ fn an_assembly_faces_outwards_unless_told_not_to() {
             let near = volume(at, faces_of(&result.mesh).filter(|face| !is_far(face)));
             let far = volume(at, faces_of(&result.mesh).filter(is_far));
             assert_eq!([near > 0.0, far > 0.0], outwards, "{set}");
-            // What is said to have been turned runs the other way than in its piece.
+            // A face reported as reversed has the opposite direction of its piece.
             let faces: Vec<&[u32]> = faces_of(&result.mesh).collect();
             for (piece, map) in given.iter().zip(&result.maps) {
                 for (face, &now) in piece.faces().zip(&map.faces) {
@@ -171,7 +171,7 @@ fn an_assembly_faces_outwards_unless_told_not_to() {
         for (k, map) in done.maps.iter().enumerate() {
             assert!(map.faces.iter().all(|&f| done.turned[f as usize] == (set >> k & 1 == 1)), "{set} {k}");
         }
-        // Of all else nothing is different.
+        // Everything else is equal.
         let named = |result: &Assembly| (result.maps.clone(), result.joints.clone(), result.hole_rims.clone());
         assert_eq!(named(&done), named(&kept));
         let turned: Vec<u32> = (0..)
@@ -180,7 +180,7 @@ fn an_assembly_faces_outwards_unless_told_not_to() {
             .map(|(f, _)| f)
             .collect();
         assert_turned(&kept.mesh, &done.mesh, &turned);
-        // Who wants nothing turned gets nothing turned.
+        // Without the option no face is reversed.
         let options = assemble::Options { keep_orientation: true, outward: Outward::Closed, fill, ..staying() };
         assert!(!assembled(&given, &options).turned.contains(&true));
     }
@@ -223,14 +223,14 @@ fn a_stitch_faces_outwards_if_asked_to() {
             let all: Vec<u32> = (0..done.mesh.face_count() as u32).filter(|_| turned).collect();
             assert_eq!(done.turned_outwards, all);
             assert_turned(&kept.mesh, &done.mesh, &all);
-            // The strip by itself is that of the whole.
+            // The separate strip equals the strip of the whole.
             let count = done.mesh.positions.len() as u32;
             let new = count - done.parents.len() as u32..count;
             let names: Vec<u32> = done.rims.iter().flatten().copied().chain(new).collect();
             let strip: Vec<Vec<u32>> =
                 faces_of(&done.strip).map(|face| face.iter().map(|&v| names[v as usize]).collect()).collect();
             assert!(faces_of(&done.mesh).skip(done.strip_faces.start as usize).eq(strip.iter().map(Vec::as_slice)));
-            // All else is as it was, and so what the second piece was turned for.
+            // Everything else is unchanged, including the reversal of the second piece.
             let restored =
                 Stitch { mesh: kept.mesh.clone(), strip: kept.strip.clone(), turned_outwards: Vec::new(), ..done };
             assert_eq!(restored, kept);
@@ -267,7 +267,7 @@ fn a_filled_mesh_faces_outwards_if_asked_to() {
         assert_eq!(done.turned_outwards, all);
         assert_turned(&kept.mesh, &done.mesh, &all);
         assert_eq!(fill::Filled { mesh: kept.mesh.clone(), turned_outwards: Vec::new(), ..done }, kept);
-        // What stays open stays as it is.
+        // An open result is unchanged.
         let limits = fill::Limits { edges: Some(3), ..fill::Limits::default() };
         let open = filled(&soup, &fill::Options { limits, ..asked });
         assert_eq!(open, filled(&soup, &fill::Options { limits, ..fill::Options::default() }));

@@ -1,5 +1,5 @@
-//! What a patch must not do: cut, fold back onto polygons, leave the neighbourhood of its rim; and
-//! what its account says.
+//! A patch must not intersect faces, fold back onto polygons, or leave the neighbourhood of its
+//! rim; its report must be true.
 
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus};
 use gusset::Job;
@@ -88,8 +88,8 @@ fn no_weight_cuts_less_than_the_default() {
     }
 }
 
-/// Cuts a sheet of so many columns of quads along x = `column` from y = 1 to y = 8: the quads to the
-/// right get vertices of their own there, which come last.
+/// Cuts a sheet of quads along x = `column` from y = 1 to y = 8: the quads to the right get new
+/// vertices there, which come last.
 fn slit(soup: &mut Soup, columns: u32, column: u32) -> std::ops::Range<usize> {
     let first = soup.points.len();
     for j in 2..8 {
@@ -119,8 +119,8 @@ fn slits_are_not_joined_with_each_other() {
     }
 }
 
-/// A sheet that was cut along a line inside it and not moved, as texture seams do, or opened a little
-/// here and there: what closes it has no area but where it is open, and lies back to back nowhere.
+/// A sheet cut along an inner line without moving, like a texture seam, or slightly opened at
+/// places. The patch has area only where the slit is open, and nowhere lies back to back.
 #[test]
 fn slits_whose_sides_coincide_are_closed_without_area() {
     let mut random = fastrand::Rng::with_seed(5);
@@ -276,7 +276,7 @@ fn plans_and_limits() {
 
 #[test]
 fn borders_are_told_from_holes() {
-    // A sheet with a hole: its outline goes round it. A cup: its only loop is a hole.
+    // A sheet with a hole inside its outline. A cup: its only loop is a hole.
     let mut full = sheet(11, 11);
     full.points.iter_mut().for_each(|p| p[2] += 0.02 * p[0] * p[1]);
     let mut holed = Soup { points: full.points.clone(), offsets: vec![0], ..Soup::default() };

@@ -62,7 +62,7 @@ fn has_single_fans(soup: &Soup) -> bool {
     })
 }
 
-/// A part of a mesh, and what is left.
+/// A part of a mesh, and the rest.
 struct Region {
     removed: Vec<Vec<u32>>,
     rest: Soup,
@@ -168,7 +168,7 @@ fn cut_out(soup: &Soup) -> Vec<Region> {
 fn mean_distance(from: &[[DVec3; 3]], to: &[[DVec3; 3]]) -> f64 {
     let points = || from.as_flattened().iter().copied();
     let size = points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min);
-    // Of corners, so that where triangles are small counts for more.
+    // The centroid of corners, so that small triangles have more weight.
     let all: Vec<_> = points().step_by(points().count().div_ceil(500)).collect();
     distances(&all, to).into_iter().sum::<f64>() / all.len() as f64 / size.length()
 }

@@ -21,9 +21,9 @@ fn faces(mesh: &Mesh) -> impl Iterator<Item = &[u32]> + Clone {
     mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize])
 }
 
-/// A sheet of `count` vertices along its upper side (at least two cells wide where that is one),
-/// shifted by (x, y), and the place in its loop where the arc of `count` vertices on the upper or
-/// on the lower side begins.
+/// A sheet with `count` vertices along its upper side (at least two cells wide), shifted by (x, y).
+/// Also returns the place in its loop where the arc of `count` vertices on the upper or lower side
+/// begins.
 fn sheet_with_arc(count: u32, x: f64, y: f64, upper: bool) -> (Soup, Arc) {
     let width = count.max(2) - 1;
     let mut soup = sheet(width, 1);
@@ -35,8 +35,8 @@ fn sheet_with_arc(count: u32, x: f64, y: f64, upper: bool) -> (Soup, Arc) {
     (soup, Arc { first, count: count as usize })
 }
 
-/// What every result must be: edges with one or two faces, two only in opposite directions, and
-/// what H and P say of it.
+/// Checks every result: edges have one or two faces, two only in opposite directions, and H and P
+/// agree with the faces.
 fn assert_predicted(joined: &Stitch, old: [&Soup; 2], cells: Cells) {
     for (edge, (forward, backward)) in edge_counts(faces(&joined.mesh)) {
         assert!(forward <= 1 && backward <= 1, "edge {edge:?}: {forward} {backward}");
@@ -54,7 +54,7 @@ fn assert_predicted(joined: &Stitch, old: [&Soup; 2], cells: Cells) {
         let both = step[1][0] > step[0][0] && step[1][1] > step[0][1];
         expected += match cells {
             Cells::Quads => rows + 1,
-            // Of 2 rows + 2 triangles, one is missing where a rim repeats its vertex.
+            // If a rim repeats its vertex, one of the 2 rows + 2 triangles is missing.
             Cells::Triangles => 2 * rows + 1 + usize::from(both),
         };
     }
@@ -84,7 +84,7 @@ fn assert_predicted(joined: &Stitch, old: [&Soup; 2], cells: Cells) {
 
 #[test]
 fn arcs_of_1_to_50_vertices() {
-    // 7 and the 8 of the inner list have no factor in common: each length meets all others in turn.
+    // 7 and the 8 of the inner list are coprime: each length meets all others in turn.
     let lengths = (1..=50u32).flat_map(|n| [1, 2, 3, 5, 17, 49, 50, n].map(|m| (n, m)));
     for (n, m) in some_of(7, lengths) {
         let (a, arc_a) = sheet_with_arc(n, 0.0, 0.0, true);
@@ -98,8 +98,8 @@ fn arcs_of_1_to_50_vertices() {
                     assert!(!joined.closed && !joined.turned);
                     assert_eq!(joined.rims.each_ref().map(Vec::len), [n as usize, m as usize]);
                     assert_predicted(&joined, [&a, &b], cells);
-                    // Two discs and a disc between them make one; a single vertex is no edge to
-                    // hang on.
+                    // Two discs and a disc between them make one disc; a single vertex lacks an
+                    // edge to attach to.
                     let pieces = match (n, m) {
                         (1, 1) => 2,
                         _ => 1,
@@ -184,7 +184,7 @@ fn arcs_count_along_the_loop_as_it_was_given() {
     };
     refuses_a_twist(&a, &b, Extent::Arcs([arc_a, arc_b]));
     refuses_a_twist(&a, &b, Extent::OpenArcs);
-    // The rims are coaxial, so that there are no facing arcs either.
+    // The rims are coaxial, so that facing arcs do not exist.
     refuses_a_twist(&cap(8, 2, 0.2, 1.0), &cap(8, 2, 0.2, -1.0), Extent::OpenArcs);
 }
 
@@ -236,7 +236,7 @@ fn the_winged_edges_of_the_first_piece_keep_their_numbers() {
         let none = gusset::mesh::NONE;
         let mut filled = 0;
         for (before, after) in old.edges().iter().zip(new.edges()) {
-            // What was there stays; NULL sides along the rim, and they alone, are filled, wings and
+            // Old elements stay; NULL sides along the rim, and they alone, are filled, wings and
             // all.
             let slots = |e: &gusset::winged::WingedEdge| [e.m, e.n, e.b, e.c, e.d, e.e, e.left, e.right];
             for (x, y) in slots(before).into_iter().zip(slots(after)) {
@@ -283,9 +283,8 @@ fn quads_are_split_and_measured_by_their_shorter_diagonals() {
     }
 }
 
-/// What every strip between polylines must be: the points as they were, rows that divide their
-/// meridians evenly, P over them, and faces whose free edges are the polylines, and the two end
-/// meridians of an open one.
+/// Checks every strip between polylines. Points are unchanged, rows divide meridians evenly, and P
+/// covers them. The free edges are the polylines, and for an open strip its two end meridians.
 fn assert_ruled(made: &Ruled, a: &[DVec3], b: &[DVec3], closed: bool) {
     let (n, m) = (a.len(), b.len());
     let columns = made.meridians.len();

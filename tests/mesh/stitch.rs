@@ -364,8 +364,8 @@ proptest! {
         prop_assert_eq!(joined.strip_faces.len(), rim_a.len() + rim_b.len());
     }
 
-    /// Whatever the pieces, a stitch that is made adds no edge with three faces and no conflict,
-    /// and loses nothing.
+    /// For any pieces, a stitch adds no edge with three faces and no orientation conflict, and
+    /// loses no element.
     #[test]
     fn any_soups(
         a in prop::collection::vec(prop::collection::vec(0u32..9, 3..5), 1..12),
@@ -377,7 +377,7 @@ proptest! {
         cells in prop::sample::select(vec![Cells::Triangles, Cells::Quads]),
         twist in -3i64..4,
     ) {
-        // Faces of fewer than three proper edges have no border, for the library; they are left out
+        // The library ignores borders of faces with fewer than three proper edges; they are omitted
         // here.
         let proper = |f: &&[u32]| (0..f.len()).filter(|&i| f[i] != f[(i + 1) % f.len()]).count() >= 3;
         let soup = |faces: &[Vec<u32>], lift: f64| {

@@ -23,14 +23,14 @@ fn fair(together: Together) -> Options {
     Options { together, refinement, fairing: Fairing::ThinPlate, ..Options::default() }
 }
 
-/// Closed, manifold at every edge, consistently oriented, of this Euler characteristic; no face of a
-/// patch cuts another, and the accounts are those of so many patches.
+/// The mesh is closed, manifold at every edge, consistently oriented, and has this Euler
+/// characteristic. No face of a patch intersects another, and the report has this many patches.
 fn assert_closed(soup: &Soup, filled: &Filled, characteristic: i64, patches: u32) {
     assert_eq!(filled.intersections.as_deref(), Some(&[][..]));
     assert_surface(soup, filled, characteristic, patches);
 }
 
-/// The same, but for cuts.
+/// The same, without the check of intersections.
 fn assert_surface(soup: &Soup, filled: &Filled, characteristic: i64, patches: u32) {
     for (edge, counts) in edge_counts(faces_of(&filled.mesh)) {
         assert_eq!(counts, (1, 1), "edge {edge:?}");
@@ -39,8 +39,9 @@ fn assert_surface(soup: &Soup, filled: &Filled, characteristic: i64, patches: u3
     assert_accounts(soup, filled, patches);
 }
 
-/// Loops of one patch have the same ranges; those of all patches follow each other and are all that
-/// is new; a patch of k loops of n vertices has n + 2 k - 4 faces, and two for each new vertex.
+/// Loops of one patch have equal ranges. The ranges of all patches are consecutive and cover all
+/// new elements. A patch of k loops with n vertices has n + 2 k - 4 faces, and two for each new
+/// vertex.
 fn assert_accounts(soup: &Soup, filled: &Filled, patches: u32) {
     let old = [soup.offsets.len() as u32 - 1, soup.points.len() as u32];
     let (mut faces, mut vertices) = (old[0], old[1]);
@@ -74,7 +75,7 @@ fn volume_of(filled: &Filled) -> f64 {
     volume(|v| point(filled, v).to_array(), faces_of(&filled.mesh))
 }
 
-/// The area of the new faces, and that of their shadow along z.
+/// The area of the new faces, and of their projection along z.
 fn new_area(soup: &Soup, filled: &Filled) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for face in faces_of(&filled.mesh).skip(soup.offsets.len() - 1) {
@@ -99,7 +100,7 @@ fn star(n: u32, radius: f64, centre: [f64; 2], tip: f64, upwards: bool) -> (Soup
     (soup, f64::from(n) / 2.0 * 0.8 * radius * radius * (TAU / f64::from(n)).sin())
 }
 
-/// A bowl whose rim is round dents of so many corners.
+/// A bowl whose rim has round dents with this many corners.
 fn bowl(n: u32, dents: u32, corners: u32) -> (Soup, f64) {
     let (mut soup, mut area) = star(n, 1.0, [0.0, 0.0], -5.0, true);
     for k in 0..dents {
@@ -187,7 +188,7 @@ fn two_tubes_become_one() {
             assert_closed(&soup, &filled, 2, 3);
             assert_eq!(filled.holes.iter().map(|hole| hole.patch).collect::<Vec<_>>(), [0, 1, 1, 2]);
             let exact = prism * (2.0 + gap);
-            // The largest bend is the same for others, and what is left is the area.
+            // Other triangulations have an equal largest bend, so that the area decides.
             let volume = volume_of(&filled);
             assert!((volume / exact - 1.0).abs() < 1e-9, "{weight:?} {gap}: {volume}, not {exact}");
         }
@@ -296,7 +297,7 @@ fn caps_of_a_sphere_joined_inside_it_make_handles() {
         assert_eq!(filled.holes.len(), count);
         // A sphere without k discs has 2 - k, and so has the patch.
         assert_surface(&soup, &filled, 4 - 2 * count as i64, 1);
-        // All is inside the sphere. Of five tunnels two cut each other, and that is said.
+        // All is inside the sphere. Two of five tunnels intersect, and the report says so.
         assert!(volume_of(&filled) > 0.1 && volume_of(&filled) < 0.98 * 4.0 / 3.0 * PI, "{count}");
         assert!(count == 5 || filled.intersections.as_deref() == Some(&[][..]), "{count}");
     }
@@ -326,8 +327,9 @@ fn trousers_have_three_loops() {
         assert_eq!(euler(faces_of(&filled.mesh)), -1);
         let rest = fill(&soup, &Options { together: Together::Cheapest, ..options });
         assert_closed(&soup, &rest, 2, 4);
-        // More than tubes a third longer, and less than the convex hull of the ends, which is in a prism
-        // of height 1 over a hexagon, or for faired ones what is a tenth more.
+        // The area is at most a third more than straight tubes, and less than the convex hull of
+        // the ends, which lies in a prism of height 1 over a hexagon; faired patches may have a
+        // tenth more.
         let tubes = 3.0 * PI * 0.25;
         let hexagon = 1.5 + 1.5 * 1.25 * (TAU / 3.0 - 2.0 * 0.5f64.atan()).sin();
         let volume = volume_of(&rest);

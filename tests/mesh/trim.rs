@@ -203,15 +203,15 @@ fn nothing_is_trimmed_where_nothing_overlaps() {
     let trimmed = trim(&views, &trim::Options::default(), &Job::default()).unwrap();
     assert_eq!(trimmed.covered, [0, 0]);
     assert!(trimmed.kept.iter().all(|kept| kept.len() == one.faces().count()));
-    // Of one piece given twice all of one is kept.
+    // If one piece is given twice, one copy is kept whole.
     let views = [one.view(), two.view()];
     let trimmed = trim(&views, &trim::Options::default(), &Job::default()).unwrap();
     assert_eq!(trimmed.kept[0].len(), one.faces().count());
     assert!(trimmed.kept[1].is_empty());
 }
 
-/// A sheet whose outer border is filled, with a patch that cuts, loses nothing for it; nor do pieces that
-/// only meet.
+/// A sheet whose outer border is filled by an intersecting patch loses no face; pieces that only
+/// touch lose no face.
 #[test]
 fn what_was_seen_stays_where_nothing_overlaps() {
     let sheet = grid(27, 27, false, sheet_at);
@@ -221,7 +221,7 @@ fn what_was_seen_stays_where_nothing_overlaps() {
     let [left, right] = [half(false), half(true)];
     let done = joined(&[left, right], Shape::Sheet);
     assert_eq!((done.trimmed_faces, done.loops_left, done.welded_vertices), (0, 1, 41));
-    // Of a coarse piece on a fine one nothing is kept, whichever comes first.
+    // A coarse piece on a fine piece is trimmed entirely, in either order.
     for n in [8, 16, 20, 30] {
         let coarse = grid(n, n, false, |s, t| sheet_at(0.3 + 0.4 * s, 0.3 + 0.4 * t));
         let fine = grid(150, 150, false, sheet_at);

@@ -21,8 +21,8 @@ fn repaired(soup: &Soup) -> Mesh {
     orient(&done.mesh.view(&Job::default()).unwrap(), &orient::Options::default(), &Job::default()).unwrap().mesh
 }
 
-/// The corners with vertices renamed in the order in which corners name them: equal for meshes that
-/// differ in numbers only.
+/// The corners with vertices renumbered by their first use: equal for meshes that differ only in
+/// numbering.
 fn pattern(corners: &[u32]) -> Vec<usize> {
     let mut names = HashMap::new();
     corners
@@ -157,7 +157,7 @@ proptest! {
             prop_assert_eq!(different(old), different(new));
         }
 
-        // Edges, those of faces that repeat a vertex apart.
+        // Edges, separately for faces that repeat a vertex.
         let proper = |face: &&[u32]| face.iter().collect::<HashSet<_>>().len() == 3;
         let total = |face: &HashMap<(u32, u32), (u32, u32)>, key: (u32, u32)| face.get(&key).map_or(0, |&(a, b)| a + b);
         let before = edge_counts(soup.faces().filter(proper));
@@ -180,7 +180,7 @@ proptest! {
         }
         prop_assert_eq!(done.sewn_edges, sewn);
 
-        // What is left, by brute force.
+        // The expected result by brute force.
         let mut free = Vec::new();
         for (f, face) in soup.faces().enumerate().filter(|(_, face)| proper(face)) {
             for k in 0..3 {
@@ -376,11 +376,11 @@ fn collapse_closes_what_short_edges_leave() {
         assert!(counts.values().all(|&(a, b)| a + b <= 2));
         assert_eq!(counts.values().filter(|&&(a, b)| a + b == 1).count(), 4);
     }
-    // What a face that is dropped leaves behind is no edge sewn.
+    // The edge that a dropped face leaves is not a sewn edge.
     let sliver = Soup::new(vec![[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], &[&[0, 1, 2]]);
     let done = welded(&sliver, &Options { collapse: true, ..ALL });
     assert_eq!((done.dropped_faces, done.sewn_edges, done.mesh.face_count()), (1, 0, 0));
-    // Nor are two edges that shrink to one point.
+    // Two edges that shrink to one point are not sewn edges.
     let at = |s: f64| [[0.0; 3], [0.0; 3], [s, 0.0, 0.0], [s, s, 0.0]];
     let quads = Soup::new([at(1.0), at(-1.0)].concat(), &[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
     let done = welded(&quads, &Options { collapse: true, ..ALL });

@@ -34,7 +34,7 @@ fn cycle(tables: &WingedEdges, face: u32, forwards: bool) -> Vec<u32> {
         };
         let joint = if forwards { to } else { from };
         let edge = &tables.edges()[next as usize];
-        // Of a face that is on both sides of an edge, the side that goes on from here.
+        // For a face on both sides of an edge: the side that continues from here.
         let as_right = edge.right == face && joint == if forwards { edge.m } else { edge.n };
         let as_left = edge.left == face && joint == if forwards { edge.n } else { edge.m };
         assert!(as_right || as_left, "face {face}: edge {next} does not go on from vertex {joint}");

@@ -132,7 +132,7 @@ fn smooth_deformations_are_soft_and_areas_grow_as_they_should() {
         assert!(found.is_soft(), "all of space is mirrored, which folds nothing");
         assert!(found.cells.iter().all(|&ratio| ratio.is_nan() || (ratio + 9.0).abs() < 1e-4));
         assert!(found.determinants.iter().all(|&det| (det + 27.0).abs() < 1e-5));
-        // Half a turn is no fold, with the field or without.
+        // Half a turn is not a fold, with the field or without.
         let mut turned = net.copied().unwrap();
         let turn = Affine::rotation(DVec3::X, 3.0, DVec3::ZERO, Sense::RightHanded).unwrap();
         deform(&mut turned, &[whole(&turn)], &Job::default()).unwrap();
@@ -256,7 +256,7 @@ fn folds_are_found_in_any_plane_and_within_cells() {
         assert!(found.folded.contains(&96) && found.folded.contains(&97), "{:?}", found.folded);
         assert!(!found.is_soft() && found.folded.iter().all(|&cell| (60..120).contains(&cell)));
     }
-    // A tube pressed flat lies on itself; so does a sphere, whatever the field's determinant.
+    // A flattened tube lies on itself; so does a sphere, for any determinant of the field.
     let flat = Affine::stretching(DVec3::new(1.0, 1.0, 0.0)).unwrap();
     let ball = sphere(32, 65, Scalar::F64);
     let found = analyse(&ball, &moved(&ball, &flat), 1e-9, &Job::default()).unwrap();

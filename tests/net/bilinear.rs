@@ -45,9 +45,8 @@ fn patches_are_as_large_as_dense_subdivision_says() {
 #[test]
 fn formulas() {
     let area = |corners: [DVec3; 4]| bilinear_area(&cell(corners), &Job::default()).unwrap().area;
-    // z = x y over the unit square: the integral of sqrt(1 + x^2 + y^2), whose inner one is
-    // elementary; the outer by a rule of its own, that of trapezia with the ends of Euler and
-    // Maclaurin taken away twice (Romberg).
+    // z = x y over the unit square: the integral of sqrt(1 + x^2 + y^2). The inner integral is
+    // elementary; Romberg's method with two steps computes the outer one.
     let inner = |x: f64| {
         let h = 1.0 + x * x;
         0.5 * ((h + 1.0).sqrt() + h * (1.0 / h.sqrt()).asinh())
@@ -125,8 +124,8 @@ fn scans_are_larger_than_their_diagonals_say() {
     }
 }
 
-/// Plane cells, folded over themselves as they please: the integral of |A + B u + C v| has the
-/// second antiderivative |x|^3 / (6 B C), which is exact for whole numbers.
+/// Plane cells that may fold over themselves: the integral of |A + B u + C v| has the second
+/// antiderivative |x|^3 / (6 B C), which is exact for integers.
 #[test]
 fn folded_plane_cells_have_the_area_of_their_formula() {
     let mut random = Random(91);

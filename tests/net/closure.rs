@@ -17,7 +17,7 @@ fn complex(topology: &Topology) -> Complex {
     complex
 }
 
-/// A surface with this Euler characteristic and so many boundary loops, each vertex with one fan.
+/// A surface with this Euler characteristic, this many boundary loops, and one fan at each vertex.
 #[track_caller]
 fn check(topology: &Topology, chi: i64, loops: usize, orientable: bool) -> Complex {
     let complex = complex(topology);

@@ -138,8 +138,8 @@ fn three_sheets_at_one_edge() {
     assert!(complex.genus().is_none() && complex.conflicts.is_empty());
 }
 
-/// Of a pole only the first node is missing: its two cells are, and the pole is where the others
-/// are.
+/// Only the first node of a pole is missing: its two cells are missing, and the other nodes define
+/// the pole.
 #[test]
 fn a_pole_survives_its_first_node() {
     let mut net = flat(Topology::of_sides(Shape::new(5, 6).unwrap(), Sides::TWO_POLES));

@@ -1,5 +1,5 @@
-//! The quotient complex of a net by brute force, straight from its definition: what the library's
-//! is compared with.
+//! The quotient complex of a net by brute force from its definition, for comparison with the
+//! library.
 
 #![allow(dead_code, unreachable_pub)]
 
@@ -45,7 +45,7 @@ pub fn pairs(topology: &Topology) -> Vec<[usize; 2]> {
     pairs
 }
 
-/// What is left of a cell: its corners in turn, without those that are the one before.
+/// The rest of a cell: its corners in turn, without repetitions of the corner before.
 pub fn reduced(corners: [usize; 4]) -> Vec<usize> {
     let mut left = corners.to_vec();
     left.dedup();
@@ -232,7 +232,7 @@ pub fn check_gauss_bonnet(topology: &Topology, complex: &Complex) {
     assert_eq!(sum, 4 * complex.euler_characteristic() - complex.triangles as i64);
 }
 
-/// Twice the area and six times the volume of what is left of the cells, cut into triangles;
+/// Twice the area and six times the volume of the rest of the cells, cut into triangles;
 /// `place` of a node.
 pub fn area_and_volume(shape: Shape, place: impl Fn(usize, usize) -> glam::DVec3) -> (f64, f64) {
     let (mut area, mut volume) = (0.0, 0.0);

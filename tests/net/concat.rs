@@ -243,8 +243,8 @@ fn refusals() {
 
 #[test]
 fn edits_survive_splitting() {
-    // Of different sizes, so that copies have to go; nodes move and gluing changes while they are
-    // one.
+    // Nets of different sizes, so that copies must be removed; nodes move and gluing changes while
+    // they are joined.
     let (a, b) = (sphere(5, 9, Scalar::F64, DVec3::ZERO), torus(8, 9, Scalar::F64, DVec3::ZERO));
     for direction in DIRECTIONS {
         let options = JoinOptions { equalise: Some(Replication::Last), ..JoinOptions::new(direction) };

@@ -361,7 +361,8 @@ fn steps_of_range_images_are_left_out() {
             assert!(all.into_iter().filter(is_flat).eq(left));
             assert_eq!(made.mesh.positions.len(), net.shape().node_count());
         }
-        // Cells that are far longer than wide are no steps, nor are those without any length.
+        // Cells that are far longer than wide are not steps; cells without length are not steps
+        // either.
         for stretch in [DVec3::new(1.0, 4.5, 1.0), DVec3::new(4.5, 1.0, 1.0), DVec3::ZERO] {
             let topology = Topology::of_sides(shape(12, 14), Sides::SHEET);
             let flat = |i: usize, j: usize| stretch * DVec3::new(j as f64, i as f64, 0.0);

@@ -352,7 +352,7 @@ fn what_overflows_the_type_of_the_net_is_undefined() {
     let project = field::perspective_projection(DVec3::Z, DVec3::new(0.0, 0.0, -1e35), DVec3::Z).unwrap();
     assert_eq!(deform(&mut net, &[whole(&project)], &Job::default()), Err(Error::FieldUndefined { node: 13 }));
     assert_eq!(bits(&net), before);
-    // Squares of distances that are no numbers do no harm.
+    // Squares of distances that are NaN do no harm.
     let spherify = field::spherify(DVec3::ZERO, 2.0).unwrap();
     for length in [1e155, 1e300, 1e-170, 1e-300] {
         let moved = at(&spherify, 1.0, length * DVec3::new(3.0, 0.0, -4.0));

@@ -78,7 +78,7 @@ fn streams_of_the_past_are_read() {
     let job = Job::default();
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/net/golden");
     for (kind, net) in nets() {
-        // Numbers that are not finite have no levels.
+        // Numbers that are not finite lack levels.
         for (mode_name, mode) in MODES.into_iter().filter(|(name, _)| kind != "wild" || *name != "quantised") {
             let name = format!("{mode_name}-{kind}.stream");
             let path = folder.join(&name);

@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::PathBuf;
 
-/// Where they are.
+/// Their positions.
 pub fn folder() -> Option<PathBuf> {
     data::path("grids")
 }

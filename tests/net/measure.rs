@@ -1,5 +1,5 @@
 //! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes,
-//! nothing of what is missing.
+//! without missing nodes.
 
 use crate::common::Silent;
 use crate::space::{Random, sheet, sphere, torus};
@@ -86,7 +86,8 @@ fn crooked_cells_have_the_volume_of_their_bilinear_patches() {
         let p = roof.get(i, j);
         roof.coordinates_mut().set(i, j, p.with_z(heights[k]));
     }
-    // Of the cone to the first node, by integration over the unit square: n = (-z_x, -z_y, 1).
+    // The volume of the cone to the first node, by integration over the unit square: n = (-z_x,
+    // -z_y, 1).
     let n = 400u32;
     let (a, b, c, d) = (heights[0], heights[1], heights[2], heights[3]);
     let mut cone = 0.0;

@@ -1,4 +1,4 @@
-//! Nets at random and by formula, and what is independently known of them, for the tests of nets.
+//! Random nets and nets by formula, with independently known properties, for the tests of nets.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use crate::space::is_hidden;
@@ -107,7 +107,7 @@ impl Surface {
         v as i64 - e as i64 + f as i64
     }
 
-    /// How many edges have so many faces.
+    /// The number of edges by their number of faces.
     pub fn edge_faces(&self) -> BTreeMap<usize, usize> {
         let mut faces: BTreeMap<[u32; 2], usize> = self.wires.iter().map(|&wire| (wire, 0)).collect();
         for [a, b] in self.polygons.iter().flat_map(|p| sides(p)) {

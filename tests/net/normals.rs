@@ -68,7 +68,7 @@ fn by_force(net: &Net<'_>) -> Vec<DVec3> {
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     let normal = |node| {
         let (sum, size) = sums[classes.representative(node) as usize];
-        // What cancels out but for rounding has no direction.
+        // A sum that cancels except for rounding lacks a direction.
         if sum.length() > 1e-14 * size { sign * sum.normalize() } else { DVec3::ZERO }
     };
     (0..shape.node_count() as u32).map(normal).collect()
@@ -145,8 +145,8 @@ fn missing_nodes_and_hidden_bridges_leave_the_rest() {
         }
         agree(&net);
     }
-    // A hole in a plane: the normals beside it are those of the plane still, and the node itself
-    // has none.
+    // A hole in a plane: the nodes beside it keep the plane's normal, and the missing node has no
+    // normal.
     let mut net = sheet(9, 9, Scalar::F32);
     net.coordinates_mut().set(4, 4, DVec3::NAN);
     let (found, without) = of(&net);

@@ -112,7 +112,8 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
     }
 }
 
-/// What the fuzzer `gluing` found: the classes took a fifth of the work, and progress then began anew at 0.
+/// A finding of the fuzzer `gluing`: the classes took a fifth of the work, and progress then
+/// restarted at 0.
 #[test]
 fn progress_never_falls_back() {
     let seam = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(6, 0, 1), count: 7 };

@@ -33,7 +33,7 @@ fn star(mask: usize) -> Option<usize> {
     STARS.iter().find(|&&(_, m)| m == mask).map(|&(kind, _)| kind)
 }
 
-/// Of a cell, by its corners' classes.
+/// The type of a cell, by the classes of its corners.
 fn cell([a, b, c, d]: [usize; 4]) -> Option<usize> {
     let (top, right, bottom, left) = (a == b, b == c, c == d, d == a);
     match [top, right, bottom, left].into_iter().filter(|&on| on).count() {
@@ -241,8 +241,8 @@ fn each_type_is_what_its_caption_says() {
     assert_eq!(sheet.glued(&both), Err(Error::CrossingCell { cell: 5 }));
 }
 
-/// Rows longer than the 32 nodes that are taken at a time: classes, the canonical form and the
-/// histogram are those of the definition.
+/// Rows longer than a block of 32 nodes: classes, the canonical form and the histogram agree with
+/// the definition.
 #[test]
 fn long_rows() {
     let mut dice = crate::complexes::Dice(5);

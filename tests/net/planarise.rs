@@ -8,8 +8,8 @@ use gusset::net::planarise::{PlanariseOptions, Planarised, planarise};
 use gusset::net::{Classes, Net, Shape, Sides, Topology};
 use gusset::{Error, Job};
 
-/// The largest distance of a corner of a cell from the plane nearest to all four, by the smallest
-/// eigenvalue of their scatter (power iteration on its complement): independent of diagonals.
+/// The largest distance of a corner from the best plane of its cell, by the smallest eigenvalue of
+/// the scatter (power iteration on its complement); independent of diagonals.
 fn worst_plane(net: &Net<'_>) -> f64 {
     let shape = net.shape();
     let cells = (0..shape.rows() - 1).flat_map(|i| (0..shape.columns() - 1).map(move |j| (i, j)));
@@ -201,7 +201,7 @@ fn missing_nodes_hidden_cells_and_bad_options() {
 fn real_grids_become_plane() {
     for (file, stop) in [("comb_i0_25x33", 64), ("comb_k0_33x57", 64), ("bun000_range_214x313", 48)] {
         let Some((size, numbers)) = crate::grids::npz(&format!("{file}.npz"), "xyz") else { return };
-        // Of the large scan a part in its middle, with holes where the scanner saw nothing.
+        // A part in the middle of the large scan, with holes where the scanner saw nothing.
         let (rows, columns) = (size[0].min(stop), size[1].min(stop));
         let [i0, j0] = [(size[0] - rows) / 2, (size[1] - columns) / 2];
         let topology = sheet(rows, columns, Scalar::F64).topology().clone();

@@ -1,4 +1,4 @@
-//! Primitives: what they are glued to, exact duplicates, area and volume.
+//! Primitives: gluing, exact duplicates, area and volume.
 
 use crate::complexes::{area_and_volume, check_gauss_bonnet};
 use glam::DVec3;
@@ -64,7 +64,7 @@ fn every_primitive_is_what_it_is() {
             let (_, volume) = area_and_volume(net.shape(), |i, j| net.get(i, j));
             let turned = net.topology().is_reversed();
             assert!(!solid || (volume > 0.0) != turned, "{primitive:?}: faces from outside");
-            // What lies together is what is glued.
+            // Coincident nodes are exactly the glued nodes.
             for tolerance in [0.0, 1e-6] {
                 let derived = detect_gluing(net.coordinates(), tolerance, &job).unwrap();
                 let expected = net.topology().saturated().unwrap().with_reversed(false);

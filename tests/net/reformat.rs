@@ -18,7 +18,7 @@ fn any_replication() -> impl Strategy<Value = Replication> {
     ]
 }
 
-/// A net whose nodes are where their classes are, so that it has a volume.
+/// A net whose nodes have the positions of their classes, so that it has a volume.
 fn glued(topology: Topology) -> Net<'static> {
     let classes = Classes::of(&topology).unwrap();
     let shape = topology.shape();

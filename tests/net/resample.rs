@@ -175,7 +175,7 @@ fn distance(point: DVec3, net: &Net<'_>) -> f64 {
 
 #[test]
 fn decimation_keeps_corners_and_the_tolerance() {
-    // Flat but for one fold: nothing else is needed, at no cost but rounding.
+    // Flat except one fold: only its rows are needed, with an error of rounding.
     let topology = sheet(40, 31, Scalar::F64).topology().clone();
     let roof = Net::from_fn(topology, Scalar::F64, |i, j| {
         let x = (j * j) as f64;
@@ -188,7 +188,7 @@ fn decimation_keeps_corners_and_the_tolerance() {
     assert_eq!(found.net.get(1, 1), roof.get(39, 10));
     let all = decimate(&roof, f64::INFINITY, &Job::default()).unwrap();
     assert_eq!((all.rows.len(), all.columns.len()), (2, 2));
-    // A torus to a tolerance: what is left is within it, closed, and much smaller.
+    // A torus to a tolerance: the result is within it, closed, and much smaller.
     let net = torus(65, 97, Scalar::F64);
     let found = decimate(&net, 0.1, &Job::default()).unwrap();
     assert!(glued_bits_agree(&found.net) && found.net.topology().sides() == net.topology().sides());
@@ -200,7 +200,7 @@ fn decimation_keeps_corners_and_the_tolerance() {
         let off = distance(net.get(i, j), &found.net);
         assert!(off < found.deviation + 0.02, "{off}");
     }
-    // Closed ones keep three distinct columns, whatever the tolerance; holes are kept.
+    // Closed nets keep three distinct columns at any tolerance; holes are kept.
     let least = decimate(&torus(9, 13, Scalar::F64), f64::INFINITY, &Job::default()).unwrap();
     assert_eq!((least.rows.len(), least.columns.len()), (4, 4));
     let mut holed = sheet(9, 9, Scalar::F64);
@@ -211,7 +211,7 @@ fn decimation_keeps_corners_and_the_tolerance() {
     );
 }
 
-/// However few rows and columns are left, they are those of the same surface.
+/// The remaining rows and columns lie on the surface, however few they are.
 #[test]
 fn coarse_nets_are_the_surface_that_fine_ones_are() {
     let job = Job::default();

@@ -74,7 +74,7 @@ fn a_sphere_closes_at_1_and_keeps_the_lengths_of_its_roll_before() {
         let across = |i: usize| chord(du, s / radius) * if q > 0.0 { 1.0 - inwards(i) / radius } else { 1.0 };
         check_links(&moved, &format!("sphere at {t}"), |i| across(i).abs(), |_| chord(dv, q / radius));
     }
-    // At one half: a tube of the meridian's length; all links within 1 % of what they were.
+    // At one half: a tube of the meridian's length; all links keep their lengths within 1 %.
     let tube = rolled(&net, &wrap, 0.5);
     let ratios = analyse_field(&net, &[Step { field: &wrap, strength: 0.5 }], 1e-9, &Job::default()).unwrap().links;
     let within = |link: usize| {
@@ -188,13 +188,14 @@ fn rolls_stretch_space_as_their_curvature_says_and_have_no_jumps() {
         }
         assert_eq!(at(&**wrap, 0.0), p);
     }
-    // Of the height h above a cylinder, lengths are 1 + curvature h; a cylinder about x has z there.
+    // At the height h above a cylinder, lengths change by 1 + curvature h; a cylinder about x has z
+    // there.
     let det = |field: &dyn Field, t: f64| jacobian(p, 0.1, &[Step { field, strength: t }]).0.determinant();
     for t in [0.2, 0.5, 0.9] {
         assert!((det(&*wraps[0].1, t) - (1.0 + t / 2.0 * p.z)).abs() < 1e-8, "{t}");
-        // The first stage of the torus, height z: that of the tube.
+        // The first stage of the torus equals the tube with height z.
         assert!((det(&*wraps[2].1, t / 2.0) - (1.0 + t * p.z)).abs() < 1e-8, "{t}");
-        // That of the sphere about x, height x.
+        // The first stage of the sphere about x, height x.
         assert!((det(&*wraps[3].1, t / 2.0) - (1.0 + t / 1.2 * p.x)).abs() < 1e-8, "{t}");
     }
     assert!(field::sphere_wrap(Axis::Z, 0.0).is_err() && field::sphere_wrap(Axis::Z, f64::INFINITY).is_err());

@@ -1,4 +1,4 @@
-//! Bridges at rest: against closed forms, and against random neighbours of what was found.
+//! Compares bridges in equilibrium with closed forms, and with random neighbours of the solution.
 
 use crate::common::{Silent, StopAt};
 use crate::space::{Random, bits, sheet, sphere};
@@ -161,8 +161,8 @@ fn springs_in_series_balance() {
     }
 }
 
-/// The place of node i of a beam of n links of length h, clamped to slopes at both ends: the cubic
-/// q with q(1) - q(-1) = 2 h slope, and likewise at the other end.
+/// The position of node i of a beam of n links of length h, clamped to slopes at both ends. It is
+/// the cubic q with q(1) - q(-1) = 2 h slope, and likewise at the other end.
 fn cubic(n: usize, h: f64, ends: [f64; 2], slopes: [f64; 2]) -> impl Fn(usize) -> f64 {
     // q(i) = a + b i + c i^2 + d i^3: b + d = h s0; a + ... at n; b + 2 c n + d (3 n^2 + 1) = h s1.
     let (m, [p, q], [s, t]) = (n as f64, ends, slopes.map(|slope| slope * h));
@@ -227,7 +227,7 @@ fn what_is_found_is_a_minimum() {
             (0..2).for_each(|j| set(&mut net, i, j, reference.get(i, j) + 0.3 * random.vector()));
         }
         let given = bits(&net);
-        // At rest lengths of straight lines springs have no stiffness across.
+        // At the rest lengths of straight lines, springs lack transverse stiffness.
         let options = SettleOptions { reference: Some(&reference), rest_ratio: 0.8, ..SettleOptions::default() };
         let done = run(&mut net, options);
         if p == BridgeProperties::default() {
@@ -396,7 +396,7 @@ fn bridges_with_rows_come_back_from_streams() {
     }
 }
 
-/// What the fuzzer `net_edit` found: an index out of bounds.
+/// A finding of the fuzzer `net_edit`: an index out of bounds.
 #[test]
 fn bridges_beyond_the_net_are_refused() {
     // Six rows: the last row before the bridge and the first one behind it must be among them.
@@ -429,7 +429,7 @@ fn a_bridge_comes_to_rest_beside_one_that_is_much_stiffer() {
         let mut net = two_bridges(properties(factor, 0.5 * factor, 0.3 * factor));
         let done = run(&mut net, SettleOptions::default());
         assert!(done.converged, "{factor:e} {done:?}");
-        // Each within what the rounding of its own energy permits.
+        // Each within the rounding error of its own energy.
         let off = (0..14).map(|i| net.get(i, 0).distance(alone.get(i, 0))).fold(0.0, f64::max);
         assert!(off < 1e-7, "{factor:e} {off:e}");
     }
@@ -447,7 +447,7 @@ fn stiffness_bends_alike_in_any_unit() {
     let (wanted, energy) = bent(1.0, properties(0.0, 0.0, 1.0));
     assert!(energy > 0.1 && wanted.get(3, 0).distance(DVec3::new(3.0, 0.0, 0.0)) > 0.2);
     for unit in [1e-140, 1e-60, 1e60, 1e140, 1e170, 1e250] {
-        // Of a tension that is as nothing in small units, and all in large ones.
+        // A tension that is negligible in small units, and dominant in large ones.
         let tension = if unit < 1.0 { 1e-8 } else { 0.0 };
         let (net, found) = bent(unit, properties(tension, 0.0, 1.0));
         assert!((0..8).all(|i| net.get(i, 0).distance(wanted.get(i, 0)) < 1e-12), "{unit:e}");

@@ -40,7 +40,7 @@ pub(crate) fn assert_same(a: &Net<'_>, b: &Net<'_>) {
     assert_eq!(bits(a), bits(b));
 }
 
-/// The quantised net by the definition: node by node, from what the header says.
+/// The quantised net by the definition, node by node from the header.
 fn assert_quantised(net: &Net<'_>, back: &Net<'_>, info: &StreamInfo) {
     let Mode::Quantised { bits: levels } = info.mode else { panic!("{info:?}") };
     let classes = Classes::of(net.topology()).unwrap();
@@ -161,7 +161,7 @@ fn quantised_nets_are_what_the_header_says() {
                 let stream = encode(net, &options, &job()).unwrap();
                 let back = decode(&stream, &job()).unwrap();
                 assert_quantised(net, &back, &StreamInfo::read(&stream).unwrap());
-                // Levels stay what they are.
+                // Levels do not change.
                 let again = encode(&back, &StreamOptions::new(Mode::Lossless), &job()).unwrap();
                 assert_same(&decode(&again, &job()).unwrap(), &back);
             }
@@ -250,7 +250,8 @@ fn raw_streams_can_be_mapped() {
 
 #[test]
 fn much_of_nothing_is_small_and_comes_back() {
-    // All nodes one point, or missing: the stream is as long as the reader wants it for so many.
+    // All nodes are one point, or missing: the stream has the least length that the reader demands
+    // for this many nodes.
     let shape = Shape::new(3000, 1000).unwrap();
     let sides = Sides { pole_left: true, ..Sides::TWO_POLES };
     let net = Net::from_fn(Topology::of_sides(shape, sides), Scalar::F32, |_, _| DVec3::NAN).unwrap();

@@ -29,7 +29,7 @@ fn damage_is_found() {
     }
 }
 
-/// Puts right the checksums of a stream, so that what is behind them is tried.
+/// Corrects the checksums of a stream, so that the checks behind them are tested.
 fn forge(bytes: &mut [u8]) {
     let number = |bytes: &[u8], at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
     if bytes.len() < HEADER_SIZE {

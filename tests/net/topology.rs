@@ -140,7 +140,7 @@ fn seams_in_one_form() {
     let [p, q, r] = [at(0, 0), at(2, 4), at(3, 8)];
     let [one, other] = [[pair(p, q), pair(q, r)], [pair(p, r), pair(r, q)]].map(|seams| of(&seams));
     assert_eq!(one.saturated().unwrap(), other.saturated().unwrap());
-    // A pair again and again is no seam, however often; a run that meets one node is.
+    // Repetitions of one pair are not a seam; a run that meets one node is a seam.
     for count in [2, 7, u32::MAX] {
         let repeated = [pair(p, q), Seam { a: p, b: r, count }];
         let refused = Topology::new(shape, Links::Sides(Sides::SHEET), &repeated);

@@ -10,8 +10,8 @@ use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::{Error, Job};
 use std::ops::ControlFlow;
 
-/// Turned about a unit axis by the right hand: the part along the axis stays, the rest goes round
-/// in its plane.
+/// Rotates about a unit axis by the right hand: the component along the axis stays, the rest
+/// rotates in its plane.
 fn turned(p: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let along = p.dot(axis) * axis;
     let across = p - along;
@@ -54,7 +54,7 @@ fn rotations_turn_by_the_right_hand_and_the_printed_one_by_the_left() {
     }
     let quarter = Affine::rotation(DVec3::Z, std::f64::consts::FRAC_PI_2, DVec3::ZERO, Sense::AsPrinted).unwrap();
     assert!(quarter.apply(DVec3::X).distance(-DVec3::Y) < 1e-15);
-    // Neither the length of the axis matters, nor its being huge or tiny.
+    // The length of the axis does not matter, even if huge or tiny.
     for scale in [1e-300, 1e300] {
         let scaled = Affine::rotation(scale * DVec3::new(1.0, 2.0, 2.0), 1.0, DVec3::ZERO, Sense::RightHanded).unwrap();
         assert!(scaled.apply(DVec3::X).distance(turned(DVec3::X, DVec3::new(1.0, 2.0, 2.0) / 3.0, 1.0)) < 1e-15);

@@ -109,7 +109,8 @@ fn grids_that_were_cut_are_found_again() {
                 };
                 if *name != "torus" && a.rows() > 4 {
                     assert!(a == b || a == b.transposed(), "{what}: {b:?}");
-                    // What is closed round and cut one way may be sheared: its cells are others.
+                    // A mesh closed in one direction and cut in the other may be sheared: its cells
+                    // differ.
                     let is_one = *name == "sheet" || way != Cut::OneWay;
                     assert!(!is_one || same((0..b.cell_count()).map(corners).collect()), "{what}");
                 }
@@ -118,7 +119,8 @@ fn grids_that_were_cut_are_found_again() {
     }
 }
 
-/// Every triangle is a half of one cell, or the whole at a pole, and the first half of a cell is told.
+/// Every triangle is half of a cell, or a whole cell at a pole, and the first half of each cell is
+/// reported.
 fn check(found: &gusset::net::convert::GridNet, triangles: &[Vec<u32>], what: &str) {
     let shape = found.net.shape();
     let mut covered = vec![0; triangles.len()];

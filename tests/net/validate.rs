@@ -41,7 +41,7 @@ fn a_moved_node_and_a_missing_one_are_found() {
     // On both.
     net.coordinates_mut().set(3, 0, DVec3::new(f64::INFINITY, 0.0, 0.0));
     assert_eq!(kinds(&net, 0.0), []);
-    // Zeros have no sign here.
+    // Zeros lack a sign here.
     net.coordinates_mut().set(3, 0, DVec3::new(0.0, 1.0, 0.0));
     net.coordinates_mut().set(3, 8, DVec3::new(-0.0, 1.0, 0.0));
     assert_eq!(kinds(&net, 0.0), []);
@@ -165,7 +165,7 @@ fn gluing_and_ungluing_undo_each_other() {
         };
         let Ok(glued) = start.glued(&[gluing]) else { continue };
         let free = glued.unglued(&[gluing]).unwrap();
-        // What was glued before and named again is free now.
+        // Nodes glued before and named again are free now.
         let expected = start.unglued(&[gluing]).unwrap();
         assert_eq!(free, expected);
     }

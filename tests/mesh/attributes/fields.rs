@@ -1,4 +1,4 @@
-//! Linear fields come out as what they are at the places of the result, for each operation.
+//! Each operation keeps the values of linear fields at the positions of the result.
 
 use super::{Case, carried};
 use crate::common::{Soup, cap, sheet, some_of, torus};
@@ -215,7 +215,7 @@ fn blends_have_both_rims() {
     let (top, bottom) = (cap(24, 5, 0.3, 1.0), cap(17, 4, 0.3, -1.0));
     let case = stitched("blend", &top, Some(&bottom), &Options { finish: Finish::Blend, ..Options::default() });
     case.assert_sound();
-    // On the plain strip the height is between those of the rims, whatever fairing does to it.
+    // On the plain strip the height is between the heights of the rims, with any fairing.
     let heights = carried(&case.origins, Domain::Vertices, Rule::Linear, 1, &case.given(Domain::Vertices, |p| p.z));
     let new = &heights[top.points.len() + bottom.points.len()..];
     assert!(!new.is_empty() && new.iter().all(|z| z.abs() < 0.3 + 1e-12));

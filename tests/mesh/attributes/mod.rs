@@ -11,7 +11,7 @@ use gusset::Job;
 use gusset::attributes::{Channel, Counts, Domain, Origins, Output, Rule, ValueType, apply};
 use gusset::mesh::Mesh;
 
-/// What [`apply`] writes of doubles.
+/// The doubles that [`apply`] writes.
 fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inputs: &[Vec<f64>]) -> Vec<f64> {
     let mut channel = Channel::new(domain, ValueType::F64, components as u32, rule).unwrap();
     for input in inputs {
@@ -24,7 +24,7 @@ fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inp
     out
 }
 
-/// What an operation took: its pieces, and what it made.
+/// The pieces and the result of an operation.
 struct Case {
     name: &'static str,
     pieces: Vec<Soup>,

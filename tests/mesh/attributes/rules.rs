@@ -1,4 +1,4 @@
-//! The rules by which values are mixed, and what is refused.
+//! The rules that average values, and refused channels.
 
 use super::carried;
 use super::fields::{cases, job, stitched};
@@ -123,7 +123,8 @@ fn other_types_are_rounded_and_numbers_are_those_of_sources() {
             }
         }
     }
-    // A channel that one piece lacks: the strip has that of the other, and the rest nothing.
+    // If one piece lacks a channel, the strip has the values of the other piece, and the rest is
+    // empty.
     let mut channel = Channel::new(Domain::Vertices, ValueType::U16, 1, Rule::Linear).unwrap();
     let ones = vec![40_000u16; case.pieces[0].points.len()];
     channel.push(bytemuck::cast_slice(&ones), 0, ones.len()).unwrap();

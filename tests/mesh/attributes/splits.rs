@@ -1,4 +1,4 @@
-//! Vertices split at seams: with a merge map the surface is that of the mesh before.
+//! Vertices split at seams: with a merge map, the surface equals the unsplit mesh.
 
 use super::fields::job;
 use crate::common::{Soup, cap, data, edge_counts, some_of, torus};
@@ -19,7 +19,7 @@ use std::collections::{BTreeSet, HashMap};
 struct Split {
     whole: Soup,
     split: Soup,
-    /// Of each split vertex the one of the whole.
+    /// For each split vertex its vertex of the whole.
     original: Vec<u32>,
     merge: Vec<u32>,
     merged: Vec<u32>,
@@ -91,9 +91,9 @@ fn by_original(mesh: &Mesh, original: &[u32], whole: usize, take: impl Fn(usize)
     mesh.face_offsets.windows(2).map(|w| corners[w[0] as usize..w[1] as usize].to_vec()).collect()
 }
 
-/// What is known of the result of an operation on the split mesh, beside that on the whole: the same
-/// surface, whose faces have the split vertices, whose merge map leads to one vertex for each of the
-/// whole, and whose corners have their values.
+/// Compares the results on the split mesh and on the whole. The surfaces are equal, faces keep
+/// split vertices, the merge map has one vertex for each of the whole, and corners keep their
+/// values.
 fn assert_kept(split: &Split, made: &Mesh, origins: &Origins, expected: Option<&Mesh>) {
     let (old, whole) = (split.split.points.len(), split.whole.points.len());
     let merge = &made.merge;
@@ -111,13 +111,14 @@ fn assert_kept(split: &Split, made: &Mesh, origins: &Origins, expected: Option<&
         };
         assert_eq!(open(&named), open(&faces));
     }
-    // Old corners are what they were.
+    // Old corners are unchanged.
     assert_eq!(made.face_corners[..split.split.corners.len()], split.split.corners);
     for (v, &of) in merge.iter().enumerate() {
         assert_eq!(merge[of as usize], of);
         assert_eq!(of, split.merge.get(v).copied().unwrap_or(v as u32));
     }
-    // Values of split vertices, bit for bit, at the corners of old faces; new corners have those of one.
+    // The corners of old faces have values of split vertices bit for bit; a new corner has the
+    // value of one copy.
     let values: Vec<f64> = (0..old).map(|v| (v as f64 * 0.7).sin()).collect();
     let at = super::carried(origins, Domain::Vertices, Rule::Nearest, 1, std::slice::from_ref(&values));
     assert_eq!(at[..old], values);
@@ -130,7 +131,7 @@ fn assert_kept(split: &Split, made: &Mesh, origins: &Origins, expected: Option<&
     }
 }
 
-/// The loops of the split mesh, which are those of the whole.
+/// The loops of the split mesh, which equal the loops of the whole.
 fn assert_same_loops(split: &Split) {
     let loops = |mesh: &MeshView<'_>, name: &dyn Fn(u32) -> u32| {
         let found = boundary_loops(mesh, &boundary::Options::default(), &job()).unwrap();
@@ -233,7 +234,7 @@ fn bad_maps_are_refused() {
     }
 }
 
-/// The vertices that faces have by themselves are used, whatever they are one with.
+/// Vertices that faces refer to directly count as used, whatever they are merged with.
 #[test]
 fn split_vertices_are_no_unused_ones() {
     for seed in 0..20 {

@@ -57,7 +57,7 @@ fn one_chart_goes_on_across_a_strip() {
     }
 }
 
-/// A tube about the z axis, whose texture goes round it once from column `cut` on.
+/// A tube about the z axis. Its texture wraps once around from column `cut` on.
 fn tube(around: u32, low: f64, cut: u32) -> (Soup, Vec<f64>) {
     let (mut soup, mut values) = (Soup { offsets: vec![0], ..Soup::default() }, Vec::new());
     for row in 0..3 {
@@ -77,7 +77,7 @@ fn tube(around: u32, low: f64, cut: u32) -> (Soup, Vec<f64>) {
     (soup, values)
 }
 
-/// A chart that goes round is cut somewhere: no face of a strip runs back over all of it.
+/// A periodic chart is cut somewhere: no face of a strip spans the whole chart backwards.
 #[test]
 fn faces_are_on_one_side_of_a_cut() {
     let rows = [(Rows::None, Cells::Triangles), (Rows::Count(1), Cells::Triangles), (Rows::Count(4), Cells::Quads)];

@@ -1,4 +1,4 @@
-//! Closed meshes from which a disc is cut, and how far what fills it is from what was there.
+//! Closed meshes from which a disc is cut, and the distance of its patch from the removed surface.
 
 use crate::common::{Soup, edge_counts, euler, faces_of};
 use glam::{DMat3, DVec3};
@@ -88,7 +88,8 @@ impl Case {
         self
     }
 
-    /// What the true creases do inside the hole: at how many vertices they branch, turn, and end.
+    /// The true creases inside the hole: the number of vertices at which they branch, turn, and
+    /// end.
     pub(super) fn inside(&self) -> [usize; 3] {
         let mut open = vec![false; self.points.len()];
         let kept = self.triangles.iter().filter(|&&triangle| !self.is_cut(triangle));
@@ -113,7 +114,7 @@ impl Case {
         self.filled_if_disc(options).expect("the disc is no disc")
     }
 
-    /// The same; `None` if what is cut is no disc.
+    /// The same; `None` if the removed part is not a disc.
     pub(super) fn filled_if_disc(&self, options: &Options) -> Option<(Filled, Errors)> {
         let soup = self.open();
         let filled = fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap();

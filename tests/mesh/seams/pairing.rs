@@ -14,8 +14,9 @@ fn run(pieces: &[Soup]) -> Assembly {
     assemble(&views, &Options::default(), &Job::default()).unwrap()
 }
 
-/// A tube of `rows` x `n` quads from `z` on upwards or downwards (`step` below 0), about a vertical
-/// axis, closed by a fan at its far end; outside out. `wave`: what the open rim goes up and down by.
+/// A tube of `rows` x `n` quads about a vertical axis, from `z` upwards, or downwards if `step` is
+/// negative. A fan closes its far end, and faces are oriented outwards. `wave` is the amplitude of
+/// the open rim.
 fn tube(n: u32, centre: [f64; 2], r: f64, z: f64, step: f64, rows: u32, wave: impl Fn(u32) -> f64) -> Soup {
     let mut soup = Soup { offsets: vec![0], ..Soup::default() };
     for k in 0..=rows {
@@ -93,7 +94,7 @@ fn two_loops_side_by_side_that_face_two_others() {
     let above = [0.0, 2.2].map(|x| tube(24, [x, 0.0], 1.0, 0.5, 0.4, 5, flat));
     let pairs = [[[0, 0, 0], [0, 0, 5]], [[22, 0, 0], [22, 0, 5]]];
     assert_joined(&[together(&below), together(&above)], &pairs, 4);
-    // As four pieces, and with one that has no partner.
+    // As four pieces, and with one that lacks a partner.
     let [a, b] = below;
     let [c, d] = above;
     assert_joined(&[a.clone(), b.clone(), c.clone(), d], &pairs, 4);

@@ -1,5 +1,5 @@
-//! Sewing of borders whose vertices do not match: cut meshes come back closed, with the volume and
-//! Euler characteristic that they had, and what touches without matching is left.
+//! Sews borders whose vertices do not match. Cut meshes become closed again, with their volume and
+//! Euler characteristic. Borders that touch without matching stay open.
 
 mod borders;
 
@@ -55,8 +55,8 @@ fn degenerate_faces<'a>(faces: impl Iterator<Item = &'a [u32]>) -> usize {
     faces.filter(|face| face.iter().collect::<HashSet<_>>().len() < face.len()).count()
 }
 
-/// What must hold of any sewing: maps that name what is there, old vertices where they were,
-/// triangles that are triangles, no more harm than before.
+/// Checks any sewing: maps have valid indices, old vertices keep their positions, triangles stay
+/// triangles, defects do not increase.
 #[track_caller]
 fn assert_account(soup: &Soup, done: &Sew) {
     let new: Vec<&[u32]> = faces_of(&done.mesh).collect();
@@ -100,7 +100,7 @@ proptest! {
         (n, m) in (3u32..9, 3u32..9),
         pieces in prop::collection::vec(0usize..4, 128),
         seed in any::<u64>(),
-        // Splits on both sides, on that of odd pieces, on that of even ones.
+        // Splits on both sides, on the side of odd pieces, on the side of even pieces.
         sides in 0usize..3,
         (triangles, fans) in (any::<bool>(), any::<bool>()),
         exponent in -200i32..200,
@@ -123,7 +123,7 @@ proptest! {
             volume(of_soup(&parts), parts.faces()) / unit.powi(3),
             volume(of_mesh(&done.mesh), faces_of(&done.mesh)) / unit.powi(3),
         ];
-        // Flat faces keep their volume; quads of a torus that gain corners are no flat ones.
+        // Flat faces keep their volume; quads of a torus that gain corners are not flat.
         if triangles {
             prop_assert!((old / new - 1.0).abs() < 1e-9, "{} {}", old, new);
             let [old, new] = [area(of_soup(&whole), whole.faces()), area(of_mesh(&done.mesh), faces_of(&done.mesh))];
@@ -157,7 +157,7 @@ proptest! {
         let done = sew(&soup.view(), &options, &Job::default()).unwrap();
         let proper = |face: &&[u32]| face.iter().collect::<HashSet<_>>().len() == 3;
         if all {
-            // Welding all makes what it makes; from there on nothing becomes worse.
+            // Welding all vertices may add defects; sewing afterwards adds none.
             let weld = gusset::repair::weld::weld(&soup.view(), &options, &Job::default()).unwrap();
             let worse = |mesh: &Mesh| (non_manifold_edges(faces_of(mesh).filter(proper)), degenerate_faces(faces_of(mesh)));
             let [before, after] = [worse(&weld.mesh), worse(&done.mesh)];
@@ -339,7 +339,7 @@ fn bad_input_is_refused_or_left_as_it_is() {
         let found = sew(&soup.view(), &options, &Job::default());
         assert!(matches!(found, Err(Error::OptionOutOfRange { option: "tolerance", .. })));
     }
-    // Whatever the tolerance is, a sheet without neighbours stays what it is.
+    // A sheet without neighbours is unchanged at any tolerance.
     for tolerance in [0.0, 1e-300, 0.3, 0.9, 3.0, 1e300] {
         let done = sewn(&soup, &Options { tolerance: Some(tolerance), ..Options::default() });
         assert_eq!((done.mesh.face_count(), done.splits, euler(faces_of(&done.mesh))), (6, 0, 1), "{tolerance}");
@@ -360,7 +360,7 @@ fn bad_input_is_refused_or_left_as_it_is() {
     }
 }
 
-/// Stops after so many reports.
+/// Cancels after this many reports.
 struct Impatient(Cell<u32>);
 
 impl Progress for Impatient {
@@ -401,8 +401,8 @@ fn pieces_that_do_not_match_are_assembled_closed() {
         let mut piece = Soup { offsets: vec![0], ..Soup::default() };
         let mut names = HashMap::new();
         for face in all.faces() {
-            // Faces of one piece hang together by their vertices alone: the piece of a face is that
-            // of its first vertex's component.
+            // Faces of one piece are connected by vertices: the piece of a face is the component of
+            // its first vertex.
             if components[face[0] as usize] % 3 != wanted as u32 {
                 continue;
             }

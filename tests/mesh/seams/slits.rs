@@ -23,8 +23,8 @@ fn assert_closed(done: &Assembly, name: &str) {
     assert!(done.joints.iter().all(|joint| joint.outcome == Outcome::Joined), "{name}");
 }
 
-/// The lower and the upper half of a ball with `n` vertices on their rims; `z` of upper ones is what
-/// they are raised by.
+/// The lower and the upper half of a ball with `n` vertices on their rims; Upper vertices are
+/// raised by `z`.
 fn halves(n: u32, z: impl Fn(u32) -> f64) -> [Soup; 2] {
     let (lower, mut upper) = (cap(n, 6, 0.0, -1.0), cap(n, 6, 0.0, 1.0));
     // The upper rim takes over the nearest vertices of the lower one, which runs the other way.

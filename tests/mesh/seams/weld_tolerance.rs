@@ -40,12 +40,12 @@ fn pieces(whole: &Soup, noise: f64, write: impl Fn(f64) -> f64) -> Soup {
     pieces
 }
 
-/// Written with so many significant digits.
+/// Written with this many significant digits.
 fn digits(count: usize) -> impl Fn(f64) -> f64 {
     move |x| format!("{x:.*e}", count - 1).parse().unwrap()
 }
 
-/// Written with so many decimals.
+/// Written with this many decimals.
 fn decimals(count: usize) -> impl Fn(f64) -> f64 {
     move |x| format!("{x:.count$}").parse().unwrap()
 }
@@ -139,7 +139,7 @@ fn what_files_round_apart_comes_together() {
         assert!((done.tolerance / (2.0 * 10f64.powi(-(count as i32))) - 1.0).abs() < 1e-9, "{}", done.tolerance);
         assert_whole(&done.mesh, &whole);
     }
-    // What computing in another order does to 64 bits.
+    // The error of 64-bit numbers computed in another order.
     let soup = pieces(&whole, 1e-15, |x| x);
     assert!((welded(&soup, Some(0.0)).sewn_edges as usize) < open(&soup));
     assert_whole(&welded(&soup, None).mesh, &whole);
