@@ -1,5 +1,5 @@
-//! What is made of curves: samples, texts, contours, splines, offsets; against formulas and what
-//! they were made of.
+//! Results made of curves: samples, texts, contours, splines, offsets. They are compared with
+//! formulas and with the original curves.
 
 use crate::curves::*;
 use glam::DVec3;
@@ -86,7 +86,7 @@ fn texts_and_contours_and_splines() {
     let spline = round.view().spline(&Job::default()).unwrap();
     assert_eq!((spline.degree, spline.controls.len(), spline.knots.len()), (2, 6, 9));
     for (k, t) in [(0, 0.3), (1, 0.5), (2, 0.9), (3, 1.0)] {
-        // The knots of equal intervals would be 0 to 4 but for the ends.
+        // Knots with equal intervals, 0 to 4 except at the ends.
         let knot = |k: usize| spline.knots[k + 2];
         let x = knot(k) + t * (knot(k + 1) - knot(k));
         assert!(de_boor(&spline, x).distance(round.view().point(at(k as u32, t)).unwrap()) < 1e-14);
@@ -126,11 +126,11 @@ proptest! {
         let seventh = curve.elevated_to(7, &Job::default()).unwrap();
         prop_assert!(seventh.view().segments().all(|c| c.len() == 8));
         prop_assert!(apart(&curve, &seventh.view()) <= 1e-14 * unit);
-        // What was raised comes down to where it was.
+        // Raising the degree and reducing it again gives the original curve.
         let back = seventh.view().reduced(6, 1e-10 * unit, &Job::default()).unwrap();
         prop_assert!(back.kept.is_empty());
         prop_assert!(apart(&curve, &back.curve.view()) <= 1e-11 * unit);
-        // The bound holds, and what is beyond the tolerance is kept.
+        // The bound holds, and segments beyond the tolerance are kept.
         let low = curve.reduced(2, f64::INFINITY, &Job::default()).unwrap();
         for k in 0..curve.len() as u32 {
             for i in 0..=10 {
@@ -201,7 +201,7 @@ fn offsets_of_circles_and_parabolas() {
                 assert!(curve.is_closed() && done.reached && !done.tight && done.corners == 0);
                 assert!(done.deviation <= tolerance * scale);
                 assert!(curve.segments().all(|c| c.len() == degree + 1));
-                // Both curves are circles but for 1e-5 of the given one.
+                // Both curves are circles within 1e-5.
                 let points: Vec<f64> = curve
                     .points_at(&[at(0, 0.3), at(1, 0.7)], &Job::default())
                     .unwrap()

@@ -1,4 +1,4 @@
-//! What tests of curves share.
+//! Shared by the tests of curves.
 
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
 

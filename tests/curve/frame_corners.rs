@@ -9,7 +9,7 @@ use gusset::{Error, Job};
 /// The frames of a ship of 10 by 2 by 1: below the deck a parabola, pointed at the keel; `n` points
 /// from edge to edge and `m` more across the deck.
 fn ship(n: usize, m: usize, random: &mut fastrand::Rng) -> Sections {
-    Sections::of((0..11).map(|k| {
+    Sections::from_sections((0..11).map(|k| {
         let x = f64::from(k) - 5.0;
         let half = 1.0 - 0.03 * x * x;
         let below = (0..n).map(|i| 2.0 * i as f64 / (n - 1) as f64 - 1.0).map(|s| [x, half * s, s * s]);
@@ -62,7 +62,7 @@ fn decks_keep_their_edges() {
 
 #[test]
 fn open_sections_keep_their_chines() {
-    let sections = Sections::of((0..5).map(|k| {
+    let sections = Sections::from_sections((0..5).map(|k| {
         let x = f64::from(k);
         // Differently many points, and a chine at y = 1.
         let below = (0..6 + k).map(move |i| f64::from(i) / f64::from(6 + k)).map(move |s| [x, s, 0.1 * s * s]);
@@ -89,7 +89,7 @@ fn open_sections_keep_their_chines() {
 fn a_point_that_is_repeated_but_for_round_off_is_no_corner() {
     let mut random = fastrand::Rng::with_seed(6);
     for case in 0..200 {
-        let sections = Sections::of((0..4).map(|k| {
+        let sections = Sections::from_sections((0..4).map(|k| {
             let n = 24 + 8 * (case % 4);
             let mut points = circle(0.2 * f64::from(k), n, 0.4 + random.f64(), false);
             let noise = || 1e-14 * (2.0 * fastrand::Rng::with_seed(case as u64).f64() - 1.0);

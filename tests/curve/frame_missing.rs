@@ -1,4 +1,4 @@
-//! Frames of sections that lack points: what is filled is near the body, what is there is kept.
+//! Frames of sections that lack points: filled points are near the body, given points are kept.
 
 use glam::DVec3;
 use gusset::curve::frame::{Correspondence, Frame, FrameOptions, frame};
@@ -89,15 +89,15 @@ fn missing_nodes_are_near_the_body() {
             assert_eq!(made, again);
         }
         println!("ring {ring}: {errors:?}");
-        // Of third order at least, and near from the first.
+        // The error is of third order at least, and small from the first size.
         assert!(errors[0] < 0.1 && errors[0] / errors[1] > 5.0 && errors[1] / errors[2] > 5.0, "{ring}: {errors:?}");
     }
 }
 
 #[test]
 fn sections_that_follow_a_line_are_filled_exactly() {
-    // A prism whose sections are unevenly spaced, one of them nearly all lost: columns that have both
-    // nodes say how far apart sections are.
+    // A prism with unevenly spaced sections, one of which is nearly lost: columns with both nodes
+    // give the distance of sections.
     let heights = [0.0_f64, 1.0, 1.5, 4.0, 4.25, 6.0, 7.0];
     let truth: Vec<DVec3> = heights
         .iter()
@@ -109,7 +109,7 @@ fn sections_that_follow_a_line_are_filled_exactly() {
     missing.iter().for_each(|&k| holed[k as usize] = DVec3::NAN);
     let made = make(&holed, heights.len(), false, &missing).unwrap();
     for (node, truth) in made.grid.nodes.iter().zip(&truth) {
-        // Across the line exactly; along it the curve's speed is that of centripetal parameters.
+        // Exact across the line; along it the curve has the speed of centripetal parameters.
         assert!((*node - *truth).truncate().length() < 1e-15, "{node} {truth}");
         assert!((node.z - truth.z).abs() < 0.5, "{node} {truth}");
         assert!(node.z >= 0.0 && node.z <= 7.0);
@@ -133,7 +133,7 @@ fn nodes_that_cannot_be_filled() {
     assert_eq!(failed(true, &column(&[0, 1, 3, 4])), Error::NoNode { section: 0, column: 7 });
     assert!(make(&nodes, rows, true, &column(&[0, 3, 4])).is_ok());
     assert_eq!(failed(false, &[100]), Error::NoSuch { element: Element::Point, index: 100 });
-    // What is there must be finite all the same.
+    // Given points must still be finite.
     let mut holed = nodes.clone();
     holed[47].y = f64::NAN;
     let found = make(&holed, rows, false, &[46]).unwrap_err();

@@ -57,7 +57,7 @@ fn parabolas_and_lines() {
             assert!((m.a.t - (x + 1.0) / 3.0).abs() < 1e-10);
         }
     }
-    // y = x^2 and y = 2 x^2 touch at 0; the second goes on to (1, 2).
+    // y = x^2 and y = 2 x^2 touch at 0; the second continues to (1, 2).
     let steep = parabola(-1.0, 1.0).map(|p| v(p.x, 2.0 * p.y));
     let found = meet(&parabola(-1.5, 1.0), &steep);
     assert_eq!(found.points.len(), 1, "{found:?}");
@@ -157,8 +157,8 @@ fn loops_cusps_and_eights() {
     assert_eq!(found.points.len(), 1, "{found:?}");
 }
 
-/// A straight segment that goes far away, on one of the curves, takes none of their crossings,
-/// which a pair of cubics by itself tells, nor the loop of a cubic.
+/// A long straight segment on one of the curves removes no crossing of the cubics, and no loop of a
+/// cubic.
 #[test]
 fn what_goes_far_hides_no_crossing() {
     let mut random = fastrand::Rng::with_seed(9);

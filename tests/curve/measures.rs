@@ -23,7 +23,7 @@ proptest! {
         prop_assert_eq!(all.centre, Some(curve.centre(&job()).unwrap()));
         prop_assert_eq!(all.area_vector, Some(curve.area_vector(&job()).unwrap()));
         prop_assert_eq!(format!("{:?}", all.moments), format!("{:?}", Some(curve.moments(&job()).unwrap())));
-        // Only what is asked for.
+        // Only the requested measures.
         let length = curve.measures(MeasureSelection { length: true, ..NONE }, &job()).unwrap();
         prop_assert_eq!(length, Measures { length: all.length, ..Measures::default() });
     }

@@ -36,8 +36,8 @@ pub(crate) fn size_of(points: &[[f64; 2]]) -> f64 {
     span(0).max(span(1))
 }
 
-/// The curve passes each point whose status does not say otherwise, nothing is NaN, and joints are
-/// smooth but for corners.
+/// The curve interpolates each point unless its status says otherwise. No number is NaN, and joints
+/// except corners are smooth.
 pub(crate) fn assert_passes(points: &[[f64; 2]], done: &Fit, name: &str) {
     let (curve, size) = (done.curve(0), size_of(points));
     assert_eq!(done.statuses().len(), points.len());
@@ -49,8 +49,8 @@ pub(crate) fn assert_passes(points: &[[f64; 2]], done: &Fit, name: &str) {
         }
         let scale = 1.0 / (size + far);
         let miss = (at(curve, done.place(i)) * scale).distance(lift(p) * scale) * (size + far);
-        // What is merged may be as far as the tolerance; the rest is rounding, of the coordinates
-        // too.
+        // Merged points may be off by the tolerance; other errors are rounding, also of the
+        // coordinates.
         let merged = if done.statuses()[i] == PointStatus::Merged { 2e-12 * size } else { 0.0 };
         assert!(miss <= 4.0 * f64::EPSILON * (size + far) + merged, "{name}: point {i} {miss:e} of {size}");
     }
@@ -319,7 +319,7 @@ fn perpendicular_ends_are_perpendicular() {
         assert!(end.normalize().dot((p[4] - p[2]).normalize()).abs() < 1e-14);
         assert!(start.dot(p[1] - p[0]) > 0.0 && end.dot(p[4] - p[3]) > 0.0);
     }
-    // A straight beginning has no perpendicular, and says so.
+    // A straight beginning lacks a perpendicular, and reports it.
     let done = one(
         &[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 1.0]],
         false,

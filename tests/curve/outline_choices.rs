@@ -1,6 +1,6 @@
-//! What can be asked of outlines beside the kind of curve: control points on guides, tangents by
-//! angles, level and upright ends, the history of the cycles, stepping of sections; and what points
-//! say where they do not get it.
+//! Options of outlines beside the kind of curve: control points on guides, tangents by angles,
+//! level and upright ends, cycles, stepping of sections; and the statuses of points that do not
+//! fulfil them.
 
 use crate::outline_data::{Line, adversarial, arc, blob, check, outlines, random, size, solve, solve_with};
 use glam::DVec3;
@@ -59,7 +59,7 @@ fn chains_have_their_control_points_on_the_guides() {
     }
 }
 
-/// Where no normal meets the chord, the bisector stands in, and the point says so.
+/// If no normal meets the chord, the bisector replaces it, and the point has a status.
 #[test]
 fn bisectors_stand_in_for_normals() {
     let line = open(&[(0.0, 0.0), (2.0, 1.0), (4.0, 1.2), (3.6, 1.9), (5.0, 3.0), (7.0, 3.2)]);
@@ -157,7 +157,7 @@ fn histories_have_a_move_for_each_cycle() {
         let without = solve(&line, &Options { history: false, ..options });
         assert_eq!((without.points(), without.history(0)), (fit.points(), &[][..]));
     }
-    // Of many outlines each has its own, on any number of threads.
+    // Each of many outlines has its own choice, on any number of threads.
     let points: Vec<[f64; 2]> = (0..30u32).flat_map(|_| line.points.iter().map(|p| [p.x, p.y])).collect();
     let offsets: Vec<u32> = (0..=30).map(|k| 24 * k).collect();
     let many = Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
@@ -220,8 +220,8 @@ fn check_cusps(line: &Line, fit: &gusset::curve::Fit, reversals: &[usize], metho
     if method != Method::Bisector {
         return;
     }
-    // With the bisector segments have no cusps within (Yuksel, Schaefer and Keyser, 2011): turns of
-    // more than a right angle from sample to sample are at the points alone.
+    // By the bisector, segments lack inner cusps (Yuksel, Schaefer and Keyser, 2011): turns of more
+    // than a right angle between samples occur only at the points.
     let mut previous: Option<DVec3> = None;
     for (k, segment) in fit.curve(0).segments().enumerate() {
         let at = |j: u32| crate::outline_data::casteljau(segment, f64::from(j) / 256.0);

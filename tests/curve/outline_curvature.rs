@@ -1,7 +1,7 @@
-//! Composite curves with continuous curvature: is it, how near are they to what the points are of,
-//! and does the lock hold?
+//! Composite curves with continuous curvature: the continuity, the distance from the sampled shape,
+//! and the lock.
 //!
-//! Curvatures are computed here from differences of control points; those of ellipses from their
+//! Curvatures are computed here from differences of control points, and for ellipses from their
 //! equation.
 
 use crate::common::some_of;
@@ -94,7 +94,8 @@ fn real_outlines_have_continuous_curvature() {
                 lines.len()
             );
             assert!(100 * even >= 95 * lines.len(), "{method:?} {lock:?} {even}");
-            // The lock by guides has no solution on all outlines with medians: see outline_solvers.
+            // The lock by guides lacks a solution on some outlines with medians: see
+            // outline_solvers.
             let hard = lock == Lock::DataGuide && method != Method::Bisector;
             assert!(hard || 100 * converged >= 95 * lines.len(), "{method:?} {lock:?} {converged}");
         }
@@ -251,8 +252,8 @@ fn shapes_that_nothing_was_tuned_on_have_continuous_curvature() {
             assert!(100 * even >= 95 * lines.len(), "{method:?} {lock:?} {even} of {}", lines.len());
         }
     }
-    // Whatever the points are: nothing breaks, and where the curvature jumps, or is lost in the
-    // rounding of points a millionth of the size apart, the points say so.
+    // For any points nothing breaks. If the curvature jumps, or is lost in the rounding of points a
+    // millionth of the size apart, the points have a status.
     // (Cubes of lengths of 1e300 overflow here, and far from the origin coordinates are rounded.)
     let far = |line: &Line| line.points.iter().any(|p| p.length() > 1e6 * size(line));
     for line in adversarial().into_iter().filter(|line| (1e-99..1e99).contains(&size(line)) && !far(line)) {

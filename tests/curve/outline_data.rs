@@ -1,5 +1,5 @@
-//! Outlines to try: those of the data directory, curves that are known, and hard cases; and what
-//! every solution must be.
+//! Outlines for the tests: the data directory, known curves, and hard cases; and checks of every
+//! solution.
 
 use glam::DVec3;
 use gusset::curve::{Constraint, Fit, FitStatus, Options, Outlines, PointStatus, Points, fit};

@@ -1,4 +1,4 @@
-//! What outlines are written as, read back by another library (kurbo): every point is on the path.
+//! Exported outlines, read back by another library (kurbo): every point is on the path.
 
 use gusset::Job;
 use gusset::curve::{Fit, Mode, Options, Outlines, Points, fit};
@@ -16,7 +16,7 @@ fn outlines() -> Vec<(String, Vec<[f64; 2]>, bool)> {
     all
 }
 
-/// The other library finds each point at its place, but for rounding of the coordinates.
+/// The other library finds each point at its place, within the rounding of the coordinates.
 fn assert_on(path: &BezPath, points: &[[f64; 2]], done: &Fit, what: &str) {
     let segments: Vec<_> = path.segments().collect();
     let far = points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));

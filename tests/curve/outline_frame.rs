@@ -32,7 +32,7 @@ pub(crate) struct Sections {
 }
 
 impl Sections {
-    pub(crate) fn of(sections: impl IntoIterator<Item = Vec<[f64; 3]>>) -> Self {
+    pub(crate) fn from_sections(sections: impl IntoIterator<Item = Vec<[f64; 3]>>) -> Self {
         let mut all = Sections { points: Vec::new(), offsets: vec![0] };
         for section in sections {
             all.points.extend(section);
@@ -91,7 +91,7 @@ pub(crate) fn assert_meets(made: &Frame) {
 #[test]
 fn a_ball_by_angles_and_by_arc_lengths() {
     // Differently many points, from different starts, some backwards.
-    let sections = Sections::of(heights().enumerate().map(|(k, z)| circle(z, 20 + 3 * k, 0.3 * k as f64, k % 2 == 1)));
+    let sections = Sections::from_sections(heights().enumerate().map(|(k, z)| circle(z, 20 + 3 * k, 0.3 * k as f64, k % 2 == 1)));
     let by_angle =
         Correspondence::Angle { columns: 12, axis: straight(DVec3::ZERO, DVec3::Z * 5.0), reference: DVec3::X };
     let made = sections.make(true, &options(by_angle)).unwrap();
@@ -107,7 +107,7 @@ fn a_ball_by_angles_and_by_arc_lengths() {
     }
     assert!(made.grid.min_sine > 0.99);
 
-    let sections = Sections::of(heights().enumerate().map(|(k, z)| circle(z, 24 + k, 0.5, k % 3 == 1)));
+    let sections = Sections::from_sections(heights().enumerate().map(|(k, z)| circle(z, 24 + k, 0.5, k % 3 == 1)));
     let from_first = FrameOptions { given_starts: true, ..options(Correspondence::ArcLength { columns: 10 }) };
     let made = sections.make(true, &from_first).unwrap();
     assert_meets(&made);
@@ -123,7 +123,7 @@ fn a_ball_by_angles_and_by_arc_lengths() {
 
 #[test]
 fn new_sections_of_a_ball_have_its_girths_and_areas() {
-    let sections = Sections::of(heights().map(|z| circle(z, 32, 0.0, false)));
+    let sections = Sections::from_sections(heights().map(|z| circle(z, 32, 0.0, false)));
     let made = sections.make(true, &options(Correspondence::Given)).unwrap();
     assert_meets(&made);
     // Across the axis, and aslant; not far from given sections, as the ball's poles are not there.
@@ -159,7 +159,7 @@ fn landmarks_belong_together() {
     // Squares that turn on their way up, of 4 x 3, 4 x 4, ... points that begin at some corner: the
     // corners are landmarks.
     let mut landmarks = Vec::new();
-    let sections = Sections::of((0..5usize).map(|k| {
+    let sections = Sections::from_sections((0..5usize).map(|k| {
         let (n, first) = (3 + k, k % 4);
         let corner = |i: usize| {
             let t = 0.2 * k as f64 + TAU * (i % 4) as f64 / 4.0;
@@ -197,7 +197,7 @@ fn landmarks_belong_together() {
 
 #[test]
 fn a_ring_goes_round() {
-    let sections = Sections::of((0..12).map(|k| {
+    let sections = Sections::from_sections((0..12).map(|k| {
         let (sin, cos) = (TAU * f64::from(k) / 12.0).sin_cos();
         (0..9)
             .map(|i| {
@@ -211,15 +211,15 @@ fn a_ring_goes_round() {
     assert_meets(&made);
     assert!((0..9).all(|i| made.along.curve(i).is_closed()));
     assert!(made.grid.min_sine > 1.0 - 1e-6);
-    // Each curve along crosses a plane through the axis twice; the first crossing is taken, and it
-    // is said.
+    // Each curve along crosses a plane through the axis twice; the first crossing is taken and
+    // reported.
     let cut = slice(&made.along, DVec3::ZERO, DVec3::Y, true, &CUBIC, &Job::default()).unwrap();
     assert_eq!(cut.ambiguous.len(), 9);
 }
 
 #[test]
 fn what_makes_no_frame_is_refused() {
-    let two = Sections::of([circle(0.0, 6, 0.0, false), circle(1.0, 7, 0.0, false)]);
+    let two = Sections::from_sections([circle(0.0, 6, 0.0, false), circle(1.0, 7, 0.0, false)]);
     assert_eq!(
         two.make(true, &options(Correspondence::Given)).unwrap_err(),
         Error::SectionsDiffer { section: 1, count: 7, expected: 6 }
@@ -242,14 +242,14 @@ fn what_makes_no_frame_is_refused() {
         Error::OptionOutOfRange { option: "columns", .. }
     ));
     assert!(matches!(refused(Correspondence::ArcLength { columns: usize::MAX }), Error::TooLarge { .. }));
-    let one = Sections::of([circle(0.0, 6, 0.0, false)]);
+    let one = Sections::from_sections([circle(0.0, 6, 0.0, false)]);
     assert!(matches!(
         one.make(true, &options(Correspondence::Given)).unwrap_err(),
         Error::OptionOutOfRange { option: "sections", .. }
     ));
-    let none = Sections::of([]);
+    let none = Sections::from_sections([]);
     assert!(none.make(true, &options(Correspondence::Given)).is_err());
-    let point = Sections::of([vec![[0.0; 3]; 5], circle(1.0, 5, 0.0, false)]);
+    let point = Sections::from_sections([vec![[0.0; 3]; 5], circle(1.0, 5, 0.0, false)]);
     let error = point.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap_err();
     assert_eq!(error, Error::NoNode { section: 0, column: 0 });
     // A pole is a section like others when it is given.
@@ -266,7 +266,7 @@ fn landmarks_at_one_place_have_nothing_between_them() {
     let mut points = circle(0.0, 12, 0.0, false);
     points.insert(4, points[3]);
     points.push(points[0]);
-    let sections = Sections::of([points.clone(), points]);
+    let sections = Sections::from_sections([points.clone(), points]);
     let landmarks = [0, 3, 4, 8, 13, 0, 3, 4, 8, 13];
     let correspondence = Correspondence::Landmarks { points: &landmarks, parts: 2 };
     let made = sections.make(true, &options(correspondence)).unwrap();
@@ -286,7 +286,7 @@ fn sections_are_turned_at_any_scale() {
                 .map(|p| [p[0] * scale, p[1] * scale, (p[2] + 0.3 * p[0]) * scale])
                 .collect()
         };
-        let sections = Sections::of([ring(0.0, false), ring(0.5, true), ring(1.0, false)]);
+        let sections = Sections::from_sections([ring(0.0, false), ring(0.5, true), ring(1.0, false)]);
         let made = sections.make(true, &options(Correspondence::ArcLength { columns: 12 })).unwrap();
         assert_eq!(made.grid.turned, [0, 1, 0], "{scale:e}");
         let measure = Measure::of(made.across.curve(1)).unwrap();
@@ -300,7 +300,7 @@ fn sections_are_turned_at_any_scale() {
 
 /// Sections of a bent body, points at uneven steps, some backwards; each list begins somewhere.
 fn rolled(random: &mut fastrand::Rng) -> Sections {
-    Sections::of((0..9).map(|k| {
+    Sections::from_sections((0..9).map(|k| {
         let z = f64::from(k);
         let n = 24 + 5 * (k as usize % 3);
         let mut points: Vec<[f64; 3]> = (0..n)
@@ -326,7 +326,7 @@ fn where_lists_begin_and_which_way_they_run_does_not_matter() {
         let way = FrameOptions { ring, ..way };
         let make = |random: &mut fastrand::Rng| {
             let sections = rolled(random);
-            // The direction of the first is that of all.
+            // All have the direction of the first.
             let turn = |p: &[[f64; 3]]| {
                 p.iter().zip(p.iter().cycle().skip(1)).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
             };
@@ -342,7 +342,7 @@ fn where_lists_begin_and_which_way_they_run_does_not_matter() {
             assert!(off < 1e-9 * 8.0, "{off:e}");
         }
     }
-    // From the first points the same body is wrung, and that is said.
+    // Correspondence by first points twists the body, and the report says so.
     let wrung = rolled(&mut random).make(true, &FrameOptions { given_starts: true, ..way }).unwrap();
     assert!(wrung.grid.max_twist > 1.0, "{}", wrung.grid.max_twist);
 }
@@ -355,7 +355,7 @@ fn angles_about_a_bent_axis() {
     let tangent = |t: f64| DVec3::new(-radius * t.sin(), radius * t.cos(), rise).normalize();
     let (count, columns) = (25, 16);
     let turns = |k: usize| 0.15 * k as f64;
-    let sections = Sections::of((0..count).map(|k| {
+    let sections = Sections::from_sections((0..count).map(|k| {
         let (centre, along) = (at(turns(k)), tangent(turns(k)));
         let first = along.any_orthonormal_vector();
         let on = |i: usize| {
@@ -371,8 +371,8 @@ fn angles_about_a_bent_axis() {
     let made = sections.make(true, &options(about(Axis::Points(&axis), DVec3::Z))).unwrap();
     assert_meets(&made);
     let node = |k: usize, i: usize| made.grid.nodes[k * columns + i] - axis[k];
-    // Column 0 begins towards z, and turns about the axis by what the helix's torsion says less than
-    // its own normal, which always points to the z axis.
+    // Column 0 begins towards z. Relative to the helix's normal, which points to the z axis, it
+    // turns back by the torsion.
     let speed = radius.hypot(rise);
     let torsion = rise / (speed * speed);
     for k in 0..count {
@@ -412,7 +412,7 @@ fn angles_about_a_bent_axis() {
 #[test]
 fn bent_bodies_keep_their_direction() {
     let torus = |count: u32, part: f64, random: &mut fastrand::Rng| {
-        Sections::of((0..count).map(|k| {
+        Sections::from_sections((0..count).map(|k| {
             let (sin, cos) = (part * f64::from(k) / f64::from(count)).sin_cos();
             let on = |i: u32| {
                 let t = TAU * f64::from(i) / 20.0;

@@ -8,7 +8,7 @@ use gusset::curve::{Lock, Mode, Options, Outlines, Points, fit};
 use std::cell::Cell;
 
 thread_local! {
-    /// Of the thread that asks: other tests run beside this one.
+    /// Memory of the current thread, because other tests run at the same time.
     static CALLS: Cell<usize> = const { Cell::new(0) };
 }
 

@@ -1,8 +1,8 @@
 //! The iterations that find curves through points: do they solve the equations they should, and
 //! what becomes of hard data?
 //!
-//! Everything is checked on what comes out, against the definitions: the curve is evaluated by de
-//! Casteljau's scheme here, the parameters of the method are computed from angles and lengths here.
+//! Results are checked against the definitions: the tests evaluate curves by de Casteljau's scheme,
+//! and compute the method's parameters from angles and lengths.
 
 use crate::outline_data::{Line, adversarial, arc, blob, check, outlines, random, sine, size, solve, solve_with};
 use glam::DVec3;
@@ -251,7 +251,7 @@ fn solutions_move_with_the_points() {
     }
 }
 
-/// Steps that are used up are told from steps that have arrived.
+/// Exhausted steps differ in status from converged steps.
 #[test]
 fn too_few_steps_or_sweeps_are_said_to_be() {
     for lock in [Lock::SelfConsistent, Lock::DataGuide] {
@@ -262,13 +262,13 @@ fn too_few_steps_or_sweeps_are_said_to_be() {
             check(&line, &fit, "few");
             assert_eq!(fit.reports()[0].status, FitStatus::NotConverged, "{lock:?} {:?}", fit.reports()[0]);
             assert!(fit.statuses().iter().all(|&status| status == PointStatus::FellBack), "{:?}", fit.statuses());
-            // What is left is the lock by parameters.
+            // The lock by parameters remains.
             near(&line, &fit, &solve(&line, &Options::default()), 1e-15, "few");
         }
     }
 }
 
-/// Wild points: whoever is said to be on a guide is, and whoever is not is said to be.
+/// Wild points: a point lies on its guide exactly if its status says so.
 #[test]
 fn lost_guides_are_told() {
     let (mut kept, mut lost) = (0, 0);

@@ -1,4 +1,4 @@
-//! What tests of plane outlines share.
+//! Shared by the tests of plane outlines.
 
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
 
@@ -9,7 +9,7 @@ pub const METHODS: [Method; 5] =
     [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.3)];
 
 /// The plane outlines of the data folder, contour by contour: name, points, and whether they are
-/// closed; none if there is no such folder.
+/// closed; empty without the folder.
 pub fn data() -> Vec<(String, Vec<[f64; 2]>, bool)> {
     let plane = |line: crate::outline_data::Line| {
         let points = line.points.iter().map(|p| [p.x, p.y]).collect();

@@ -1,5 +1,5 @@
-//! Points of curves whose tangents make an angle with a direction: against dense samples of the
-//! tangent, and curves of which they are known.
+//! Points of curves whose tangents make an angle with a direction, compared with dense samples of
+//! the tangent, and with known solutions.
 
 use glam::{DMat3, DVec3};
 use gusset::curve::ops::TangentAngles;
@@ -35,10 +35,10 @@ fn angles_of_a_parabola_are_known() {
         assert_near(&numbers(&at(&parabola, DVec3::X, angle).places), &[t]);
         assert_near(&numbers(&at(&parabola, DVec3::NEG_X, PI - angle).places), &[t]);
         assert_near(&numbers(&at(&parabola, 7.0 * DVec3::Y, FRAC_PI_2 - angle).places), &[t]);
-        // The other sign of the square is no answer.
+        // The other sign of the square is not a solution.
         assert!(at(&parabola, DVec3::X, PI - angle).places.is_empty() || angle == FRAC_PI_2, "{t}");
     }
-    // Along and across, and whatever the size.
+    // Along and across, at any size.
     let along = DVec3::new(1.0, 1.0, 0.0);
     for size in [1e-200, 1.0, 1e200] {
         let points = [DVec3::ZERO, DVec3::X * 0.5, DVec3::new(1.0, 1.0, 0.0)].map(|p| p * size);
@@ -56,7 +56,7 @@ fn angles_of_a_parabola_are_known() {
 /// At a cusp the tangent jumps to its opposite: both sides count, and nothing between.
 #[test]
 fn cusps_count_by_their_sides() {
-    // (t^2, t^3) from t = -1 to 1: it comes along -x and leaves along x.
+    // (t^2, t^3) from t = -1 to 1: it arrives along -x and leaves along x.
     let f = |t: f64| DVec3::new(t * t, t * t * t, 0.0);
     let fit = |p: [DVec3; 4]| {
         // Bezier points of the cubic with these values at -1, -1/3, 1/3, 1.
@@ -92,7 +92,7 @@ fn straight_parts_are_intervals() {
     let (there, again) = (at(&back, DVec3::X, 0.0).intervals, at(&back, DVec3::X, PI).intervals);
     assert!(there.len() == 1 && (there[0][1].t - 2.0 / 3.0).abs() < 1e-12, "{there:?}");
     assert!(again.len() == 1 && (again[0][0].t - 2.0 / 3.0).abs() < 1e-12 && again[0][1].t == 1.0, "{again:?}");
-    // A point has no tangent.
+    // A point lacks a tangent.
     assert!(at(&curve(&[DVec3::ONE; 3], &[0, 2], true), DVec3::X, 0.3) == TangentAngles::default());
 }
 

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 use std::{env, fs};
 
-/// Cases of a target. What takes longer for each has fewer.
+/// Cases of a target. Slow targets have fewer cases.
 fn case_count(name: &str) -> u64 {
     match name {
         "filters" => 300,
@@ -34,7 +34,7 @@ fn each_target_runs_for_a_moment() {
     assert!(failed.is_empty(), "{failed:?}");
 }
 
-/// What the fuzzers found, which is mended: the folder's README.
+/// Fixed findings of the fuzzers: see the README of the folder.
 #[test]
 fn what_was_found_is_mended() {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz/found"));

@@ -31,7 +31,7 @@ fn within(soup: &Soup, options: &stitch::Options, job: &Job<'_>) -> Result<Stitc
 }
 
 #[test]
-fn of_one_mesh_no_second_one_is_spoken() {
+fn a_request_with_one_mesh_never_mentions_a_second() {
     // No loop, one, two that share a vertex.
     let touching = {
         let mut soup = sheet(2, 2);

@@ -184,7 +184,7 @@ fn any_unit_will_do_and_bad_numbers_are_refused() {
 }
 
 #[test]
-fn of_equally_long_runs_the_first_is_taken() {
+fn the_first_of_equally_long_runs_is_taken() {
     // A cross: two arms of equal length reach over to the other loop.
     let arm = |y: f64| [[2.0, y - 0.5, 0.0], [2.0, y, 0.0], [2.0, y + 0.5, 0.0]].map(DVec3::from_array);
     let gap = |y: f64| [DVec3::new(-2.0, y, 0.0)];

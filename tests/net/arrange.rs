@@ -131,13 +131,13 @@ fn a_copy_takes_its_steps_in_order() {
 #[test]
 fn volumes_keep_their_sign() {
     for net in [sphere(9, 17, Scalar::F64, DVec3::ONE), torus(9, 17, Scalar::F64, DVec3::ZERO)] {
-        let volume = Surface::of(&net).volume(&net);
+        let volume = Surface::from_net(&net).volume(&net);
         assert!(volume > 1.0);
         let turned = [1, 2, 3].map(|quarters| net.turned(quarters, &job()).unwrap());
         let others =
             [net.transposed(&job()), net.flipped(Direction::Down, &job()), net.flipped(Direction::Right, &job())];
         for other in turned.into_iter().chain(others.into_iter().map(Result::unwrap)) {
-            assert!((Surface::of(&other).volume(&other) - volume).abs() < 1e-12 * volume);
+            assert!((Surface::from_net(&other).volume(&other) - volume).abs() < 1e-12 * volume);
             assert!(other.topology().sides().is_some(), "no matrix where there was none");
         }
     }

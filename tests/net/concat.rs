@@ -118,8 +118,8 @@ proptest! {
                 Direction::Down => (joined.get(4, 0), b.get(0, place % around)),
             };
             prop_assert_eq!(start, expected);
-            prop_assert_eq!(Surface::of(&b).counts(), {
-                let count = |net: &Net<'_>| Surface::of(net).counts();
+            prop_assert_eq!(Surface::from_net(&b).counts(), {
+                let count = |net: &Net<'_>| Surface::from_net(net).counts();
                 let [v, e, f] = count(&joined.split_all(direction, &job()).unwrap()[1]);
                 [v, e, f]
             });
@@ -166,13 +166,13 @@ fn spheres_pole_to_pole_hang_on_a_thread() {
     let [a, b] = [0.0, 3.0].map(|z| sphere(9, 17, Scalar::F64, DVec3::new(0.0, 0.0, z)));
     let joined = concatenate(&a, &b, &JoinOptions::new(Direction::Down), &job()).unwrap();
     assert_eq!(joined.bridges()[0].kind, BridgeKind::Thread);
-    let surface = Surface::of(&joined);
+    let surface = Surface::from_net(&joined);
     assert_eq!((surface.euler(), surface.wires.len()), (3, 1));
     assert_eq!(surface.edge_faces().into_iter().collect::<Vec<_>>()[0], (0, 1));
     // Hidden, it is two spheres.
     let mut joined = joined;
     joined.set_bridge_mode(0, BridgeMode::Hide, 0.0).unwrap();
-    assert_eq!((Surface::of(&joined).euler(), Surface::of(&joined).wires.len()), (4, 0));
+    assert_eq!((Surface::from_net(&joined).euler(), Surface::from_net(&joined).wires.len()), (4, 0));
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn spheres_side_by_side_have_a_ribbon() {
     let [a, b] = [0.0, 3.0].map(|x| sphere(9, 17, Scalar::F64, DVec3::new(x, 0.0, 0.0)));
     let joined = concatenate(&a, &b, &JoinOptions::new(Direction::Right), &job()).unwrap();
     assert_eq!(joined.bridges()[0].kind, BridgeKind::Ribbon);
-    let surface = Surface::of(&joined);
+    let surface = Surface::from_net(&joined);
     // The ribbon ends on a meridian of each: edges there have three faces.
     assert_eq!(surface.euler(), 3);
     assert_eq!(surface.edge_faces()[&3], 2 * 8);
@@ -198,14 +198,14 @@ fn tubes_make_a_tube() {
     };
     let joined = concatenate(&tube(0.0, 9), &tube(5.0, 13), &JoinOptions::new(Direction::Down), &job()).unwrap();
     assert_eq!(joined.bridges()[0].kind, BridgeKind::Tube);
-    assert_eq!(Surface::of(&joined).euler(), 0);
+    assert_eq!(Surface::from_net(&joined).euler(), 0);
     // Without copies the closure stays one of sides.
     let joined = concatenate(&tube(0.0, 9), &tube(5.0, 9), &JoinOptions::new(Direction::Down), &job()).unwrap();
     assert_eq!(joined.topology().sides(), Some(Sides::TUBE));
     // Welded where they meet.
     let options = JoinOptions { mode: BridgeMode::Weld, tolerance: 1e-6, ..JoinOptions::new(Direction::Down) };
     let welded = concatenate(&tube(0.0, 9), &tube(3.0, 9), &options, &job()).unwrap();
-    let surface = Surface::of(&welded);
+    let surface = Surface::from_net(&welded);
     assert_eq!(surface.counts(), [7 * 8, 2 * 6 * 8 + 8, 6 * 8]);
     let apart = concatenate(&tube(0.0, 9), &tube(3.5, 9), &options, &job()).unwrap_err();
     assert_eq!(apart, Error::SidesApart { place: 0, distance: 0.5 });
@@ -272,7 +272,7 @@ fn turning_keeps_what_the_closing_column_alone_says() {
         .map(|topology| Net::from_fn(topology, Scalar::F64, |i, j| DVec3::new((j % 5) as f64, i as f64, 0.0)).unwrap());
     for twist in 0..7 {
         let joined = concatenate(&a, &b, &JoinOptions { twist, ..options(Direction::Down) }, &job()).unwrap();
-        let surface = Surface::of(&joined);
+        let surface = Surface::from_net(&joined);
         let triangles = surface.polygons.iter().filter(|polygon| polygon.len() == 3).count();
         assert_eq!((surface.counts()[..2].to_vec(), triangles), (vec![39, 74], 2), "twist {twist}");
         let [first, second] = joined.split(0, &job()).unwrap();

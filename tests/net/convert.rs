@@ -75,7 +75,7 @@ proptest! {
                 let (i, j) = size.place(class);
                 net.get(i, j).is_finite()
             };
-            let surface = Surface::of(&net);
+            let surface = Surface::from_net(&net);
             let expected: Vec<_> = surface.polygons.iter().filter(|p| p.iter().all(|&c| finite(c))).collect();
             prop_assert_eq!(expected.len(), mesh.face_count());
             for (face, polygon) in mesh.faces().zip(expected) {

@@ -224,7 +224,7 @@ fn gaps_between_rows_are_left_alone() {
     let twist = field::twist(Axis::Y, 0.5, 0.0).unwrap();
     let mut expected = net.copied().unwrap();
     deform(&mut expected, &[whole(&twist)], &Job::default()).unwrap();
-    let mut gapped = Gapped::of(&net, 5);
+    let mut gapped = Gapped::from_net(&net, 5);
     let mut borrowed = gapped.net(net.topology().clone());
     deform(&mut borrowed, &[whole(&twist)], &Job::default()).unwrap();
     assert_eq!(bits(&borrowed), bits(&expected));

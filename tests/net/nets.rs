@@ -73,7 +73,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    pub fn of(net: &Net<'_>) -> Surface {
+    pub fn from_net(net: &Net<'_>) -> Surface {
         let classes = Classes::of(net.topology()).unwrap();
         let (mut polygons, mut edges) = (Vec::new(), BTreeSet::new());
         let mut edge = |a: u32, b: u32| edges.insert([a.min(b), a.max(b)]);

@@ -13,7 +13,7 @@ fn degrees(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
-fn of(net: &Net<'_>) -> (Coordinates<'static>, u64) {
+fn compute(net: &Net<'_>) -> (Coordinates<'static>, u64) {
     normals(net, &Job::default()).unwrap()
 }
 
@@ -21,10 +21,10 @@ fn of(net: &Net<'_>) -> (Coordinates<'static>, u64) {
 fn on_spheres_and_tori_they_point_outwards_seams_and_poles_included() {
     for (scalar, tolerance) in [(Scalar::F32, 1e-4), (Scalar::F64, 2e-6)] {
         let net = sphere(33, 65, scalar);
-        let (found, without) = of(&net);
+        let (found, without) = compute(&net);
         assert_eq!(without, 0);
         let net_torus = torus(65, 129, scalar);
-        let (torus_found, _) = of(&net_torus);
+        let (torus_found, _) = compute(&net_torus);
         for i in 0..33 {
             for j in 0..65 {
                 assert!(degrees(found.get(i, j), net.get(i, j)) < tolerance, "{scalar:?} {i} {j}");
@@ -75,7 +75,7 @@ fn by_force(net: &Net<'_>) -> Vec<DVec3> {
 }
 
 fn agree(net: &Net<'_>) {
-    let (expected, (found, without)) = (by_force(net), of(net));
+    let (expected, (found, without)) = (by_force(net), compute(net));
     let shape = net.shape();
     for (node, expected) in expected.iter().enumerate() {
         let (i, j) = shape.place(node as u32);
@@ -149,7 +149,7 @@ fn missing_nodes_and_hidden_bridges_leave_the_rest() {
     // normal.
     let mut net = sheet(9, 9, Scalar::F32);
     net.coordinates_mut().set(4, 4, DVec3::NAN);
-    let (found, without) = of(&net);
+    let (found, without) = compute(&net);
     assert_eq!(without, 1);
     for (i, j) in (0..9).flat_map(|i| (0..9).map(move |j| (i, j))) {
         assert_eq!(found.get(i, j), if (i, j) == (4, 4) { DVec3::ZERO } else { DVec3::Z });
@@ -164,7 +164,7 @@ fn tiny_and_huge_nets_have_normals_too() {
         for scale in scales {
             let unit = sphere(17, 33, Scalar::F64);
             let net = Net::from_fn(unit.topology().clone(), scalar, |i, j| scale * unit.get(i, j)).unwrap();
-            let (found, without) = of(&net);
+            let (found, without) = compute(&net);
             assert_eq!(without, 0, "{scalar:?} {scale}");
             for (i, j) in (0..17).flat_map(|i| (0..33).map(move |j| (i, j))) {
                 assert!(degrees(found.get(i, j), unit.get(i, j)) < 1e-4, "{scalar:?} {scale} {i} {j}");
@@ -181,8 +181,8 @@ fn the_same_on_all_threads_and_in_memory_with_gaps() {
         let many = normals(&net, &Job::new(threads, &Silent)).unwrap().0;
         assert!((0..203).all(|i| (0..117).all(|j| one.get(i, j) == many.get(i, j))));
     }
-    let mut gapped = Gapped::of(&net, 3);
-    let mut out = Gapped::of(&net, 2);
+    let mut gapped = Gapped::from_net(&net, 3);
+    let mut out = Gapped::from_net(&net, 2);
     let (from, to) = (gapped.net(net.topology().clone()), out.net(net.topology().clone()));
     let mut to = to;
     assert_eq!(normals_into(&from, to.coordinates_mut(), &Job::default()), Ok(0));
@@ -202,7 +202,7 @@ fn a_missing_node_has_no_normal_in_the_narrowest_nets() {
             for scalar in [Scalar::F32, Scalar::F64] {
                 let mut net = sheet(rows, columns, scalar);
                 net.coordinates_mut().set(row, column, DVec3::NAN);
-                let (found, without) = of(&net);
+                let (found, without) = compute(&net);
                 assert_eq!(found.get(row, column), DVec3::ZERO, "({row}, {column}) of {rows} x {columns}");
                 let zeros = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
                 assert_eq!(without, zeros.filter(|&(i, j)| found.get(i, j) == DVec3::ZERO).count() as u64);

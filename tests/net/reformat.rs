@@ -58,7 +58,7 @@ proptest! {
         let (h, w) = (net.shape().rows(), net.shape().columns());
         let large = net.reformatted(h + more.0, w + more.1, how, &job()).unwrap();
         prop_assert_eq!(large.shape(), shape(h + more.0, w + more.1));
-        let (before, after) = (Surface::of(&net), Surface::of(&large));
+        let (before, after) = (Surface::from_net(&net), Surface::from_net(&large));
         prop_assert_eq!(before.counts(), after.counts());
         prop_assert_eq!(before.edge_faces(), after.edge_faces());
         prop_assert!((before.volume(&net) - after.volume(&large)).abs() < 1e-12);
@@ -92,8 +92,8 @@ fn closed_nets_stay_closed() {
             [Replication::First, Replication::Last, Replication::At(3), Replication::Uniform, Replication::AtPoles]
         {
             let large = net.reformatted(11, 20, [how; 2], &job()).unwrap();
-            let surface = Surface::of(&large);
-            assert_eq!(surface.euler(), Surface::of(&net).euler());
+            let surface = Surface::from_net(&large);
+            assert_eq!(surface.euler(), Surface::from_net(&net).euler());
             assert_eq!(surface.edge_faces().into_keys().collect::<Vec<_>>(), [2], "{how:?}");
             assert!(same(&large.compacted(&job()).unwrap(), &net), "{how:?}");
         }
@@ -113,7 +113,7 @@ fn a_seam_through_copies_is_one_again() {
     let net = glued(strip);
     for how in [Replication::First, Replication::Last, Replication::At(2), Replication::Uniform] {
         let large = net.reformatted(12, 9, [how; 2], &job()).unwrap();
-        assert_eq!(Surface::of(&large).counts(), Surface::of(&net).counts());
+        assert_eq!(Surface::from_net(&large).counts(), Surface::from_net(&net).counts());
         assert!(same(&large.compacted(&job()).unwrap(), &net), "{how:?}");
     }
 }

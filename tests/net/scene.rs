@@ -152,7 +152,7 @@ fn mirrors_are_mirrors_at_any_size() {
         for net in &flat {
             assert_eq!(net.topology(), flat[0].topology(), "{x}");
         }
-        assert!(Surface::of(&flat[0]).volume(&flat[0]) > 1.0);
+        assert!(Surface::from_net(&flat[0]).volume(&flat[0]) > 1.0);
     }
 }
 
@@ -200,9 +200,9 @@ fn where_things_are() {
         instances.retain(|instance| scene.net(instance.entry).is_ok());
         let entries: Vec<u32> = instances.iter().map(|instance| instance.entry).collect();
         assert_eq!(entries, [ball, ring, ball, ring]);
-        let surface = Surface::of(&flat);
+        let surface = Surface::from_net(&flat);
         assert_eq!((surface.euler(), surface.edge_faces().into_keys().collect::<Vec<_>>()), (4, vec![2]));
-        let volume = |net: &Net<'_>| Surface::of(net).volume(net);
+        let volume = |net: &Net<'_>| Surface::from_net(net).volume(net);
         let own = volume(scene.net(ball).unwrap()) + volume(scene.net(ring).unwrap());
         assert!((surface.volume(&flat) - 2.0 * own).abs() < 1e-9, "mirrored nets count as others");
         let back = flat.split_all(direction, &job()).unwrap();

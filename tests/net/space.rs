@@ -76,7 +76,7 @@ pub struct Gapped {
 impl Gapped {
     pub const GAP: f64 = 12345.0;
 
-    pub fn of(net: &Net<'_>, gap: usize) -> Self {
+    pub fn from_net(net: &Net<'_>, gap: usize) -> Self {
         let (shape, stride) = (net.shape(), net.shape().columns() + gap);
         let mut matrices = [0, 1, 2].map(|_| vec![Self::GAP; shape.rows() * stride]);
         for i in 0..shape.rows() {

@@ -122,7 +122,7 @@ fn chains_are_one_map_and_every_node_goes_where_the_map_says() {
 fn memory_of_the_host_is_changed_in_place_and_gaps_are_not() {
     let net = torus(301, 117, Scalar::F64);
     let affine = chain(&mut Random(3));
-    let mut gapped = Gapped::of(&net, 3);
+    let mut gapped = Gapped::from_net(&net, 3);
     let mut expected = net.copied().unwrap();
     transform(&mut expected, &affine, &Job::default()).unwrap();
     let mut borrowed = gapped.net(net.topology().clone());

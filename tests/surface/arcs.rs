@@ -1,5 +1,5 @@
-//! The paper's search over the points of a curve, and with curves and surfaces as its objects: no
-//! arc or cell that has what is looked for is missing.
+//! Leus's search over the points of a curve, and with curves and surfaces as objects: it keeps
+//! every arc or cell that contains a solution.
 
 use crate::shapes::{Random, SHAPES, grid};
 use glam::DVec3;

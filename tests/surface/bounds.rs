@@ -1,5 +1,5 @@
-//! Cells that bulge far out of the quadrilaterals of their corners: what meets only the top of a
-//! bulge is found, which half the bound of the bulge would lose.
+//! Cells that bulge far out of the quadrilaterals of their corners: objects that meet only the top
+//! of a bulge are found. Half the bound of the bulge would lose them.
 
 use crate::pairs::meet;
 use glam::DVec3;

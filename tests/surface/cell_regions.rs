@@ -93,7 +93,7 @@ fn regions_without_holes() {
     }
 }
 
-/// (2), (3), (5): chains and regions of real cells are no wider than their bounds.
+/// (2), (3), (5): chains and regions of real cells are within their bounds.
 #[test]
 fn regions_are_no_wider_than_their_bounds() {
     for sheet in sheets() {

@@ -1,5 +1,5 @@
-//! Cones of normals: every normal of a block is in its cone and in those of all blocks above, also
-//! where patches jump, fold or end in poles.
+//! Cones of normals: every normal of a block is in its cone and in the cones of all blocks above,
+//! also where patches jump, fold or end in poles.
 
 use crate::common::Silent;
 use crate::shapes::{Random, SHAPES, Shape, WIGLEY, grid, rough};
@@ -28,8 +28,8 @@ fn above(surface: &Surface<'_>, [i, j]: [usize; 2]) -> Vec<NormalCone> {
     (0..32).map_while(|level| surface.normal_cone(0, level, [i, j].map(|k| (k / BLOCK) >> level))).collect()
 }
 
-/// Samples the normals of all cells, limits at poles among them; returns how many cones of blocks
-/// tell something, and by how much the normals are within their cones at least.
+/// Samples the normals of all cells, with limits at poles. Returns the number of useful cones, and
+/// the least margin of the normals within their cones.
 fn check(name: &str, sheet: Sheet<'_>, samples: usize) -> (usize, f64) {
     let surface = with_cones(sheet);
     let [rows, columns] = surface.sheet(0).cells();

@@ -1,5 +1,5 @@
-//! Sheets from tangents, splines, patches, nets of curves and frames: what they contain, how smooth
-//! they are, how near to the truth.
+//! Sheets from tangents, splines, patches, nets of curves and frames: interpolation, smoothness,
+//! and distance from the truth.
 
 use crate::shapes::wigley;
 use glam::DVec3;
@@ -370,7 +370,8 @@ fn hulls_with_decks_have_their_volumes() {
         let offsets: Vec<u32> = (0..=stations.len()).map(|k| (k * section(0.0).len()) as u32).collect();
         let outlines =
             Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
-        // Of the curves that the points are on: 4/3 of half the width by the depth, by Simpson's rule.
+        // The area under the curves of the points: 4/3 of half the width times the depth, by
+        // Simpson's rule.
         let area = |x: f64| 4.0 / 3.0 * (1.0 - 0.03 * x * x) * (1.0 + 0.02 * x * x);
         let exact: f64 = (0..800)
             .map(|k| f64::from(k) / 100.0 - 4.0)

@@ -174,8 +174,8 @@ fn circles_and_orders() {
             let points = paths.points_of(k);
             for (i, point) in points.iter().enumerate() {
                 worst[0] = worst[0].max(off_torus(*point));
-                // Chords are no farther from the interpolant, and this from the torus, than they
-                // may be.
+                // Chords are within the bound from the interpolant, and the interpolant is within
+                // its bound from the torus.
                 let middle = 0.5 * (*point + points[(i + 1) % points.len()]);
                 worst[1] = worst[1].max((middle.truncate().length() - truth).abs());
             }

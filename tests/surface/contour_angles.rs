@@ -1,5 +1,4 @@
-//! Isophotes of many angles at once: each is what it is alone, whatever others are asked for with
-//! it.
+//! Isophotes of many angles at once: each equals the isophote of its angle alone.
 
 use crate::common::some_of;
 use crate::shapes::{Random, SHAPES, grid, rough};
@@ -10,9 +9,9 @@ use gusset::surface::{Paths, Scheme, Sheet, Surface};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The points of the paths of a level, in order.
-fn of_level(paths: &Paths, level: u32) -> Vec<DVec3> {
-    let of = |k: usize| paths.points[paths.ends[k] as usize..paths.ends[k + 1] as usize].to_vec();
-    (0..paths.len()).filter(|&k| paths.levels[k] == level).flat_map(of).collect()
+fn level_points(paths: &Paths, level: u32) -> Vec<DVec3> {
+    let points = |k: usize| paths.points[paths.ends[k] as usize..paths.ends[k + 1] as usize].to_vec();
+    (0..paths.len()).filter(|&k| paths.levels[k] == level).flat_map(points).collect()
 }
 
 fn check(surface: &Surface<'_>, axis: DVec3, name: &str) -> usize {
@@ -23,8 +22,8 @@ fn check(surface: &Surface<'_>, axis: DVec3, name: &str) -> usize {
         let together = surface.isophotes(axis, &angles, unsigned, PointSpacing::CellEdges, &job).unwrap();
         for (level, &angle) in (0..).zip(&angles).step_by(6) {
             let alone = surface.isophotes(axis, &[angle], unsigned, PointSpacing::CellEdges, &job).unwrap();
-            let found = of_level(&together, level);
-            assert_eq!(found, of_level(&alone, 0), "{name}, {angle} {unsigned}");
+            let found = level_points(&together, level);
+            assert_eq!(found, level_points(&alone, 0), "{name}, {angle} {unsigned}");
             count += found.len();
         }
     }

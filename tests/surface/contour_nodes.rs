@@ -1,5 +1,5 @@
-//! Sections and contours through nodes, and curves of angle next to poles and creases: every point
-//! is where it is said to be.
+//! Sections and contours through nodes, and isophotes next to poles and creases: every point lies
+//! at its reported place.
 
 use crate::contours::surface;
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
@@ -14,8 +14,8 @@ fn creased(shape: &Shape) -> Grid<'static> {
     Grid::new(grid(shape).nodes().clone(), shape.closed, Scheme::FourPoint).unwrap()
 }
 
-/// Sections by random planes through nodes, and contours at nodes' values: 0 at a corner is no
-/// reason to leave the plane next to it.
+/// Sections by random planes through nodes, and contours at values of nodes: the path stays on the
+/// plane beside a corner with the value 0.
 fn through_nodes(grid: Grid<'static>, closed: [bool; 2], scheme: Scheme, planes: usize, levels: usize) {
     let job = Job::default();
     let ([h, w], nodes) = (grid.cells(), grid.nodes().clone());

@@ -47,7 +47,7 @@ fn patches_and_several_sheets() {
             assert!(found.iter().zip(&lengths).all(|(a, b)| (a - b).abs() < 1e-9), "{k}: {found:?} {lengths:?}");
         }
     }
-    // Silhouettes: the normals of patches agree but for rounding, and no more is known of them.
+    // Silhouettes: the normals of patches agree only within rounding.
     let truth = whole.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, PointSpacing::CellEdges, &job).unwrap();
     let paths = cubic.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, PointSpacing::CellEdges, &job).unwrap();
     let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
@@ -80,7 +80,7 @@ fn normals_that_jump() {
             (total, ended) = (total + paths.len(), ended + open);
             let truth = other.isophotes(axis, &angles, false, PointSpacing::CellEdges, &job).unwrap();
             let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
-            // What is missing is along creases that are listed.
+            // Missing parts lie along listed creases.
             let (found, expected) = (all(&paths), all(&truth));
             let near = (found / expected - 1.0).abs() < 0.05;
             assert!(near || !paths.unresolved.is_empty(), "{} {k}: {found} {expected}", shape.name);
@@ -93,7 +93,7 @@ fn normals_that_jump() {
     assert!(total > 60 && ended * 2 < total && whole > 12, "{ended} of {total}, {whole}");
 }
 
-/// The teapot's patches, a sheet each; `None` where there are no data.
+/// The teapot's patches, a sheet each; `None` without data.
 fn teapot() -> Option<Surface<'static>> {
     let folder = std::env::var("GUSSET_DATA")
         .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data").into());

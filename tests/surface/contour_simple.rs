@@ -1,5 +1,5 @@
-//! Cells that corners alone decide about, against the general way through cells: a section is the
-//! contour of the plane's function, of which nothing is known but the nodes.
+//! Compares cells that corners decide with the general algorithm: a section is the contour of the
+//! plane's function, given only at nodes.
 
 use crate::contours::length;
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
@@ -9,8 +9,8 @@ use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::{Grid, Nodes, Paths, Place, Scheme, Sheet, Surface};
 
 /// True if both have the same curves through the same cells; false where cells are unresolved. A
-/// `tangent` plane at a saddle cuts two branches that cross, and which two of the four arms are one
-/// curve is a matter of rounding there: f is known to eps, and so the curve f = 0 to the root of it.
+/// `tangent` plane at a saddle cuts two crossing branches. Rounding decides which of the four arms
+/// are joined: f is known to eps, so the curve f = 0 to the root of eps.
 /// Then both are compared as sets of points.
 fn same(surface: &Surface<'_>, nodes: &Nodes<'_>, [point, normal]: [DVec3; 2], tangent: bool, name: &str) -> bool {
     let (normal, job) = (normal.normalize(), Job::default());

@@ -1,4 +1,4 @@
-//! What tests of sections and contours share.
+//! Shared by the tests of sections and contours.
 
 #![allow(dead_code, unreachable_pub, reason = "shared by several tests")]
 
@@ -18,7 +18,7 @@ pub fn length(paths: &Paths, k: usize) -> f64 {
     (0..around).map(|i| points[i].distance(points[(i + 1) % points.len()])).sum()
 }
 
-/// What holds of all curves: offsets, flags, points at their places, normals.
+/// Checks all curves: offsets, flags, points at their places, normals.
 pub fn check(surface: &Surface<'_>, paths: &Paths, name: &str) {
     assert_eq!(paths.ends.len(), paths.len() + 1, "{name}");
     assert_eq!((paths.levels.len(), paths.normals.len()), (paths.len(), paths.points.len()), "{name}");

@@ -79,7 +79,7 @@ fn compare(shape: &Shape, count: usize) {
         let rough: Vec<f64> =
             rough.iter().map(|hit| (f64::from(hit.at.segment) + hit.at.t) / f64::from(pieces)).collect();
         let fine: Vec<f64> = hits.iter().map(|hit| hit.at.t).collect();
-        // Each of the one is near one of the other, but for pairs that nearly touch.
+        // Each point of one is near a point of the other, except pairs that nearly touch.
         let matched = |from: &[f64], to: &[f64], limit: f64| {
             from.iter().enumerate().all(|(n, t)| {
                 let pair = from.iter().enumerate().any(|(m, s)| m != n && (s - t).abs() < 0.02);
@@ -297,7 +297,7 @@ fn approaches_against_samples() {
             let distance = at(&a.view(), approach.a).distance(at(&b.view(), approach.b));
             assert!((distance - approach.distance).abs() < 1e-12 && distance <= within, "{approach:?}");
         }
-        // What samples show well within is there.
+        // Intersections that samples show clearly are found.
         for (s, t) in sampled(&a.view(), &b.view(), 0.9 * within) {
             let near = |p: &&gusset::curve::ops::NearMiss| (along(p.a) - s).abs() < 0.1 && (along(p.b) - t).abs() < 0.1;
             assert!(found.places.iter().any(|place| near(&place)), "{k}: {s} {t} {found:?}");

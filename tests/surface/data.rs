@@ -75,7 +75,7 @@ fn the_hull_passes_every_point_of_its_stations() {
     };
     let grids = vec![sheet(&aft), sheet(&fore)];
     assert_eq!(grids[1].poles(), [[false, true], [false, false]], "the stem's head is a point");
-    // The same as skins of curves through the stations' points, each with as many as it has.
+    // The same as skins of curves through all points of the stations.
     let skin = |stations: &[Vec<DVec3>]| {
         let curves: Vec<Curve> =
             stations.iter().filter(|station| station.len() > 1).map(|points| through(points)).collect();
@@ -212,7 +212,7 @@ fn sketched_nets_become_coons_patches_where_their_cycles_allow() {
                 Err(other) => panic!("{name}: {other}"),
             }
         }
-        // What is in no cell: dangling segments, and those that only longer cycles pass.
+        // Segments in no cell: dangling segments, and segments of longer cycles only.
         let valence = |node: usize| sketch.at(node).count();
         let free: Vec<usize> = (0..used.len()).filter(|&k| !used[k]).collect();
         let dangling = free.iter().filter(|&&k| sketch.segments[k].0.iter().any(|&node| valence(node) == 1)).count();

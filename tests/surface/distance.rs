@@ -1,5 +1,6 @@
-//! Nearest points of surfaces and lines, planes, curves and other surfaces: against dense samples
-//! and the nearest points of these, analytic shapes, and cases where all points are equally near.
+//! Nearest points of surfaces and lines, planes, curves and other surfaces. They are compared with
+//! dense samples and their nearest points, with analytic shapes, and in cases where all points are
+//! equally near.
 
 use crate::shapes::{Random, rough, torus};
 use glam::{DMat3, DVec3};
@@ -73,8 +74,8 @@ fn samples(surface: &Surface<'_>, n: usize) -> Vec<DVec3> {
     found
 }
 
-/// What any answer must be: points of both, as far apart as said, a bound below it that no sample
-/// is nearer than, and no sample nearer than the answer by more than the tolerance.
+/// Checks any answer: its points lie on both objects at the reported distance, no sample is nearer
+/// than the bound, and no sample is nearer than the answer by more than the tolerance.
 fn check<T: std::fmt::Debug>(found: &Approach<T>, surface: &Surface<'_>, least: f64, unit: f64, what: &str) {
     let rounding = 1e-12 * unit;
     assert_eq!(found.point, surface.jet(found.place).point, "{what}");
@@ -310,7 +311,7 @@ fn searches_end_where_all_is_equally_near() {
     println!("{:?}", begun.elapsed());
 }
 
-/// Whatever the unit, and far away.
+/// In any unit, and far away.
 #[test]
 fn any_unit_and_any_distance() {
     let job = Job::default();

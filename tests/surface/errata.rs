@@ -87,7 +87,7 @@ fn e1_random_planes() {
     assert!(planes > 30 && lost >= planes);
 }
 
-/// E2: with r = J d exactly the block touches what is looked for.
+/// E2: with r = J d exactly, the block touches the object.
 #[test]
 fn e2_blocks_must_not_touch() {
     // Cells that are segments of length 1: their diameters are exact.
@@ -178,8 +178,8 @@ fn e5_lines_that_must_not_be_dropped() {
     let target = object.target().unwrap();
     let distance = |[i, j]: [usize; 2]| target.distance(wide.corner(i, j));
     let lattice = Lattice::of(&wide);
-    // From the first node: r = 4.004, d = sqrt 2, J = 2, 2 J = 4: not beyond the dimension; a lower
-    // d, as of cells with no width, is.
+    // From the first node: r = 4.004, d = sqrt 2, J = 2, 2 J = 4: within the dimension. A lower d,
+    // as for cells without width, exceeds it.
     let left = literal(lattice, 1.0, distance, true);
     assert!(!left.has_cell([0, 3]));
     let found = within(&wide, &diameters, object, 0.0);
@@ -231,7 +231,7 @@ fn bump(height: f64) -> Sheet<'static> {
     Sheet::Cubic(Patches::new(&points, [3, 3], 1, 1).unwrap())
 }
 
-/// E6: a bump may hide in a cell; half the perimeter is no bound of its diameter.
+/// E6: a bump may hide in a cell; half the perimeter does not bound its diameter.
 #[test]
 fn e6_half_the_perimeter_is_no_bound() {
     let bump = bump(10.0);

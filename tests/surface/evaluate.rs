@@ -72,8 +72,8 @@ fn limits_on_patches() {
         assert_eq!(normal.kind, NormalKind::Limit);
         assert!(normal.direction.distance(sheet.normal(0, 0, 1e-3, v)) < 1e-2, "{normal:?}");
     }
-    // The same, with the pole at the end of u, in v, and with the sides exchanged: the limit is
-    // what is next to it.
+    // The same with the pole at the end of u, in v, and with exchanged sides: the limit agrees with
+    // nearby normals.
     let turned = |f: fn(usize, usize) -> usize| {
         let net: Vec<DVec3> = (0..16).map(|k| net[f(k / 4, k % 4)]).collect();
         Sheet::Cubic(Patches::new(&net, [3, 3], 1, 1).unwrap())
@@ -104,7 +104,7 @@ fn limits_on_patches() {
     let normal = corner.normal_limit(0, 0, 0.0, 0.0);
     assert_eq!(normal.kind, NormalKind::Limit);
     assert!(normal.direction.distance(corner.normal(0, 0, 1e-3, 1e-3)) < 1e-9, "{normal:?}");
-    // A segment of a line has no normal anywhere.
+    // A line segment lacks normals.
     let line: Vec<DVec3> = (0..4).map(|k| DVec3::X * f64::from(k / 2)).collect();
     let line = Sheet::Cubic(Patches::new(&line, [1, 1], 1, 1).unwrap());
     assert_eq!(line.normal_limit(0, 0, 0.3, 0.5).kind, NormalKind::None);
@@ -237,7 +237,7 @@ fn estimates_are_near_the_errors() {
         let estimate = estimates[i * w + j];
         assert!(worst < 2.0 * estimate && estimate < 4.0 * worst, "{i} {j}: {worst} {estimate}");
     }
-    // Too few nodes tell nothing, and patches are what they are.
+    // Too few nodes give no estimate, and patches are exact.
     let few = Nodes::strided(vec![1.0; 3 * 4 * 9], 4, 9, 0, 0).unwrap();
     let few = Sheet::Grid(Grid::new(few, [false, false], Scheme::SixTap).unwrap());
     assert!(few.interpolation_errors(&job()).unwrap().iter().all(|&error| error == f64::INFINITY));

@@ -37,10 +37,9 @@ macro_rules! with_patch {
 pub(crate) struct Nearest {
     /// Its distance.
     pub(crate) distance: f64,
-    /// Where it is; the sheet is 0.
+    /// Its place; the sheet is 0.
     pub(crate) place: Place,
-    /// No point of the sheet is nearer than this: the distance less the tolerance, or less where
-    /// there is no proof.
+    /// No point of the sheet is nearer: the distance minus the tolerance, or less without a proof.
     pub(crate) bound: f64,
 }
 
@@ -96,9 +95,9 @@ fn refine<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tole
     }
 }
 
-/// The cells that have a point within a distance of an object: those of the mask of which not all
-/// parts can be shown to be farther. None is missing; one that is there too many comes within the
-/// tolerance of the distance, unless it was given up undecided.
+/// The cells with a point within a distance of an object: cells of the mask whose parts are not all
+/// proved to be farther. No cell is missing. An extra cell is within the tolerance of the distance,
+/// unless it was left undecided.
 ///
 /// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d).
 /// Loops inside a cell count, and sides that are crossed twice: signs at nodes show neither
@@ -112,7 +111,7 @@ pub(crate) fn cells_within(
 ) -> CellMask {
     let options = SearchOptions::new(Goal::Within(distance));
     let left = incidence(sheet, diameters, object, &options, &Job::default()).unwrap().mask;
-    let (object, mut within) = (ObjectBox::of(object), left.clone());
+    let (object, mut within) = (ObjectBox::new(object), left.clone());
     for cell in left.cells() {
         let near = with_patch!(sheet, [cell[0], cell[1]], patch => object.comes_near(patch, distance, tolerance));
         within.set(cell, near);
@@ -128,7 +127,7 @@ struct ObjectBox {
 }
 
 impl ObjectBox {
-    fn of(object: Object) -> Self {
+    fn new(object: Object) -> Self {
         let (origin, axes, along) = match object {
             Object::Point(point) => (point, DVec3::AXES.to_vec(), [0.0; 2]),
             Object::Plane { point, normal } => (point, vec![normal.normalize()], [0.0; 2]),
@@ -141,7 +140,7 @@ impl ObjectBox {
         ObjectBox { origin, axes, intervals: [[0.0; 2], [0.0; 2], along] }
     }
 
-    /// The distance from the box round some points: not more than that of any point within it.
+    /// The distance from the bounding box of some points: a lower bound for any point within it.
     fn distance(&self, points: &[DVec3]) -> f64 {
         let gaps = self.axes.iter().zip(self.intervals).map(|(axis, [from, to])| {
             let along = points.iter().map(|point| (point - self.origin).dot(*axis));

@@ -204,7 +204,7 @@ fn tangents_at_sides_cross_a_closed_surface_an_even_number_of_times() {
         let line = Line::new(jet.point, along.x * jet.u + along.y * jet.v);
         let hits = surface.line(&line, HitSelection::All).unwrap();
         assert!(multiplicities(&hits).is_multiple_of(2), "{k}: {hits:?}");
-        // What is reported once is not reported again.
+        // No intersection is reported twice.
         let length = line.direction.length();
         for hit in hits.iter().filter(|hit| !hit.tangent) {
             let within = |touch: &&Hit| touch.tangent && touch.span[0] <= hit.at && hit.at <= touch.span[1];

@@ -2,9 +2,9 @@
 //! that it does.
 //!
 //! At a node with r > d: J = floor(r / d), and all nodes of the block of 2 J x 2 J cells are
-//! zeroed. But a node on the rim of the block is a corner of cells outside it as well (erratum E1),
-//! the block may touch what is looked for (E2), the nearest node is excluded by itself if it is
-//! farther than d (E3), and lines dropped in the middle leave two surfaces taken for one (E5). Use
+//! zeroed. Four errata apply. A node on the border of the block is also a corner of cells outside
+//! (E1). The block may touch the object (E2). The nearest node excludes itself if it is farther
+//! than d (E3). Lines dropped in the middle leave two surfaces that count as one (E5). Use
 //! `reference::search`, or the index of `Surface`.
 
 use gusset::surface::reference::Lattice;
@@ -32,7 +32,7 @@ impl LiteralMask {
 
 /// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if
 /// 2 J exceeds a dimension, the lines within the ball are left out altogether, as the rest is a
-/// surface too, only smaller". Lines of a closed direction are taken as those of an open one.
+/// surface too, only smaller". Lines of a closed direction are treated as in an open one.
 pub(crate) fn literal(
     lattice: Lattice,
     d: f64,
@@ -68,8 +68,7 @@ pub(crate) fn literal(
             for i in rows.drain(block_rows) {
                 left.nodes[i * (n + 1)..(i + 1) * (n + 1)].fill(false);
             }
-            // From the first node that is left again: what has been looked at is looked at once
-            // more.
+            // Restarts from the first remaining node: visited nodes are visited again.
             place = 0;
         }
     }

@@ -9,8 +9,7 @@ fn surface(grid: &Grid<'static>) -> Surface<'static> {
     Surface::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap()
 }
 
-/// Points to which steps of alternating search lead from all places of a lattice that are no
-/// farther than their neighbours on the surface.
+/// The results of alternating search from all local minima of a lattice on the surface.
 fn by_force(grid: &Grid<'_>, closed: [bool; 2], query: DVec3) -> Vec<f64> {
     let [h, w] = grid.cells();
     let fine = 8;
@@ -145,7 +144,7 @@ fn regions_by_force() {
                 if least <= radius {
                     assert!(at.is_ok(), "{}: {query} {radius}: {i} {j} {least}", shape.name);
                 }
-                // Samples are no farther than this from the nearest point of the cell.
+                // Samples are within this distance of the nearest point of the cell.
                 let reach =
                     patch.points.as_flattened().iter().map(|p| p.distance(patch.points[0][0])).fold(0.0, f64::max);
                 if least > radius + 0.3 * reach + 1e-8 {

@@ -1,4 +1,4 @@
-//! The surface through a grid of nodes: what it passes through, how near it is to the truth.
+//! The surface through a grid of nodes: interpolation, and distance from the truth.
 
 use glam::DVec3;
 use gusset::surface::{Grid, Nodes, Scheme};

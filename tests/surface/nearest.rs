@@ -60,7 +60,7 @@ fn nearest_points_by_force() {
             let found = surface.closest(query, f64::INFINITY).unwrap();
             let truth = by_force(&grid, query);
             assert!(found.distance <= truth + 1e-9, "{}: {query} {found:?} {truth}", shape.name);
-            // Lower bounds hold but for the rounding of distances.
+            // Lower bounds hold within the rounding of distances.
             assert!(
                 found.bound <= truth + 1e-14 * (1.0 + query.length()) && found.bound <= found.distance,
                 "{}: {query} {found:?} {truth}",
@@ -99,7 +99,7 @@ fn answers_depend_on_nothing_but_the_query() {
         let mut found = surface.closest_all(&turned, f64::INFINITY, &Job::default()).unwrap();
         found.reverse();
         assert_eq!(found, alone);
-        // What a limit leaves is as without, and what it leaves out is beyond.
+        // Answers within the limit equal answers without it; omitted answers are beyond.
         let limited = surface.closest_all(&queries, 0.3, &Job::default()).unwrap();
         for (limited, alone) in limited.iter().zip(alone.iter().flatten()) {
             match limited {
@@ -132,8 +132,8 @@ fn the_centre_of_a_sphere_has_a_tight_bound() {
         let found = surface.closest(DVec3::ZERO, f64::INFINITY).unwrap();
         assert!((found.distance - 1.0).abs() < 0.01 && found.bound <= found.distance, "{found:?}");
         assert!(found.bound >= (1.0 - 1e-3) * found.distance, "{found:?}");
-        // The surface through the nodes is no sphere: if one of its cells is nearest, that is
-        // proved; else it is said.
+        // The surface through the nodes is not a sphere: if one of its cells is nearest, the answer
+        // is proven; otherwise it is reported as ambiguous.
         assert!(found.proven || found.bound < found.distance - surface.tolerance());
         let minima = surface.local_minima(DVec3::ZERO, f64::INFINITY, 3, &Job::default()).unwrap();
         assert!(minima.points.len() <= 3 && !minima.points.is_empty());

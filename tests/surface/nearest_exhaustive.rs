@@ -166,7 +166,7 @@ fn by_force(surface: &Surface<'_>, samples: &[(DVec3, Place)], each: usize, quer
     best
 }
 
-/// What every answer must be.
+/// Checks every answer.
 fn check(surface: &Surface<'_>, name: &str, query: DVec3, found: &Closest, truth: f64) {
     let tolerance = surface.tolerance() + 1e-14 * query.length();
     assert!(found.bound <= truth + 1e-14 * (1.0 + query.length()), "{name}: {query} {found:?} {truth}: bound");

@@ -140,8 +140,8 @@ fn compare_nearest(queries: usize, seed: u64) {
     }
 }
 
-/// The mask of cells within a distance of a point: the paper's is the index's, but for cells that
-/// come as near as the tolerance.
+/// The mask of cells within a distance of a point: the paper's equals the index's, except cells
+/// within the tolerance of the distance.
 #[test]
 fn regions_of_cells() {
     let mut count = 0;

@@ -1,4 +1,4 @@
-//! What tests of intersections share: shapes, what holds for all results, and dense sampling.
+//! Shared by the tests of intersections: shapes, checks of all results, and dense sampling.
 
 #![allow(dead_code, unreachable_pub, reason = "shared by several tests, none of which needs all of it")]
 
@@ -63,7 +63,7 @@ pub fn meet(a: &Surface<'_>, b: &Surface<'_>) -> Paths {
     paths
 }
 
-/// What holds for all results: arrays of equal lengths, points on both surfaces, the direction.
+/// Checks all results: arrays of equal lengths, points on both surfaces, the direction.
 pub fn check(paths: &Paths, a: &Surface<'_>, b: &Surface<'_>) {
     let count = paths.points.len();
     assert!(paths.places.len() == count && paths.others.len() == count && paths.normals.len() == count);

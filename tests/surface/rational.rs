@@ -1,6 +1,5 @@
-//! Rational splines: within the distance that they state of what they are, by formulas of solids
-//! and by the recursion of Cox and de Boor; smooth where these are; the same bits where they must
-//! be.
+//! Rational splines: within the stated distance of solids by formula, and of the recursion of Cox
+//! and de Boor; smooth where the splines are; equal bits where required.
 
 use crate::common::Silent;
 use crate::shapes::Random;
@@ -14,7 +13,7 @@ use gusset::{Error, Job, Progress};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use std::ops::ControlFlow;
 
-/// A rational spline with what it owns.
+/// A rational spline with its arrays.
 #[derive(Clone)]
 pub(crate) struct Nurbs {
     pub(crate) points: Vec<DVec3>,
@@ -66,8 +65,8 @@ impl Nurbs {
     }
 }
 
-/// What a section drawn in a half-plane, (radius, height), makes when it turns round the z axis once
-/// in four quarters of degree 2.
+/// Revolves a section in a half-plane, (radius, height), about the z axis in four quarters of
+/// degree 2.
 pub(crate) fn revolved(section: &[(f64, f64, f64)], degree: usize, knots: Vec<f64>) -> Nurbs {
     let ring = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0)];
     let (mut points, mut weights) = (Vec::new(), Vec::new());
@@ -146,8 +145,8 @@ fn diagonal(points: &[DVec3]) -> f64 {
     low.distance(high)
 }
 
-/// The largest distance from the truth at equal parameters, at `n` x `n` places of every cell, and
-/// the checks that hold for any sheet of a spline: shared sides, knots that rise.
+/// Returns the largest distance from the truth at equal parameters, at `n` x `n` places of every
+/// cell. Checks any sheet of a spline: shared sides, increasing knots.
 fn compare(nurbs: &Nurbs, sheet: &Sheet<'_>, n: usize) -> f64 {
     let ([h, w], [us, vs]) = (sheet.cells(), sheet.knots().unwrap());
     assert_eq!((us.len(), vs.len()), (h + 1, w + 1));
@@ -187,7 +186,7 @@ fn solids_are_within_what_is_proven() {
                     off = off.max(distance(sheet.jet(i, j, s, t).point));
                 }
             }
-            // What is left is the rounding of the distance itself.
+            // The rest is the rounding of the distance itself.
             let same = compare(&nurbs, &sheet, 4);
             println!(
                 "{name:9} {allowed:8.1e}: {h} x {w} cells, proven {deviation:.2e}, at equal parameters {same:.2e}, off {off:.2e}"
@@ -213,7 +212,7 @@ fn poles_stay_points_and_seams_closed() {
     for i in 0..h {
         assert_eq!(sheet.jet(i, w - 1, 0.3, 1.0).point, sheet.jet(i, 0, 0.3, 0.0).point);
     }
-    // Normals at poles are those of the sphere.
+    // Normals at poles equal the sphere's.
     for (i, u, z) in [(0, 0.0, -1.0), (h - 1, 1.0, 1.0)] {
         assert!((sheet.normal(i, 0, u, 0.5).z.abs() - z * z).abs() < 1e-9, "{}", sheet.normal(i, 0, u, 0.5));
     }
@@ -413,7 +412,7 @@ fn weights_that_are_equal_are_none() {
     assert_eq!(control_points(&a), sheet_on_threads(&sphere, None, 3));
 }
 
-/// Stops after so many reports, and checks that they rise.
+/// Cancels after this many reports, and checks that they increase.
 struct Stop(std::cell::Cell<(u32, f64)>);
 
 impl Progress for Stop {

@@ -175,7 +175,7 @@ fn ways(goal: Goal) -> Vec<SearchOptions> {
     ways
 }
 
-/// T2: no cell with a point within tau is lost, whatever the object and the way.
+/// T2: no cell with a point within tau is lost, for any object and order.
 #[test]
 fn nothing_within_reach_is_lost() {
     let mut spared = [0, 0];
@@ -384,7 +384,7 @@ fn what_is_refused() {
 
 /// A sheet of size 1e-9 or 1e9, or far away from the origin, is searched as well.
 #[test]
-fn of_any_size_and_anywhere() {
+fn bounds_hold_at_any_size_and_place() {
     assert_eq!(MAX_DEGREE, 7);
     for (scale, offset) in [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e6)] {
         let shape = &SHAPES[1];
@@ -410,7 +410,7 @@ fn of_any_size_and_anywhere() {
     }
 }
 
-/// Of one cell, and collapsed to a point.
+/// One cell, collapsed to a point.
 #[test]
 fn degenerate_sheets() {
     for points in [vec![0.0; 12], vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]] {

@@ -247,9 +247,9 @@ fn a_bump_through_the_other_leaf_of_a_fold_has_a_loop() {
     assert!((length(&paths) / (TAU * radius) - 1.0).abs() < 2e-3);
 }
 
-/// A circle turned about a line that cuts it. Its rows are one curve, scaled and lifted, so that the
-/// surface through the nodes meets itself where this factor is 0 and else nowhere: in two points,
-/// each of which is a whole row of parameters. All cells of that row are unresolved, no others.
+/// A circle turned about a line that cuts it. Its rows are one curve, scaled and lifted. The
+/// surface through the nodes meets itself only where the factor is 0: in two points, each a whole
+/// row of parameters. All cells of that row are unresolved, no others.
 #[test]
 fn a_spindle_torus_has_two_points() {
     for (cells, shift) in some_of(2, [([12, 6], 0.0), ([25, 7], 0.1)].into_iter()) {

@@ -8,7 +8,7 @@ use glam::{DVec3, DVec4};
 use gusset::surface::{Paths, Place, Surface};
 use std::f64::consts::TAU;
 
-/// Where an edge crosses a triangle, if it does.
+/// The intersection of an edge and a triangle, if any.
 fn crossing([a, b]: [DVec3; 2], [p, q, r]: [DVec3; 3]) -> Option<DVec3> {
     let volume = |x: DVec3, y: DVec3, z: DVec3| (x - a).cross(y - a).dot(z - a);
     let above = |x: DVec3| (q - p).cross(r - p).dot(x - p);
@@ -17,7 +17,7 @@ fn crossing([a, b]: [DVec3; 2], [p, q, r]: [DVec3; 3]) -> Option<DVec3> {
     ((low > 0.0) != (high > 0.0) && signs[0] == signs[1] && signs[1] == signs[2]).then(|| a.lerp(b, low / (low - high)))
 }
 
-/// A surface of one sheet, by parameters that count its cells: those of two of its points.
+/// Parameters of two points on a surface of one sheet, in cells.
 struct Sampled<'a> {
     surface: &'a Surface<'a>,
     closed: [bool; 2],
@@ -83,8 +83,8 @@ impl Sampled<'_> {
         way.x.abs().max(way.y.abs())
     }
 
-    /// The places that triangles show, `dense` to a cell along each parameter; those of neighbours
-    /// are left out, and solutions that are one point with itself.
+    /// The places where triangles intersect, `dense` to a cell along each parameter, without
+    /// neighbours, and without solutions that are one point.
     fn places(&self, dense: usize) -> Vec<(DVec3, DVec4)> {
         let [h, w] = self.surface.sheet(0).cells().map(|n| n * dense);
         let wrap =
@@ -177,7 +177,8 @@ impl Sampled<'_> {
                 let t = here.dot(way) / way.length_squared();
                 let near = from + t * way;
                 let miss = self.between(near, x).length();
-                // The solution next to a chord of the same curve is the point itself, but for bends.
+                // Near a chord of the same curve, the solution is the point itself, except at
+                // bends.
                 (0.0..=1.0).contains(&t)
                     && miss < 0.05
                     && (miss < 1e-6
@@ -189,7 +190,7 @@ impl Sampled<'_> {
     }
 }
 
-/// What chords are off by without options.
+/// The default error of chords.
 fn default_chord(surface: &Surface<'_>) -> f64 {
     1e-4 * (surface.bounds()[1] - surface.bounds()[0]).length()
 }
@@ -256,9 +257,9 @@ fn tube(cells: [usize; 2], radius: f64, shift: [f64; 2], curve: impl Fn(f64) -> 
     })
 }
 
-/// Two pipes of one radius cross at right angles: where their axes are less than two radii apart
-/// they meet in one closed curve, as x^2 + (z - d)^2 = y^2 + z^2 = r^2 have their four branches in a
-/// ring; and farther apart nowhere.
+/// Two pipes of one radius cross at right angles. If their axes are less than two radii apart, they
+/// meet in one closed curve, because the four branches of x^2 + (z - d)^2 = y^2 + z^2 = r^2 form a
+/// ring. Farther apart they do not meet.
 #[test]
 fn a_tube_along_a_lemniscate() {
     for (lift, loops) in [(0.05, 1), (0.1, 1), (0.13, 1), (0.17, 0), (0.3, 0)] {

@@ -281,8 +281,8 @@ fn exhaustive_random_positions() {
         let truth = changes(&grid(own, Scheme::SixTap, |p| p), 8, height);
         for &point in &truth {
             let far = distance(&paths, point);
-            // Where the surfaces nearly touch, those of the equation and of the nodes may meet
-            // elsewhere.
+            // Where the surfaces nearly touch, the surfaces by equation and by nodes may meet in
+            // different places.
             let place = a.closest(point, f64::INFINITY).unwrap().place;
             let step = 1e-6 * a.normal(place).any_orthonormal_vector();
             let other = 1e-6 * a.normal(place).cross(step).normalize();
@@ -326,7 +326,7 @@ fn waves_between_points_are_seen() {
 }
 
 /// Whitney's umbrella, (u v, u, v^2), cut beside its pinch: parabolas as thin as the distance from
-/// it, whose tips are beyond the ends of chords from leg to leg.
+/// it, with tips beyond the chords from leg to leg.
 #[test]
 fn tips_of_hairpins_are_seen() {
     for (distance_of_cut, [from, to]) in [0.1, 0.01, 3e-3, 1e-3]
@@ -350,7 +350,7 @@ fn tips_of_hairpins_are_seen() {
             DVec3::new(distance_of_cut * v, distance_of_cut, v * v)
         };
         let far = (0..=1000).map(|k| distance(&paths, truth(k))).fold(0.0, f64::max);
-        // The height of an arc is nearly that of the cubic with its tangents.
+        // The height of an arc is nearly the height of the cubic with its tangents.
         assert!(far <= 1.1 * chord, "{distance_of_cut} {from} {to}: {far} {}", summary(&paths));
     }
 }

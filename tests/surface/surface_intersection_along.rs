@@ -156,8 +156,9 @@ fn shape(paths: &Paths) -> String {
     )
 }
 
-/// Checks where heights meet the plane z = 0: so many paths, none of them closed, so many crossings,
-/// and the total length. `unresolved`: how many cells may be at most. Returns how many are.
+/// Checks the intersection of heights with the plane z = 0: the numbers of open paths and of
+/// crossings, and the total length. `unresolved`: how many cells may be at most. Returns how many
+/// are.
 fn check_lines(
     bad: &mut Vec<String>,
     name: &str,
@@ -258,7 +259,8 @@ fn equal_pipes_are_two_closed_paths() {
         };
         for angle in [0.25, 0.2, 0.15] {
             let (a, b) = (pipe(own, 0.0), pipe(other, angle));
-            // By Ramanujan's second formula; the semi-axes are 1 and those of both planes.
+            // By Ramanujan's second formula, for the semi-axes of both planes; the other semi-axis
+            // is 1.
             let around: f64 = [0.5 * angle * TAU, 0.5 * angle * TAU + 0.25 * TAU]
                 .map(|half| {
                     let long = 1.0 / half.sin();
@@ -288,7 +290,7 @@ fn visits(paths: &Paths, k: usize, to: DVec3, within: f64) -> usize {
 }
 
 /// Once round Viviani's curve, or round its two halves, with nothing else and nothing twice: the
-/// tube's angle goes twice round, and both poles are passed once. Returns what is wrong.
+/// tube's angle goes twice round, and both poles are passed once. Returns the errors.
 fn faults_of_viviani(paths: &Paths, length_error: f64) -> Vec<String> {
     let mut faults = Vec::new();
     let is_whole = !paths.is_empty() && paths.len() <= 2 && paths.closed.iter().all(|&closed| closed);
@@ -343,7 +345,7 @@ fn vivianis_curve_through_a_pole() {
                 };
                 let wall = surface(&wall, |p| p);
                 for (paths, way) in [(meet(&sphere, &wall), "a b"), (meet(&wall, &sphere), "b a")] {
-                    // Of 8 rows, turned within a cell, the sphere itself is off by that.
+                    // With 8 rows, rotated within a cell, the sphere itself has this error.
                     let faults = faults_of_viviani(&paths, 4e-3);
                     if !faults.is_empty() {
                         let name = format!("{cells:?} {turn} {tube:?} {way}");
@@ -357,8 +359,8 @@ fn vivianis_curve_through_a_pole() {
 }
 
 /// The saddle of three valleys, turned and moved, against its plane: six rays from a point that no
-/// second form decides. All of each is found once; what is not resolved is at that point, where
-/// the rays are joined in pairs.
+/// second form decides. Each curve is found once as a whole. Unresolved cells are at that point,
+/// where the rays are joined in pairs.
 #[test]
 fn saddles_of_three_valleys() {
     let flat = |_: f64, _: f64| 0.0;

@@ -1,5 +1,5 @@
-//! Branches beside each other, with a tolerance as large as what is between them: each whole, and
-//! once.
+//! Neighbouring branches, with a tolerance as large as their distance: each is found once and
+//! whole.
 
 use crate::pairs::check;
 use glam::DVec3;
@@ -23,7 +23,7 @@ fn meet(a: &Surface<'_>, tolerance: f64) -> Paths {
     paths
 }
 
-/// Asserts that there are so many open paths, each of that length.
+/// Asserts the number of open paths, and the length of each.
 fn check_lines(paths: &Paths, count: usize, each: f64, what: &str) {
     let length = |k: usize| paths.points_of(k).windows(2).map(|pair| pair[0].distance(pair[1])).sum();
     let lengths: Vec<f64> = (0..paths.len()).map(length).collect();
@@ -32,8 +32,8 @@ fn check_lines(paths: &Paths, count: usize, each: f64, what: &str) {
     assert!(paths.unresolved.is_empty() && paths.contacts.is_empty(), "{what}");
 }
 
-/// z = depth ((x / half)^2 - 1): two lines, on sides of halving where the patch is four halves wide
-/// to each side (3/8 and 5/8), and elsewhere where it is not.
+/// z = depth ((x / half)^2 - 1): two lines. They lie on subdivision lines if the patch is four
+/// halves wide to each side (3/8 and 5/8), and elsewhere otherwise.
 #[test]
 fn two_lines_of_a_valley() {
     for tolerance in TOLERANCES {

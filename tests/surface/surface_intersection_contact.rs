@@ -1,5 +1,5 @@
-//! Curves of intersection beside places where surfaces touch: neither lost, nor altered, nor joined
-//! through empty space.
+//! Intersection curves beside contacts of surfaces: they are not lost, altered, or joined through
+//! empty space.
 
 use crate::common::some_of;
 use crate::pairs::{flat, grid, length, meet, one, summary, surface};

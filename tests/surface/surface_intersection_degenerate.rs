@@ -45,7 +45,7 @@ fn lines_of_nodes_that_meet_lines_of_nodes() {
             );
         }
     }
-    // Half a turn of the ring: the columns are the same again.
+    // Half a turn of the ring maps columns to columns.
     let half = DMat3::from_rotation_x(0.25 * TAU);
     let (a, b) = (surface(&shape, |p| p), surface(&shape, |p| half * p + 0.5 * DVec3::X));
     let paths = meet(&a, &b);

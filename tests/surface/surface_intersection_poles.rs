@@ -31,7 +31,7 @@ fn meet(a: &Surface<'_>, b: &Surface<'_>) -> Paths {
     a.meet(b, &Options::default(), &Job::default()).unwrap()
 }
 
-/// What is wrong with paths that should be one circle, `at` an angle on it.
+/// The errors of paths that should form one circle, `at` an angle on it.
 fn faults(paths: &Paths, radius: f64, at: impl Fn(f64) -> DVec3) -> Option<String> {
     let of = |k: usize| {
         let points = paths.points_of(k);

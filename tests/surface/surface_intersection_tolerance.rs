@@ -146,8 +146,8 @@ fn balls_of_small_cells_touch() {
     }
 }
 
-/// z = x y - rise meets its plane in the branches of a hyperbola: where they pass each other nearer
-/// than the tolerance they are a crossing, and elsewhere they are found.
+/// z = x y - rise meets its plane in the branches of a hyperbola. If the branches are nearer than
+/// the tolerance, they are a crossing; otherwise both are found.
 #[test]
 fn branches_that_pass_each_other_within_the_tolerance_cross() {
     for cells in [1, 5, 40] {
@@ -201,8 +201,8 @@ fn bumps(seed: u64, cells: usize) -> Surface<'static> {
     })
 }
 
-/// How far paths with another tolerance may be from those of the default, whose chords are near to
-/// the curve within 2e-4.
+/// Allowed distance of paths with another tolerance from default paths, whose chords are within
+/// 2e-4 of the curve.
 const REACH: f64 = 1e-3;
 
 /// Points of the paths that are expected are on those that are found, or within a contact, or in
@@ -216,8 +216,8 @@ fn assert_none_is_lost_silently(paths: &Paths, expected: &Paths, a: &Surface<'_>
     }
 }
 
-/// Random sheets: with any tolerance the paths are those of the default, but for contacts and for
-/// cells that are said to be unresolved.
+/// Random sheets: with any tolerance the paths equal the default's, except at contacts and in
+/// unresolved cells.
 #[test]
 fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
     let (mut same, mut short, mut compared) = (0, 0, 0);
@@ -240,8 +240,8 @@ fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
                 assert_none_is_lost_silently(&paths, &expected, &a, &what);
                 // And nothing else is found.
                 assert!(paths.points.iter().all(|&point| distance(&expected, point) <= REACH), "{what}");
-                // The sheets are 1 wide, and within the widest tolerances of each other nearly all
-                // over: branches in cells that are listed may be short by more, but seldom are.
+                // The sheets are 1 wide, and nearly everywhere within the widest tolerance of each
+                // other: branches in listed cells may lack more, but seldom do.
                 let off = (found / whole - 1.0).abs();
                 assert!(off <= if tolerance < 0.1 { 0.1 } else { 0.3 }, "{what}");
                 short += usize::from(off > 0.1);
@@ -253,8 +253,8 @@ fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
 }
 
 /// z = 0.05 sin sin meets a plane in loops that are within the tolerance of each other in corridors
-/// from saddle to saddle: what is not told apart is said, and no path is lost without a word, in
-/// either order.
+/// from saddle to saddle. Unseparated parts are reported, and no path is lost silently, in either
+/// order.
 #[test]
 fn contacts_are_no_wider_than_their_curvature_allows() {
     let waves = sheet(16, |x, y| {

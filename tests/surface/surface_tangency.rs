@@ -230,7 +230,7 @@ fn a_wider_tolerance_touches_more() {
 }
 
 /// The saddle of three valleys against its plane, one cell each: three lines through a contact that
-/// no second form decides. What is left unresolved is there, and the lines are found elsewhere.
+/// no second form decides. Unresolved cells are there; elsewhere the lines are found.
 #[test]
 fn branches_beside_a_contact_of_higher_order_are_found() {
     let points: Vec<DVec3> = (0..25)

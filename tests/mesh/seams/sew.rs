@@ -39,11 +39,11 @@ fn area<'a>(point: impl Fn(u32) -> [f64; 3], faces: impl Iterator<Item = &'a [u3
     sum
 }
 
-fn of_soup(soup: &Soup) -> impl Fn(u32) -> [f64; 3] + '_ {
+fn soup_positions(soup: &Soup) -> impl Fn(u32) -> [f64; 3] + '_ {
     |v| soup.points[v as usize]
 }
 
-fn of_mesh(mesh: &Mesh) -> impl Fn(u32) -> [f64; 3] + '_ {
+fn mesh_positions(mesh: &Mesh) -> impl Fn(u32) -> [f64; 3] + '_ {
     |v| mesh.positions.get(v).to_array()
 }
 
@@ -120,13 +120,13 @@ proptest! {
         assert_closed(&done.mesh, 0);
         let unit = 2f64.powi(exponent);
         let [old, new] = [
-            volume(of_soup(&parts), parts.faces()) / unit.powi(3),
-            volume(of_mesh(&done.mesh), faces_of(&done.mesh)) / unit.powi(3),
+            volume(soup_positions(&parts), parts.faces()) / unit.powi(3),
+            volume(mesh_positions(&done.mesh), faces_of(&done.mesh)) / unit.powi(3),
         ];
         // Flat faces keep their volume; quads of a torus that gain corners are not flat.
         if triangles {
             prop_assert!((old / new - 1.0).abs() < 1e-9, "{} {}", old, new);
-            let [old, new] = [area(of_soup(&whole), whole.faces()), area(of_mesh(&done.mesh), faces_of(&done.mesh))];
+            let [old, new] = [area(soup_positions(&whole), whole.faces()), area(mesh_positions(&done.mesh), faces_of(&done.mesh))];
             prop_assert!((old / new - 1.0).abs() < 1e-9, "{} {}", old, new);
         }
         prop_assert!(done.left_vertices.is_empty());
@@ -193,8 +193,8 @@ fn a_long_edge_is_split_at_all_vertices_of_the_border_on_it() {
     assert_eq!(&done.face_map[..3], [0, 10, 11]);
     assert_eq!(euler(faces_of(&done.mesh)), 1);
     assert!(done.left_vertices.is_empty());
-    let flat = area(of_mesh(&done.mesh), faces_of(&done.mesh));
-    assert!((flat - area(of_soup(&soup), soup.faces())).abs() < 1e-12);
+    let flat = area(mesh_positions(&done.mesh), faces_of(&done.mesh));
+    assert!((flat - area(soup_positions(&soup), soup.faces())).abs() < 1e-12);
     // A larger face gains corners instead.
     let upper = Soup::new(vec![[0.0; 3], [10.0, 0.0, 0.0], [10.0, 4.0, 0.0], [0.0, 4.0, 0.0]], &[&[0, 1, 2, 3]]);
     let done = sewn(&upper.and(&comb(0.0, 1.0, 10, -3.0)), &Options::default());
@@ -227,9 +227,9 @@ fn a_triangle_split_on_all_sides() {
         let parts: Vec<&[u32]> =
             faces_of(&done.mesh).zip(&done.face_origin).filter(|&(_, &f)| f == 0).map(|(face, _)| face).collect();
         assert_eq!(parts.len(), counts.iter().sum::<u32>() as usize + 1);
-        assert!((area(of_mesh(&done.mesh), parts.iter().copied()) - 18.0).abs() < 1e-12);
+        assert!((area(mesh_positions(&done.mesh), parts.iter().copied()) - 18.0).abs() < 1e-12);
         for part in parts {
-            assert!(area(of_mesh(&done.mesh), [part].into_iter()) > 0.1);
+            assert!(area(mesh_positions(&done.mesh), [part].into_iter()) > 0.1);
         }
     }
 }
@@ -281,7 +281,7 @@ fn what_files_round_apart_is_sewn_too() {
     written.points.iter_mut().flatten().for_each(|x| *x = format!("{x:.6e}").parse().unwrap());
     let done = sewn(&written, &Options::default());
     assert_closed(&done.mesh, 0);
-    let [old, new] = [volume(of_soup(&exact), exact.faces()), volume(of_mesh(&done.mesh), faces_of(&done.mesh))];
+    let [old, new] = [volume(soup_positions(&exact), exact.faces()), volume(mesh_positions(&done.mesh), faces_of(&done.mesh))];
     assert!((old / new - 1.0).abs() < 1e-6);
     let points: Vec<[f32; 3]> = exact.points.iter().map(|p| p.map(|x| x as f32)).collect();
     let faces = Faces::polygons(&exact.offsets, &exact.corners).unwrap();
@@ -435,8 +435,8 @@ fn pieces_that_do_not_match_are_assembled_closed() {
             let next = done.maps.iter().flat_map(|map| &map.faces).filter(|&&f| f > first).min();
             let end = next.map_or(parts.len(), |&f| f as usize);
             let [old, new] = [
-                area(of_soup(piece), [face].into_iter()),
-                area(of_mesh(&done.mesh), parts[first as usize..end].iter().copied()),
+                area(soup_positions(piece), [face].into_iter()),
+                area(mesh_positions(&done.mesh), parts[first as usize..end].iter().copied()),
             ];
             assert!((old / new - 1.0).abs() < 1e-9, "{old} {new}");
         }
