@@ -6,7 +6,7 @@
 use super::{Classes, Net, Real, each};
 use glam::{DMat3, DVec3};
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::rotation::{best_rotation, part_of};
+use gusset_base::geom::rotation::{best_rotation, fraction_of_rotation};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
@@ -103,7 +103,7 @@ impl Way {
             covariance += DMat3::from_cols(p.x * q, p.y * q, p.z * q);
         });
         let turn = best_rotation(covariance);
-        let part = |t: f64| DMat3::from_quat(part_of(turn, t));
+        let part = |t: f64| DMat3::from_quat(fraction_of_rotation(turn, t));
         Ok(Way { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
     }
 

@@ -27,8 +27,8 @@ pub(crate) fn power_to_one(x: f64) -> f64 {
 impl UnitFrame {
     /// The frame of the box of some finite points.
     pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
-        let whole = Aabb::of(points);
-        let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::of([DVec3::ZERO]) };
+        let whole = Aabb::from_points(points);
+        let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::from_points([DVec3::ZERO]) };
         let coarse = power_to_one(low.abs().max(high.abs()).max_element());
         let (low, high) = (low * coarse, high * coarse);
         UnitFrame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }

@@ -74,7 +74,7 @@ fn of_turns(turns: &[(u32, f64)], closed: bool, angle: f64) -> Result<Vec<u32>> 
 /// Of each inner point that is not at the place of the one before, within `tolerance` parts of the
 /// section's size: its number, and the angle by which the polygon turns.
 fn turns(points: impl Iterator<Item = DVec3> + Clone, closed: bool, tolerance: f64) -> Result<Vec<(u32, f64)>> {
-    let near = tolerance * Aabb::of(points.clone()).diagonal();
+    let near = tolerance * Aabb::from_points(points.clone()).diagonal();
     let is_same = |p: DVec3, q: DVec3| p == q || distance(p, q) <= near;
     let mut distinct: Vec<(u32, DVec3)> = Vec::new();
     for (i, p) in (0..).zip(points) {

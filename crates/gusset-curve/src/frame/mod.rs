@@ -132,7 +132,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         grid.max_twist = align::twist(&grid.nodes, columns, options.ring);
     }
     let unit = common_unit(&grid.nodes);
-    let size = Aabb::of(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
+    let size = Aabb::from_points(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
     for (node, (&p, &q)) in on_across.iter().zip(&on_along).enumerate() {
         grid.max_gap = grid.max_gap.max((p / unit).distance(q / unit) / size);
         grid.min_sine = grid.min_sine.min(grid.across[node].cross(grid.along[node]).length());

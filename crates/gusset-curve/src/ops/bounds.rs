@@ -32,7 +32,7 @@ impl CurveView<'_> {
     pub fn bounding_box(&self, job: &Job<'_>) -> Result<Bounds> {
         self.check_not_empty()?;
         let ends = self.segments().map(|controls| controls[controls.len() - 1]);
-        let Aabb { low, high } = Aabb::of(iter::once(self.points()[0]).chain(ends));
+        let Aabb { low, high } = Aabb::from_points(iter::once(self.points()[0]).chain(ends));
         let mut bounds = Bounds { low, high };
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "box of a curve")?;

@@ -55,7 +55,7 @@ struct Piece {
 
 impl Piece {
     fn bounds(&self) -> Aabb {
-        Aabb::of(&self.controls)
+        Aabb::from_points(&self.controls)
     }
 
     fn place(&self, t: f64) -> Place {
@@ -141,7 +141,7 @@ impl CurveView<'_> {
 /// Appends a part of a segment, or its halves where it may meet itself; one smaller than rounding
 /// can tell is one piece.
 fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
-    let small = |controls: &[DVec3]| Aabb::of(controls).size().max_element() <= MAX_COMMON_DISTANCE;
+    let small = |controls: &[DVec3]| Aabb::from_points(controls).size().max_element() <= MAX_COMMON_DISTANCE;
     if depth == 0 || advances(&part.controls) || small(&part.controls) {
         let Part { ref controls, from, to } = part;
         return alloc::push(pieces, Piece { controls: alloc::copied(controls)?, segment, from, to });

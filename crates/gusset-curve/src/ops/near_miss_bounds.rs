@@ -30,7 +30,7 @@ pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
 
 /// Whether the hulls are farther apart than `within`.
 pub(super) fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
-    if !Aabb::of(a).is_within(&Aabb::of(b), within) {
+    if !Aabb::from_points(a).is_within(&Aabb::from_points(b), within) {
         return true;
     }
     let (u, v) = (chord(a), chord(b));

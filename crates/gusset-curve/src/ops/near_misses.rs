@@ -138,12 +138,12 @@ impl CurveView<'_> {
         let mut search =
             NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), given_up: 0, undecided: false };
         let numbers = [lasting(&sides[0])?, lasting(&sides[1])?];
-        let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::of(sides[1].segment(j as usize))))?;
+        let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::from_points(sides[1].segment(j as usize))))?;
         let (searching, mut pairs) = (job.part(0.0, 0.8), 0usize);
         for (k, &i) in numbers[0].iter().enumerate() {
             searching.step_every(16, k, numbers[0].len(), STAGE)?;
             let i = i as usize;
-            tree.overlapping(&Aabb::of(sides[0].segment(i)), within, |leaf| {
+            tree.overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
                 pairs += 1;
                 if pairs.is_multiple_of(PAIRS_PER_REPORT) {
                     searching.step(k as f64 / numbers[0].len() as f64, STAGE)?;
@@ -277,7 +277,7 @@ impl NearMissSearch<'_> {
         (0..2).any(|k| {
             let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
             let falls = if at_low { gradient[k] } else { -gradient[k] };
-            let slope_rounding = || SLOPE_ROUNDING * Aabb::of(whole[k]).size().max_element() * gap.length();
+            let slope_rounding = || SLOPE_ROUNDING * Aabb::from_points(whole[k]).size().max_element() * gap.length();
             if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= slope_rounding() {
                 return false;
             }
@@ -304,7 +304,7 @@ impl NearMissSearch<'_> {
         }
         let at_rest = distance <= ROUNDING
             || (0..2).all(|k| {
-                let size = Aabb::of(whole[k]).size().max_element();
+                let size = Aabb::from_points(whole[k]).size().max_element();
                 let inside = descent.at[k] > 0.0 && descent.at[k] < 1.0;
                 !inside || descent.gradient[k].abs() <= MAX_SLOPE * size * distance
             });

@@ -125,7 +125,7 @@ impl<'a> CurveSearch<'a> {
         let frame = UnitFrame::of(curve.points());
         let points = frame.points(curve.points())?;
         let boxes = CurveView::trusted(&points, curve.ends(), false);
-        let tree = BoxTree::new(boxes.segments().map(Aabb::of))?;
+        let tree = BoxTree::new(boxes.segments().map(Aabb::from_points))?;
         Ok(CurveSearch { curve: *curve, frame, points, tree })
     }
 
@@ -193,7 +193,7 @@ impl<'a> CurveSetSearch<'a> {
         }
         let frame = UnitFrame::of(curves.iter().flat_map(CurveView::points));
         let around = |curve: &CurveView<'_>| {
-            let Aabb { low, high } = Aabb::of(curve.points());
+            let Aabb { low, high } = Aabb::from_points(curve.points());
             Aabb { low: frame.point(low) - BOX_ROUNDING, high: frame.point(high) + BOX_ROUNDING }
         };
         let tree = BoxTree::new(searches.iter().map(|(_, search)| around(&search.curve)))?;

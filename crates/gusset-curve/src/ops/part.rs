@@ -26,7 +26,7 @@ impl Part {
 
     /// The longest side of the box of the control points.
     pub(super) fn size(&self) -> f64 {
-        Aabb::of(self.controls.iter()).size().max_element()
+        Aabb::from_points(self.controls.iter()).size().max_element()
     }
 
     pub(super) fn halves(mut self) -> [Part; 2] {

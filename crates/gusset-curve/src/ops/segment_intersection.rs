@@ -204,7 +204,7 @@ impl SegmentIntersections {
 
 /// Whether the hulls are apart along the axes or along or across a chord.
 fn apart(a: &[DVec3], b: &[DVec3]) -> bool {
-    if !Aabb::of(a).is_within(&Aabb::of(b), BOX_SLACK) {
+    if !Aabb::from_points(a).is_within(&Aabb::from_points(b), BOX_SLACK) {
         return true;
     }
     [chord(a), chord(b)].into_iter().any(|chord| {
