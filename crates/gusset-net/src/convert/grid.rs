@@ -11,7 +11,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_mesh::{Across, MeshView, NONE, Topology as Pairing};
+use gusset_mesh::{MeshView, NONE, Opposite, Topology as Pairing};
 
 /// A net recognised in a mesh.
 #[derive(Debug)]
@@ -111,10 +111,10 @@ impl Walker<'_> {
         if self.pairing.is_ignored(edge) {
             return Err(self.no_grid(h));
         }
-        let mate = match self.pairing.across(edge) {
-            Across::Free => return Ok(Neighbour::Border),
-            Across::Singular => return Err(self.no_grid(h)),
-            Across::Mate(mate) => mate,
+        let mate = match self.pairing.opposite(edge) {
+            Opposite::Free => return Ok(Neighbour::Border),
+            Opposite::Singular => return Err(self.no_grid(h)),
+            Opposite::Mate(mate) => mate,
         };
         // Faces of one orientation run their common edge in opposite directions.
         if self.start(mate) == self.start(edge) {
@@ -193,8 +193,8 @@ impl Grid {
             4 => first,
             // A triangle at a pole has a quad across its side opposite to the pole.
             3 => {
-                let across = |k: usize| match walker.pairing.across(walker.advance(first, k)) {
-                    Across::Mate(mate) if walker.size(walker.face(mate)) == 4 => Some(mate),
+                let across = |k: usize| match walker.pairing.opposite(walker.advance(first, k)) {
+                    Opposite::Mate(mate) if walker.size(walker.face(mate)) == 4 => Some(mate),
                     _ => None,
                 };
                 if walker.pairing.is_ignored(first) {

@@ -16,7 +16,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_mesh::{Across, Faces, MeshView, NONE, Topology as Pairing};
+use gusset_mesh::{Faces, MeshView, NONE, Opposite, Topology as Pairing};
 
 /// Half-edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
@@ -82,12 +82,12 @@ impl Surface {
         for h in 0..count {
             let (start, end) = (starts[h as usize], starts[next(h) as usize]);
             counts[start as usize] += 1;
-            let mate = match pairing.across(h) {
+            let mate = match pairing.opposite(h) {
                 _ if pairing.is_ignored(h) => return Err(no_grid(h)),
-                Across::Singular => return Err(no_grid(h)),
-                Across::Mate(mate) if starts[mate as usize] == start => return Err(no_grid(mate)),
-                Across::Mate(mate) => mate,
-                Across::Free => NONE,
+                Opposite::Singular => return Err(no_grid(h)),
+                Opposite::Mate(mate) if starts[mate as usize] == start => return Err(no_grid(mate)),
+                Opposite::Mate(mate) => mate,
+                Opposite::Free => NONE,
             };
             if mate == NONE {
                 (on_border[start as usize], on_border[end as usize]) = (true, true);
