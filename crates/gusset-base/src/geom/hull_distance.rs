@@ -4,8 +4,8 @@
 //!
 //! The algorithm looks for the point v nearest to the origin in the hull of all differences a - b.
 //! Each round adds the extreme point in the direction of -v to a simplex, and keeps the face of the
-//! simplex nearest to the origin. Invariant: for every v, however inexact, (min a . v - max b . v)
-//! / |v| is a lower bound of the distance. Each round is O(points), and there are at most
+//! simplex nearest to the origin. Invariant: for every v, however inexact, (min a . v - max b .
+//! v) / |v| is a lower bound of the distance. Each round is O(points), and there are at most
 //! `MAX_ROUNDS`.
 
 use glam::{DMat3, DVec3};

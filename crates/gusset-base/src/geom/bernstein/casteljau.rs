@@ -143,8 +143,8 @@ pub fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
     }
 }
 
-/// Elevates a polynomial of `degree` to the degree that fills `c`. Each step to degree n sets c'_k
-/// = k / n c_(k - 1) + (1 - k / n) c_k.
+/// Elevates a polynomial of `degree` to the degree that fills `c`. Each step to degree n sets
+/// c'_k = k / n c_(k - 1) + (1 - k / n) c_k.
 #[inline(always)]
 pub fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
     for n in degree + 1..c.len() {
