@@ -22,7 +22,7 @@ fn main() -> Result<()> {
 
     // ! [own]
     // A net of your own: a sheet of 3 rows of 4 nodes, whose sides are not glued.
-    let topology = Topology::of_sides(Shape::new(3, 4)?, Sides::SHEET);
+    let topology = Topology::from_sides(Shape::new(3, 4)?, Sides::SHEET);
     let sheet = Net::from_fn(topology, Scalar::F64, |i, j| DVec3::new(j as f64, i as f64, 0.0))?;
     let quads = sheet.to_mesh(&MeshOptions::default(), &job)?.mesh;
     // ! [own]

@@ -159,7 +159,7 @@ impl SmallNet {
         let [rows, columns] = self.size.map(|size| 2 + usize::from(size % 14));
         let sides = [Sides::SHEET, Sides::TORUS, Sides::ONE_POLE, Sides::TWO_POLES][usize::from(self.sides % 4)];
         let scalar = if self.narrow { Scalar::F32 } else { Scalar::F64 };
-        let topology = Topology::of_sides(Shape::new(rows, columns).ok()?, sides);
+        let topology = Topology::from_sides(Shape::new(rows, columns).ok()?, sides);
         let place = |i: usize, j: usize| match self.nodes.len() {
             0 => DVec3::new(i as f64, j as f64, 0.0),
             count => self.nodes[(i * columns + j) % count].at(),

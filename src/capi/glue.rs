@@ -31,7 +31,7 @@ macro_rules! c_enum {
         impl $crate::capi::input::Choice for $enum {
             const NAME: &'static str = stringify!($name);
 
-            fn of(value: u32) -> Option<Self> {
+            fn from_constant(value: u32) -> Option<Self> {
                 match value {
                     $($constant => Some(Self::$variant),)*
                     _ => None,

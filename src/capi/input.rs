@@ -167,7 +167,7 @@ pub(crate) trait Choice: Sized {
     const NAME: &'static str;
 
     /// The variant of a constant.
-    fn of(value: u32) -> Option<Self>;
+    fn from_constant(value: u32) -> Option<Self>;
 
     /// The constant of a variant.
     fn number(self) -> u32;
@@ -175,7 +175,7 @@ pub(crate) trait Choice: Sized {
 
 /// One of the constants of an enum.
 pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
-    T::of(value).ok_or_else(|| Failure::unknown(T::NAME, value.into()))
+    T::from_constant(value).ok_or_else(|| Failure::unknown(T::NAME, value.into()))
 }
 
 /// What is lent of a list: its first element, or NULL if it is empty.

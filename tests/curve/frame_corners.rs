@@ -40,7 +40,7 @@ fn decks_keep_their_edges() {
                     assert!((p.x - x).abs() < 1e-12 && (p.y.abs() - half).abs() < 1e-12 && p.z == 1.0, "{p}");
                 }
                 // Its area, which the paper has for a parabola and a line, at every section.
-                let area = Measure::of(made.across.curve(k)).unwrap().area;
+                let area = Measure::from_curve(made.across.curve(k)).unwrap().area;
                 assert!((area / (4.0 / 3.0 * half) - 1.0).abs() < 0.01, "{n} {m} {k}: {area}");
             }
             // Smooth, they are fuller.

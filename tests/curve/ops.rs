@@ -172,7 +172,7 @@ fn arc_length_there_and_back() {
     for k in 0..=40 {
         let s = lengths.total() * f64::from(k) / 40.0;
         let place = lengths.place(s).unwrap();
-        assert!((lengths.up_to(place).unwrap() - s).abs() < 1e-12, "{k}");
+        assert!((lengths.length_to(place).unwrap() - s).abs() < 1e-12, "{k}");
     }
     assert_eq!(lengths.place(-1.0).unwrap(), at(0, 0.0));
     assert_eq!(lengths.place(f64::INFINITY).unwrap(), at(4, 1.0));
@@ -312,7 +312,7 @@ proptest! {
         prop_assert!((length - polygon).abs() <= 1e-4 * length + 1e-11 && length >= polygon - 1e-11, "{} {}", length, polygon);
         let lengths = given.view().lengths(&Job::default()).unwrap();
         let middle = lengths.place(0.5 * lengths.total()).unwrap();
-        prop_assert!((lengths.up_to(middle).unwrap() - 0.5 * lengths.total()).abs() <= 1e-12 * lengths.total());
+        prop_assert!((lengths.length_to(middle).unwrap() - 0.5 * lengths.total()).abs() <= 1e-12 * lengths.total());
     }
 
     #[test]

@@ -135,7 +135,7 @@ fn new_sections_of_a_ball_have_its_girths_and_areas() {
         let cut = slice(&made.along, point, normal, true, &CUBIC, &Job::default()).unwrap();
         let away = point.dot(normal.normalize());
         let radius = (4.0 - away * away).sqrt();
-        let measure = Measure::of(cut.curve.curve(0)).unwrap();
+        let measure = Measure::from_curve(cut.curve.curve(0)).unwrap();
         assert!((measure.girth / (TAU * radius) - 1.0).abs() < 1e-3, "{} {}", measure.girth, TAU * radius);
         assert!((measure.area / (PI * radius * radius) - 1.0).abs() < 2e-3, "{}", measure.area);
         assert!(measure.centre.distance(normal.normalize() * away) < 5e-3, "{}", measure.centre);
@@ -147,7 +147,7 @@ fn new_sections_of_a_ball_have_its_girths_and_areas() {
     let planes: Vec<DVec3> = (0..7).map(|k| DVec3::Z * (0.4 * f64::from(k) - 1.2)).collect();
     for plane in &planes {
         let cut = slice(&made.along, *plane, DVec3::Z, true, &CUBIC, &Job::default()).unwrap();
-        let measure = Measure::of(cut.curve.curve(0)).unwrap();
+        let measure = Measure::from_curve(cut.curve.curve(0)).unwrap();
         assert!((measure.area / (PI * (4.0 - plane.z * plane.z)) - 1.0).abs() < 1e-4);
     }
     let beyond = slice(&made.along, DVec3::Z * 3.0, DVec3::Z, true, &CUBIC, &Job::default());
@@ -289,7 +289,7 @@ fn sections_are_turned_at_any_scale() {
         let sections = Sections::from_sections([ring(0.0, false), ring(0.5, true), ring(1.0, false)]);
         let made = sections.make(true, &options(Correspondence::ArcLength { columns: 12 })).unwrap();
         assert_eq!(made.grid.turned, [0, 1, 0], "{scale:e}");
-        let measure = Measure::of(made.across.curve(1)).unwrap();
+        let measure = Measure::from_curve(made.across.curve(1)).unwrap();
         assert!(
             measure.centre.is_finite() && (measure.centre.z / scale - 0.5).abs() < 1e-2,
             "{scale:e} {}",

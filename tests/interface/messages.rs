@@ -103,7 +103,7 @@ fn sentences_say_what_is_wrong() {
         "line 0 has no points between its ends: 2.5"
     );
     let offsets = Error::BadOffsets { entry: 2, value: 4 }.to_string();
-    assert_eq!(offsets, "offset 2 is 4: offsets must not fall, and the last is the number of elements");
+    assert_eq!(offsets, "offset 2 is 4: offsets must not decrease, and the last must be the number of elements");
     // Short texts and long ones.
     for text in [&b"solid part"[..], &[b'v'; 4096]] {
         let error = StreamInfo::read(text).unwrap_err();

@@ -87,10 +87,10 @@ fn a_pair_that_names_nothing_is_told_why() {
     };
     let right = [at(0, 0), at(1, 0)];
     let cases = [
-        ([at(4, 0), at(1, 0)], Side::A, PairFault::NoPiece, "there is no piece 4"),
-        ([at(0, 0), at(u32::MAX, 0)], Side::B, PairFault::NoPiece, "there is no piece 4294967295"),
-        ([at(0, 0), at(1, 6)], Side::B, PairFault::NoVertex, "piece 1 has no vertex 6"),
-        ([at(0, NONE), at(1, 0)], Side::A, PairFault::VertexMissing, "it names piece 0 and no vertex of it"),
+        ([at(4, 0), at(1, 0)], Side::A, PairFault::NoPiece, "piece 4 does not exist"),
+        ([at(0, 0), at(u32::MAX, 0)], Side::B, PairFault::NoPiece, "piece 4294967295 does not exist"),
+        ([at(0, 0), at(1, 6)], Side::B, PairFault::NoVertex, "vertex 6 of piece 1 does not exist"),
+        ([at(0, NONE), at(1, 0)], Side::A, PairFault::VertexMissing, "it names piece 0 but none of its vertices"),
         ([at(0, 0), at(3, 5)], Side::B, PairFault::NoLoop, "no loop that can be joined passes vertex 5 of piece 3"),
         ([at(2, 4), at(1, 0)], Side::A, PairFault::SeveralLoops, "several loops pass vertex 4 of piece 2"),
         ([at(0, 0), at(0, 1)], Side::B, PairFault::SameLoop, "vertex 1 of piece 0 is on the pair's other loop"),

@@ -99,7 +99,7 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     assert_eq!(found.cells[shape.cell(2, 2) as usize], 0.0);
     // Once absorbed nothing is new.
     let glued = absorb(net.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
-    let classes = Classes::of(&glued).unwrap();
+    let classes = Classes::new(&glued).unwrap();
     assert_eq!(classes.representative(shape.node(3, 3)), shape.node(2, 2));
     let mut again = net.copied().unwrap();
     again.set_topology(glued);

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 /// The classes of a net as a partition of places, which `place` takes to places of another net.
 fn partition(net: &Net<'_>, place: impl Fn(usize, usize) -> (usize, usize)) -> Vec<Vec<(usize, usize)>> {
-    let classes = Classes::of(net.topology()).unwrap();
+    let classes = Classes::new(net.topology()).unwrap();
     let shape = net.shape();
     let mut parts: std::collections::BTreeMap<u32, Vec<(usize, usize)>> = Default::default();
     for node in 0..shape.node_count() as u32 {
@@ -90,7 +90,7 @@ proptest! {
                 (class[a as usize], class[b as usize]) = (least, least);
             }
         }
-        let classes = Classes::of(part.topology()).unwrap();
+        let classes = Classes::new(part.topology()).unwrap();
         for node in 0..part.shape().node_count() as u32 {
             let (i, j) = part.shape().place(node);
             let (p, q) = part.shape().place(classes.representative(node));

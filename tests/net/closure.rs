@@ -10,7 +10,7 @@ use gusset::{Error, Job};
 const KINDS: [BoxKind; 3] = [BoxKind::Slit, BoxKind::Cross, BoxKind::Concentric];
 
 fn complex(topology: &Topology) -> Complex {
-    let complex = Complex::of_topology(topology, &Job::default()).unwrap();
+    let complex = Complex::from_topology(topology, &Job::default()).unwrap();
     if topology.shape().node_count() <= 200 {
         Oracle::new(topology.shape(), &pairs(topology), |_, _| true).check(&complex);
     }
@@ -40,7 +40,7 @@ fn sizes() -> impl Iterator<Item = Shape> {
 fn sides_make_the_surfaces_of_the_table() {
     for shape in sizes() {
         let (h, w) = (shape.rows() as u64, shape.columns() as u64);
-        let of = |sides| Topology::of_sides(shape, sides);
+        let of = |sides| Topology::from_sides(shape, sides);
         let sheet = check(&of(Sides::SHEET), 1, 1, true);
         assert_eq!(sheet.boundary.edge_count(0) as u64, 2 * (h - 1 + w - 1));
         let tube = check(&of(Sides::TUBE), 0, 2, true);
@@ -140,7 +140,7 @@ fn orders_of_the_crosswise_cube() {
     for n in [2u32, 4, 7] {
         let cuboid = Cuboid::cube(BoxKind::Cross, n);
         let shape = cuboid.shape().unwrap();
-        let classes = gusset::net::Classes::of(&cuboid.topology().unwrap()).unwrap();
+        let classes = gusset::net::Classes::new(&cuboid.topology().unwrap()).unwrap();
         let order = |corner: [u32; 3]| {
             let nodes = || (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
             let (i, j) = nodes().find(|&(i, j)| cuboid.place(i, j) == corner).unwrap();

@@ -34,7 +34,7 @@ fn random_topology(dice: &mut Dice, shape: Shape) -> Option<Topology> {
         pole_left: on(4),
         pole_right: on(5),
     };
-    let mut matrix = Matrix::of_sides(shape, if dice.below(2) == 0 { sides } else { Sides::SHEET }).unwrap();
+    let mut matrix = Matrix::from_sides(shape, if dice.below(2) == 0 { sides } else { Sides::SHEET }).unwrap();
     for _ in 0..dice.below(h * w) {
         matrix.set(dice.below(2 * h * w) as u32, true);
     }
@@ -56,14 +56,14 @@ fn random_gluings_with_missing_nodes() {
         let pairs = pairs(&topology);
         let reversed = dice.below(2) == 1;
         let mut net = flat(topology);
-        let all = Complex::of_topology(net.topology(), &Job::default()).unwrap();
+        let all = Complex::from_topology(net.topology(), &Job::default()).unwrap();
         Oracle::new(shape, &pairs, |_, _| true).check(&all);
-        assert_eq!(Complex::of_topology(net.topology(), &Job::default()).unwrap(), all);
+        assert_eq!(Complex::from_topology(net.topology(), &Job::default()).unwrap(), all);
         for _ in 0..dice.below(1 + shape.node_count() as u64 / 4) {
             let (i, j) = shape.place(dice.below(shape.node_count() as u64) as u32);
             net.coordinates_mut().set(i, j, DVec3::new(f64::NAN, 0.0, 0.0));
         }
-        let present = Complex::of(&net, &Job::default()).unwrap();
+        let present = Complex::from_net(&net, &Job::default()).unwrap();
         let oracle = Oracle::new(shape, &pairs, |i, j| is_present(&net, i, j));
         oracle.check(&present);
         // The mesh has the same cells, even if of glued nodes only some are missing.
@@ -72,7 +72,7 @@ fn random_gluings_with_missing_nodes() {
         assert!((0..made.mesh.positions.len() as u32).all(|k| made.mesh.positions.get(k).is_finite()));
         checked[usize::from(present != all)] += 1;
         if reversed && round % 8 == 0 {
-            let turned = Complex::of_topology(&net.topology().clone().with_reversed(true), &Job::default()).unwrap();
+            let turned = Complex::from_topology(&net.topology().clone().with_reversed(true), &Job::default()).unwrap();
             for k in 0..all.boundary.len() {
                 let (a, b) = (all.boundary.get(k), turned.boundary.get(k));
                 assert!(a.iter().eq(b.iter().rev()), "the boundary runs the other way");
@@ -85,12 +85,12 @@ fn random_gluings_with_missing_nodes() {
 #[test]
 fn holes_of_a_plane_have_loops_of_their_own() {
     let shape = Shape::new(10, 12).unwrap();
-    let mut net = flat(Topology::of_sides(shape, Sides::SHEET));
+    let mut net = flat(Topology::from_sides(shape, Sides::SHEET));
     // A hole of 2 x 2 cells, and two that touch at one node.
     for (i, j) in [(2, 2), (5, 5), (7, 7)] {
         net.coordinates_mut().set(i, j, DVec3::splat(f64::INFINITY));
     }
-    let complex = Complex::of(&net, &Job::default()).unwrap();
+    let complex = Complex::from_net(&net, &Job::default()).unwrap();
     assert_eq!((complex.quads, complex.components), (99 - 12, 1));
     // Round a hole the boundary follows the faces: at the common node of the two it turns from the
     // one to the other.
@@ -107,23 +107,23 @@ fn holes_of_a_plane_have_loops_of_their_own() {
 fn a_thread_is_one_wire() {
     let (h, w) = (6, 9);
     let shape = Shape::new(2 * h, w).unwrap();
-    let mut matrix = Matrix::of_sides(shape, Sides::TUBE).unwrap();
+    let mut matrix = Matrix::from_sides(shape, Sides::TUBE).unwrap();
     for row in [0, h - 1, h, 2 * h - 1] {
         (0..w - 1).for_each(|j| matrix.set(2 * shape.node(row, j), true));
     }
     let mut net = flat(Topology::new(shape, Links::Matrix(matrix), &[]).unwrap());
     net.bridges_mut().push(Bridge::new(Direction::Down, h as u32, w as u32, BridgeKind::Thread, BridgeMode::Keep));
-    let complex = Complex::of(&net, &Job::default()).unwrap();
+    let complex = Complex::from_net(&net, &Job::default()).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (3, 1));
     assert_eq!(complex.wires, [[shape.node(h - 1, 0), shape.node(h, 0)]]);
     assert_eq!(complex.digons, w as u64 - 1);
     assert!(complex.is_closed() && complex.genus().is_none());
     // Hidden: two spheres.
     net.bridges_mut()[0].mode = BridgeMode::Hide;
-    let complex = Complex::of(&net, &Job::default()).unwrap();
+    let complex = Complex::from_net(&net, &Job::default()).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (4, 2));
     assert_eq!((complex.wires.len(), complex.genus()), (0, Some(0)));
-    assert_eq!(Complex::of_topology(net.topology(), &Job::default()).unwrap().wires.len(), 1);
+    assert_eq!(Complex::from_topology(net.topology(), &Job::default()).unwrap().wires.len(), 1);
 }
 
 #[test]
@@ -131,8 +131,8 @@ fn three_sheets_at_one_edge() {
     // A strip of which one row is glued to another: a branch along the row.
     let shape = Shape::new(6, 5).unwrap();
     let seam = Seam { a: Run::along_row(1, 0, 1), b: Run::along_row(4, 0, 1), count: 5 };
-    let topology = Topology::of_sides(shape, Sides::SHEET).glued(&[Gluing::Seam(seam)]).unwrap();
-    let complex = Complex::of_topology(&topology, &Job::default()).unwrap();
+    let topology = Topology::from_sides(shape, Sides::SHEET).glued(&[Gluing::Seam(seam)]).unwrap();
+    let complex = Complex::from_topology(&topology, &Job::default()).unwrap();
     Oracle::new(shape, &pairs(&topology), |_, _| true).check(&complex);
     assert_eq!(complex.branches.len(), 4);
     assert!(complex.genus().is_none() && complex.conflicts.is_empty());
@@ -142,9 +142,9 @@ fn three_sheets_at_one_edge() {
 /// the pole.
 #[test]
 fn a_pole_survives_its_first_node() {
-    let mut net = flat(Topology::of_sides(Shape::new(5, 6).unwrap(), Sides::TWO_POLES));
+    let mut net = flat(Topology::from_sides(Shape::new(5, 6).unwrap(), Sides::TWO_POLES));
     net.coordinates_mut().set(0, 0, DVec3::NAN);
-    let complex = Complex::of(&net, &Job::default()).unwrap();
+    let complex = Complex::from_net(&net, &Job::default()).unwrap();
     let made = net.to_mesh(&MeshOptions::default(), &Job::default()).unwrap();
     assert_eq!((complex.faces(), made.mesh.face_count()), (19, 19));
     let pole = made.vertex_of_node[0];

@@ -211,7 +211,7 @@ impl Dice {
 /// once.
 pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
     let shape = topology.shape();
-    let class = gusset::net::Classes::of(topology).unwrap().table().unwrap();
+    let class = gusset::net::Classes::new(topology).unwrap().table().unwrap();
     let links = (0..2 * shape.node_count() as u32).filter(|&link| shape.is_inner(link));
     let edges: std::collections::HashSet<[u32; 2]> = links
         .map(|link| shape.ends(link).map(|node| class[node as usize]))

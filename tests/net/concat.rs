@@ -51,10 +51,10 @@ proptest! {
         prop_assert!(same(&second, &b), "{:?}\n{:?}", second.topology(), b.topology());
         // The nets' own classes, and none between them unless they are welded.
         if modes[0] != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &once].map(|net| Classes::of(net.topology()).unwrap().groups().unwrap());
+            let [x, y, z] = [&a, &b, &once].map(|net| Classes::new(net.topology()).unwrap().groups().unwrap());
             if a.shape() == first.shape() && once.shape().node_count() == a.shape().node_count() + b.shape().node_count() {
                 prop_assert_eq!(x.len() + y.len(), z.len());
-                prop_assert_eq!(x.members().len() + y.members().len(), z.members().len());
+                prop_assert_eq!(x.nodes().len() + y.nodes().len(), z.nodes().len());
             }
         }
         for (p, q, swapped) in [(&once, &c, false), (&c, &once, true)] {
@@ -103,13 +103,13 @@ proptest! {
             Direction::Down => Sides { rows_closed: true, ..sides },
         };
         let (h, w) = (6, 5);
-        let b = Net::from_fn(Topology::of_sides(shape(h, w), sides), Scalar::F32, |i, j| {
+        let b = Net::from_fn(Topology::from_sides(shape(h, w), sides), Scalar::F32, |i, j| {
             let (i, j) = if direction == Direction::Right { (i % (h - 1), j) } else { (i, j % (w - 1)) };
             DVec3::new(i as f64, j as f64, 1.0)
         })
         .unwrap();
         let size = if direction == Direction::Right { shape(h + more, 4) } else { shape(4, w + more) };
-        let a = numbered(Topology::of_sides(size, Sides::TORUS), Scalar::F32);
+        let a = numbered(Topology::from_sides(size, Sides::TORUS), Scalar::F32);
         let joined = concatenate(&a, &b, &JoinOptions { twist, ..options(direction) }, &job()).unwrap();
         if more == 0 {
             let (place, around) = (twist as usize, if direction == Direction::Right { h - 1 } else { w - 1 });
@@ -148,11 +148,11 @@ proptest! {
             DVec3::new(i as f64, j as f64, 1.0)
         })
         .unwrap();
-        let a = numbered(Topology::of_sides(shape, Sides::TORUS), Scalar::F32);
+        let a = numbered(Topology::from_sides(shape, Sides::TORUS), Scalar::F32);
         let options = JoinOptions { twist, mode, tolerance: f64::INFINITY, ..options(direction) };
         let Ok(joined) = concatenate(&a, &b, &options, &job()) else { return Ok(()) };
         if mode != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &joined].map(|net| Classes::of(net.topology()).unwrap());
+            let [x, y, z] = [&a, &b, &joined].map(|net| Classes::new(net.topology()).unwrap());
             let count = |classes: &Classes| (0..classes.shape().node_count() as u32).filter(|&n| classes.representative(n) == n).count();
             prop_assert_eq!(count(&x) + count(&y), count(&z));
         }
@@ -190,7 +190,7 @@ fn spheres_side_by_side_have_a_ribbon() {
 #[test]
 fn tubes_make_a_tube() {
     let tube = |z: f64, w: usize| {
-        Net::from_fn(Topology::of_sides(shape(4, w), Sides::TUBE), Scalar::F32, |i, j| {
+        Net::from_fn(Topology::from_sides(shape(4, w), Sides::TUBE), Scalar::F32, |i, j| {
             let angle = std::f64::consts::TAU * (j % (w - 1)) as f64 / (w - 1) as f64;
             DVec3::new(angle.cos(), angle.sin(), z + i as f64)
         })
@@ -266,7 +266,7 @@ fn edits_survive_splitting() {
 /// A link between columns that is glued in the last column only, which is the first again.
 #[test]
 fn turning_keeps_what_the_closing_column_alone_says() {
-    let tube = Topology::of_sides(shape(4, 6), Sides::TUBE);
+    let tube = Topology::from_sides(shape(4, 6), Sides::TUBE);
     let glued = tube.glued(&[Gluing::Link(2 * shape(4, 6).node(1, 5) + 1)]).unwrap();
     let [a, b] = [tube, glued]
         .map(|topology| Net::from_fn(topology, Scalar::F64, |i, j| DVec3::new((j % 5) as f64, i as f64, 0.0)).unwrap());

@@ -34,7 +34,7 @@ proptest! {
         hidden in any::<[u8; 2]>(),
         options in any_options(),
     ) {
-        let classes = Classes::of(&topology).unwrap();
+        let classes = Classes::new(&topology).unwrap();
         let size = topology.shape();
         let mut net = Net::from_fn(topology, Scalar::F64, |i, j| {
             let n = f64::from(classes.representative(size.node(i, j)));
@@ -121,7 +121,7 @@ proptest! {
         };
         let shift = if rows_closed && columns_closed { shift % (w - 1) } else { 0 };
         let topology = if shift == 0 {
-            Topology::of_sides(shape(h, w), sides)
+            Topology::from_sides(shape(h, w), sides)
         } else {
             let (last, end, by) = (h as u32 - 1, w as u32 - 1, shift as u32);
             let row = |i, j| Run::along_row(i, j, 1);
@@ -132,7 +132,7 @@ proptest! {
             let links = Links::Sides(Sides { columns_closed: false, ..sides });
             Topology::new(shape(h, w), links, &seams).unwrap()
         };
-        let classes = Classes::of(&topology).unwrap();
+        let classes = Classes::new(&topology).unwrap();
         let net = Net::from_fn(topology, Scalar::F32, |i, j| {
             let n = f64::from(classes.representative(shape(h, w).node(i, j)));
             DVec3::new(n, (n * 1.7).sin(), (n * 0.3).cos())
@@ -181,7 +181,7 @@ proptest! {
 
 #[test]
 fn closed_nets_become_closed_manifolds() {
-    let one_pole = Net::from_fn(Topology::of_sides(shape(9, 9), Sides::ONE_POLE), Scalar::F32, |i, j| {
+    let one_pole = Net::from_fn(Topology::from_sides(shape(9, 9), Sides::ONE_POLE), Scalar::F32, |i, j| {
         let edge = i == 0 || j == 0 || i == 8 || j == 8;
         let (x, y) = (i as f64 - 4.0, j as f64 - 4.0);
         let ring = x.abs().max(y.abs()) / 4.0;
@@ -341,7 +341,7 @@ fn steps_of_range_images_are_left_out() {
         DVec3::new(j as f64, i as f64, if front { 9.0 } else { 0.1 * i as f64 })
     };
     for reversed in [false, true] {
-        let mut topology = Topology::of_sides(shape(12, 14), Sides::SHEET);
+        let mut topology = Topology::from_sides(shape(12, 14), Sides::SHEET);
         topology = topology.with_reversed(reversed);
         let net = Net::from_fn(topology, Scalar::F32, place).unwrap();
         for triangles in [None, Some(Diagonal::Shorter), Some(Diagonal::Fixed)] {
@@ -364,7 +364,7 @@ fn steps_of_range_images_are_left_out() {
         // Cells that are far longer than wide are not steps; cells without length are not steps
         // either.
         for stretch in [DVec3::new(1.0, 4.5, 1.0), DVec3::new(4.5, 1.0, 1.0), DVec3::ZERO] {
-            let topology = Topology::of_sides(shape(12, 14), Sides::SHEET);
+            let topology = Topology::from_sides(shape(12, 14), Sides::SHEET);
             let flat = |i: usize, j: usize| stretch * DVec3::new(j as f64, i as f64, 0.0);
             let net = Net::from_fn(topology, Scalar::F64, flat).unwrap();
             for ratio in [4.0, f64::INFINITY] {
@@ -408,7 +408,7 @@ fn a_range_image() {
     let Some((size, numbers)) = crate::grids::npz("bun000_range_214x313.npz", "xyz") else { return };
     let numbers: Vec<f32> = numbers.iter().map(|&x| x as f32).collect();
     let points: &[[f32; 3]] = numbers.as_chunks().0;
-    let sheet = Topology::of_sides(shape(size[0], size[1]), Sides::SHEET);
+    let sheet = Topology::from_sides(shape(size[0], size[1]), Sides::SHEET);
     let net = Net::from_fn(sheet, Scalar::F32, |i, j| DVec3::from(points[i * size[1] + j].map(f64::from))).unwrap();
     let options = MeshOptions { keep_unused: true, ..MeshOptions::default() };
     let all = net.to_mesh(&options, &job()).unwrap();

@@ -38,7 +38,7 @@ fn shapes() -> Vec<Net<'static>> {
 }
 
 fn check(net: &Net<'_>, what: &str) {
-    let classes = Classes::of(net.topology()).unwrap();
+    let classes = Classes::new(net.topology()).unwrap();
     let bits = |node: u32| {
         let (i, j) = net.shape().place(node);
         net.get(i, j).to_array().map(f64::to_bits)

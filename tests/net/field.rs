@@ -299,7 +299,7 @@ fn a_sheet_rolls_up_to_a_torus() {
     let mut net = sheet(13, 25, Scalar::F64);
     let fit = Affine::stretching(DVec3::new(TAU * 3.0 / 24.0, TAU / 12.0, 1.0)).unwrap();
     deform(&mut net, &[whole(&fit), whole(&field::torus_wrap(Axis::Z, 3.0, 1.0).unwrap())], &Job::default()).unwrap();
-    net.set_topology(Topology::of_sides(net.shape(), Sides::TORUS));
+    net.set_topology(Topology::from_sides(net.shape(), Sides::TORUS));
     let expected: Net<'_> = torus(13, 25, Scalar::F64);
     for i in 0..13 {
         for j in 0..25 {

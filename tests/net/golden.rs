@@ -21,7 +21,7 @@ const MODES: [(&str, Mode); 3] =
 
 /// A net whose glued nodes agree to the bit.
 fn net(topology: Topology, scalar: Scalar, place: impl Fn(usize, usize) -> DVec3) -> Net<'static> {
-    let classes = Classes::of(&topology).unwrap();
+    let classes = Classes::new(&topology).unwrap();
     let shape = topology.shape();
     let first = |i, j| shape.place(classes.representative(shape.node(i, j)));
     Net::from_fn(topology, scalar, |i, j| {
@@ -51,7 +51,7 @@ fn bridges() -> Vec<Bridge> {
 /// A torus, a Möbius strip with links of its own and bridges, and a sheet of numbers of every kind.
 fn nets() -> [(&'static str, Net<'static>); 3] {
     let shape = Shape::new(7, 8).unwrap();
-    let torus = net(Topology::of_sides(shape, Sides::TORUS), Scalar::F32, integers);
+    let torus = net(Topology::from_sides(shape, Sides::TORUS), Scalar::F32, integers);
     let mut matrix = Matrix::empty(shape).unwrap();
     [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set(link, true));
     let seam = Seam { a: Run::along_column(0, 0, 1), b: Run::along_column(6, 7, -1), count: 7 };
@@ -59,7 +59,7 @@ fn nets() -> [(&'static str, Net<'static>); 3] {
     *strip.bridges_mut() = bridges();
     let numbers = [0.0, -0.0, 1.0, -1.5, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324, -3e-310, 1e300, 7e-46];
     let wild = |i: usize, j: usize| DVec3::from_array([0, 1, 2].map(|k| numbers[(7 * i + 5 * j + 3 * k) % 11]));
-    let wild = net(Topology::of_sides(shape, Sides::SHEET), Scalar::F64, wild);
+    let wild = net(Topology::from_sides(shape, Sides::SHEET), Scalar::F64, wild);
     [("torus", torus), ("strip", strip), ("wild", wild)]
 }
 

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 /// floor and its roof.
 fn cube(n: usize, size: DVec3, scalar: Scalar) -> Net<'static> {
     let (rows, columns) = (n + 3, 4 * n + 1);
-    let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), Sides::TWO_POLES);
+    let topology = Topology::from_sides(Shape::new(rows, columns).unwrap(), Sides::TWO_POLES);
     Net::from_fn(topology, scalar, |i, j| {
         let k = j % (4 * n);
         let t = (k % n) as f64 / n as f64;

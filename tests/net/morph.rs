@@ -91,7 +91,7 @@ fn nets_that_do_not_fit_are_refused_and_missing_nodes_stay_missing() {
     assert_eq!(refused(&sheet(6, 7, Scalar::F64), 0.5), Error::SidesDiffer { a: 5, b: 6 });
     assert_eq!(refused(&sheet(5, 7, Scalar::F32), 0.5), Error::MixedScalars);
     let mut tube = sheet(5, 7, Scalar::F64);
-    tube.set_topology(Topology::of_sides(a.shape(), Sides::TUBE));
+    tube.set_topology(Topology::from_sides(a.shape(), Sides::TUBE));
     assert_eq!(refused(&tube, 0.5), Error::GluingsDiffer { node: 6 });
     let mut reversed = sheet(5, 7, Scalar::F64);
     reversed.set_topology(a.topology().clone().with_reversed(true));

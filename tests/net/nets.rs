@@ -21,7 +21,7 @@ pub fn job() -> Job<'static> {
 
 /// A sphere whose glued nodes are the same, bit for bit, counter-clockwise seen from outside.
 pub fn sphere(h: usize, w: usize, scalar: Scalar, centre: DVec3) -> Net<'static> {
-    let topology = Topology::of_sides(shape(h, w), Sides::TWO_POLES);
+    let topology = Topology::from_sides(shape(h, w), Sides::TWO_POLES);
     Net::from_fn(topology, scalar, |i, j| {
         let (latitude, longitude) =
             (PI * i as f64 / (h - 1) as f64 - PI / 2.0, TAU * (j % (w - 1)) as f64 / (w - 1) as f64);
@@ -33,7 +33,7 @@ pub fn sphere(h: usize, w: usize, scalar: Scalar, centre: DVec3) -> Net<'static>
 
 /// A torus, likewise.
 pub fn torus(h: usize, w: usize, scalar: Scalar, centre: DVec3) -> Net<'static> {
-    let topology = Topology::of_sides(shape(h, w), Sides::TORUS);
+    let topology = Topology::from_sides(shape(h, w), Sides::TORUS);
     Net::from_fn(topology, scalar, |i, j| {
         let (u, v) = (TAU * (j % (w - 1)) as f64 / (w - 1) as f64, TAU * (i % (h - 1)) as f64 / (h - 1) as f64);
         let radius = 2.0 + v.cos();
@@ -74,7 +74,7 @@ pub struct Surface {
 
 impl Surface {
     pub fn from_net(net: &Net<'_>) -> Surface {
-        let classes = Classes::of(net.topology()).unwrap();
+        let classes = Classes::new(net.topology()).unwrap();
         let (mut polygons, mut edges) = (Vec::new(), BTreeSet::new());
         let mut edge = |a: u32, b: u32| edges.insert([a.min(b), a.max(b)]);
         let (h, w) = (net.shape().rows(), net.shape().columns());
@@ -155,9 +155,9 @@ pub fn any_topology(rows: std::ops::Range<usize>, columns: std::ops::Range<usize
         |(h, w, sides, links, seams, plain, reversed)| {
             let shape = shape(h, w);
             if plain {
-                return Some(Topology::of_sides(shape, sides).with_reversed(reversed));
+                return Some(Topology::from_sides(shape, sides).with_reversed(reversed));
             }
-            let mut matrix = Matrix::of_sides(shape, sides).unwrap();
+            let mut matrix = Matrix::from_sides(shape, sides).unwrap();
             links.iter().for_each(|&link| matrix.set(u32::from(link) % (2 * h * w) as u32, true));
             let seams: Vec<Seam> = seams.iter().filter_map(|&numbers| seam(shape, numbers)).collect();
             let made = Topology::new(shape, Links::Matrix(matrix), &seams);

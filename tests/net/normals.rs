@@ -44,7 +44,7 @@ fn on_spheres_and_tori_they_point_outwards_seams_and_poles_included() {
 /// Corner by corner over the polygons that are left of the cells, for each class; and unit vectors
 /// in the end.
 fn by_force(net: &Net<'_>) -> Vec<DVec3> {
-    let (shape, classes) = (net.shape(), Classes::of(net.topology()).unwrap());
+    let (shape, classes) = (net.shape(), Classes::new(net.topology()).unwrap());
     let mut sums = vec![(DVec3::ZERO, 0.0); shape.node_count()];
     for i in 0..shape.rows() - 1 {
         for j in 0..shape.columns() - 1 {
@@ -107,7 +107,7 @@ fn they_are_the_sums_over_the_polygons_whatever_is_glued() {
                 pole_left: on(4),
                 pole_right: on(5),
             };
-            let topology = Topology::of_sides(shape, sides).with_reversed(bits % 3 == 0);
+            let topology = Topology::from_sides(shape, sides).with_reversed(bits % 3 == 0);
             agree(&rough(topology, Scalar::F64, &mut random));
         }
     }
@@ -134,7 +134,7 @@ fn missing_nodes_and_hidden_bridges_leave_the_rest() {
     let mut random = Random(4);
     for _ in 0..30 {
         let mut net =
-            rough(Topology::of_sides(Shape::new(20, 31).unwrap(), Sides::TWO_POLES), Scalar::F64, &mut random);
+            rough(Topology::from_sides(Shape::new(20, 31).unwrap(), Sides::TWO_POLES), Scalar::F64, &mut random);
         for _ in 0..12 {
             let (i, j) = ((10.0 + 10.0 * random.next()) as usize, (15.0 + 15.0 * random.next()) as usize);
             net.coordinates_mut().set(i.min(19), j.min(30), DVec3::new(0.0, f64::NAN, 1.0));

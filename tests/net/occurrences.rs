@@ -15,7 +15,7 @@ fn with(kind: GluingType, on_cell: bool) -> (Topology, u32) {
     let topology = sheet(7, 7, Scalar::F64).topology().clone();
     // Cell types are glued at cells, and 0 to 5 of cells as their links say.
     let element = if on_cell && kind.number() > 12 { 3 * 6 + 3 } else { 3 * 7 + 3 };
-    (topology.glued(&[Gluing::of_type(kind, element)]).unwrap(), element)
+    (topology.glued(&[Gluing::from_type(kind, element)]).unwrap(), element)
 }
 
 /// The largest number of links that are not contracted and have the same two ends.
@@ -43,7 +43,7 @@ fn letters_and_orders_are_those_that_counting_finds() {
                 continue;
             };
             let (topology, element) = with(kind, on_cell);
-            let classes = Classes::of(&topology).unwrap();
+            let classes = Classes::new(&topology).unwrap();
             let largest = classes.groups().unwrap().iter().map(<[u32]>::len).max().unwrap();
             assert_eq!(usize::from(signature.node_order), largest, "{number}");
             assert_eq!(usize::from(signature.link_order), most_links_made_one(&classes), "{number}");
@@ -80,12 +80,12 @@ fn letters_and_orders_are_those_that_counting_finds() {
 fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
     let sphere = sphere(9, 13, Scalar::F32);
     let shape = Shape::new(6, 8).unwrap();
-    let mixed = Topology::of_sides(shape, Sides { columns_closed: true, pole_left: true, ..Sides::SHEET });
-    let mixed = mixed.glued(&[Gluing::of_type(GluingType::from_number(17).unwrap(), 25)]).unwrap();
+    let mixed = Topology::from_sides(shape, Sides { columns_closed: true, pole_left: true, ..Sides::SHEET });
+    let mixed = mixed.glued(&[Gluing::from_type(GluingType::from_number(17).unwrap(), 25)]).unwrap();
     for (topology, cyclic) in [(sphere.topology(), false), (sphere.topology(), true), (&mixed, false), (&mixed, true)] {
         let all = occurrences(topology, cyclic, &Job::default()).unwrap();
         assert!(all.windows(2).all(|w| (w[0].on_cell, w[0].element) < (w[1].on_cell, w[1].element)));
-        let (classes, shape) = (Classes::of(topology).unwrap(), topology.shape());
+        let (classes, shape) = (Classes::new(topology).unwrap(), topology.shape());
         let size = |node: u32| {
             let same = |&other: &u32| classes.representative(other) == classes.representative(node);
             (0..shape.node_count() as u32).filter(same).count() as u32

@@ -84,7 +84,7 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
             continue;
         }
         let topology = topology.unwrap();
-        let complex = Complex::of_topology(&topology, &Job::default()).unwrap();
+        let complex = Complex::from_topology(&topology, &Job::default()).unwrap();
         oracle.check(&complex);
         check_types(&topology, &oracle.class, &mut seen);
         if bits % 16 == 5 {
@@ -94,14 +94,14 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
                 saturated.contracts(link) == (a == b)
             });
             assert!(all && saturated.saturated().unwrap() == saturated);
-            assert_eq!(Complex::of_topology(&saturated, &Job::default()).unwrap(), complex);
+            assert_eq!(Complex::from_topology(&saturated, &Job::default()).unwrap(), complex);
         }
     }
     (seen, refused)
 }
 
 fn check_types(topology: &Topology, class: &[usize], seen: &mut BTreeSet<usize>) {
-    let classes = Classes::of(topology).unwrap();
+    let classes = Classes::new(topology).unwrap();
     let mut count = [[0u64; 18]; 2];
     for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
         for cyclic in [false, true] {
@@ -207,7 +207,7 @@ fn there_are_eighteen() {
 #[test]
 fn each_type_is_what_its_caption_says() {
     let shape = Shape::new(5, 5).unwrap();
-    let sheet = Topology::of_sides(shape, Sides::SHEET);
+    let sheet = Topology::from_sides(shape, Sides::SHEET);
     // Order of the node, classes, edges lost to others, and cells that become triangle, digon,
     // point, fold.
     let caption = |kind: usize| match kind {
@@ -223,19 +223,19 @@ fn each_type_is_what_its_caption_says() {
     for kind in (0..GluingType::COUNT as u32).filter_map(GluingType::from_number) {
         let number = kind.number();
         let at = if number < 13 { shape.node(2, 2) } else { shape.cell(2, 2) };
-        let glued = sheet.glued(&[Gluing::of_type(kind, at)]).unwrap();
-        let classes = Classes::of(&glued).unwrap();
+        let glued = sheet.glued(&[Gluing::from_type(kind, at)]).unwrap();
+        let classes = Classes::new(&glued).unwrap();
         let found = if number < 13 { classify_node(&classes, 2, 2, false) } else { classify_cell(&classes, 2, 2) };
         assert_eq!(found, Some(kind));
         let (order, count, cells) = caption(number);
         let groups = classes.groups().unwrap();
         assert!(groups.len() == count && groups.iter().all(|group| group.len() == order), "{number}");
-        let complex = Complex::of_topology(&glued, &Job::default()).unwrap();
+        let complex = Complex::from_topology(&glued, &Job::default()).unwrap();
         assert_eq!([complex.triangles, complex.digons, complex.points, complex.folds], cells, "{number}");
         assert_eq!((complex.euler_characteristic(), complex.is_closed()), (1, false));
         assert!(complex.is_manifold() && complex.orientable);
         // And undone.
-        assert_eq!(glued.unglued(&[Gluing::of_type(kind, at)]).unwrap(), sheet);
+        assert_eq!(glued.unglued(&[Gluing::from_type(kind, at)]).unwrap(), sheet);
     }
     let both = [CellDiagonal::Falling, CellDiagonal::Rising].map(|diagonal| Gluing::CellDiagonal { cell: 5, diagonal });
     assert_eq!(sheet.glued(&both), Err(Error::CrossingCell { cell: 5 }));
@@ -260,7 +260,7 @@ fn long_rows() {
                 continue;
             }
             let topology = topology.unwrap();
-            let classes = Classes::of(&topology).unwrap();
+            let classes = Classes::new(&topology).unwrap();
             assert!(classes.table().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class));
             let saturated = topology.saturated().unwrap();
             let (mut nodes, mut cells) = ([0; 18], [0; 18]);

@@ -48,7 +48,7 @@ fn made_plane(net: &mut Net<'_>, options: &PlanariseOptions<'_>) -> Planarised {
 }
 
 fn squares(a: &Net<'_>, b: &Net<'_>) -> f64 {
-    let classes = Classes::of(a.topology()).unwrap();
+    let classes = Classes::new(a.topology()).unwrap();
     let vertices = (0..a.shape().node_count() as u32).filter(|&node| classes.representative(node) == node);
     vertices.map(|node| a.shape().place(node)).map(|(i, j)| a.get(i, j).distance_squared(b.get(i, j))).sum()
 }
@@ -79,7 +79,7 @@ fn cells_become_plane_and_gluing_stays() {
         ("sphere", sphere(17, 25, Scalar::F64)),
         ("large", bumpy(60, 70, 0.05, 11)),
     ] {
-        let classes = Classes::of(net.topology()).unwrap();
+        let classes = Classes::new(net.topology()).unwrap();
         let offsets: Vec<_> = (0..net.shape().node_count()).map(|_| 0.02 * random.vector()).collect();
         for node in 0..net.shape().node_count() as u32 {
             let (i, j) = net.shape().place(node);
@@ -116,7 +116,7 @@ fn cells_become_plane_and_gluing_stays() {
 
 /// The vertices of cells of four corners; poles have none.
 fn vertex_count(net: &Net<'_>) -> f64 {
-    let classes = Classes::of(net.topology()).unwrap();
+    let classes = Classes::new(net.topology()).unwrap();
     let mut seen = std::collections::BTreeSet::new();
     for cell in (0..net.shape().rows() - 1).flat_map(|i| (0..net.shape().columns() - 1).map(move |j| (i, j))) {
         let corners = classes.corners(cell.0, cell.1);
@@ -184,7 +184,7 @@ fn missing_nodes_hidden_cells_and_bad_options() {
         far.coordinates_mut().set(i, j, moved);
     }
     assert!(made_plane(&mut far, &PlanariseOptions::default()).converged, "far from the origin");
-    let topology = Topology::of_sides(Shape::new(3, 3).unwrap(), Sides::SHEET);
+    let topology = Topology::from_sides(Shape::new(3, 3).unwrap(), Sides::SHEET);
     let mut nothing = Net::from_fn(topology, Scalar::F64, |_, _| DVec3::NAN).unwrap();
     let report = made_plane(&mut nothing, &PlanariseOptions::default());
     assert!(report.converged && report.worst_cell.is_none());

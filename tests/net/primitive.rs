@@ -53,7 +53,7 @@ fn every_primitive_is_what_it_is() {
     for (primitive, chi, loops, solid) in all() {
         for (scalar, rows, columns) in [(Scalar::F64, 9, 13), (Scalar::F32, 12, 17), (Scalar::F64, 0, 0)] {
             let net = net(primitive, rows, columns, scalar);
-            let complex = Complex::of_topology(net.topology(), &job).unwrap();
+            let complex = Complex::from_topology(net.topology(), &job).unwrap();
             assert_eq!((complex.euler_characteristic(), complex.boundary.len()), (chi, loops), "{primitive:?}");
             assert!(complex.is_manifold());
             if loops == 0 {
@@ -79,7 +79,7 @@ fn check_duplicates(net: &Net<'_>) {
         let (i, j) = net.shape().place(node);
         net.get(i, j).to_array().map(f64::to_bits)
     };
-    for class in Classes::of(net.topology()).unwrap().groups().unwrap().iter() {
+    for class in Classes::new(net.topology()).unwrap().groups().unwrap().iter() {
         assert!(class.iter().all(|&node| bits(node) == bits(class[0])));
     }
     let zero = (0..net.shape().node_count() as u32).flat_map(bits).any(|bits| bits == (-0f64).to_bits());
@@ -181,7 +181,7 @@ fn immersions_have_no_jump_at_their_seams() {
 fn lathes() {
     let job = Job::default();
     let hourglass = net(Primitive::Lathe { profile: &HOURGLASS }, 0, 9, Scalar::F64);
-    let complex = Complex::of_topology(hourglass.topology(), &job).unwrap();
+    let complex = Complex::from_topology(hourglass.topology(), &job).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (3, 1));
     assert_eq!(complex.pinches, [18], "the row on the axis");
     assert!(complex.is_closed() && !complex.is_manifold());

@@ -20,7 +20,7 @@ fn any_replication() -> impl Strategy<Value = Replication> {
 
 /// A net whose nodes have the positions of their classes, so that it has a volume.
 fn glued(topology: Topology) -> Net<'static> {
-    let classes = Classes::of(&topology).unwrap();
+    let classes = Classes::new(&topology).unwrap();
     let shape = topology.shape();
     Net::from_fn(topology, Scalar::F64, |i, j| {
         let n = f64::from(classes.representative(shape.node(i, j)));
@@ -64,7 +64,7 @@ proptest! {
         prop_assert!((before.volume(&net) - after.volume(&large)).abs() < 1e-12);
         // Every node lies where its class does: glued nodes of the large net are glued nodes of the
         // small one.
-        let classes = Classes::of(large.topology()).unwrap();
+        let classes = Classes::new(large.topology()).unwrap();
         for node in 0..large.shape().node_count() as u32 {
             let [(i, j), (p, q)] = [node, classes.representative(node)].map(|node| large.shape().place(node));
             prop_assert_eq!(large.get(i, j), large.get(p, q));
@@ -77,7 +77,7 @@ proptest! {
                 // The same gluing, where seams that say a pair twice can be written in shorter
                 // ways.
                 prop_assert!(says_a_pair_twice(&net), "{:?} {:?}", back.topology(), numbered.topology());
-                prop_assert_eq!(Classes::of(back.topology()).unwrap().table(), Classes::of(net.topology()).unwrap().table());
+                prop_assert_eq!(Classes::new(back.topology()).unwrap().table(), Classes::new(net.topology()).unwrap().table());
             } else {
                 prop_assert!(same(&back, &numbered));
             }

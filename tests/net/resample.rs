@@ -216,7 +216,7 @@ fn decimation_keeps_corners_and_the_tolerance() {
 fn coarse_nets_are_the_surface_that_fine_ones_are() {
     let job = Job::default();
     let surface = |net: &Net<'_>| {
-        let complex = Complex::of_topology(net.topology(), &job).unwrap();
+        let complex = Complex::from_topology(net.topology(), &job).unwrap();
         (complex.euler_characteristic(), complex.is_closed(), complex.wires.len(), complex.branches.len())
     };
     for bits in 0..64u32 {
@@ -230,7 +230,7 @@ fn coarse_nets_are_the_surface_that_fine_ones_are() {
             pole_right: on(5),
         };
         for (h, w) in [(9, 17), (17, 6)] {
-            let topology = Topology::of_sides(Shape::new(h, w).unwrap(), sides);
+            let topology = Topology::from_sides(Shape::new(h, w).unwrap(), sides);
             let place = |i: usize, j: usize| DVec3::new(i as f64, j as f64, (i * j) as f64);
             let net = Net::from_fn(topology, Scalar::F64, place).unwrap();
             for level in pyramid(&net, Interpolation::Bilinear, &job).unwrap() {

@@ -100,7 +100,7 @@ fn a_sphere_closes_at_1_and_keeps_the_lengths_of_its_roll_before() {
     assert_eq!(sphere.sides(), Some(Sides::TWO_POLES));
     ball.set_topology(sphere);
     field::snap(&mut ball).unwrap();
-    assert_eq!(Complex::of(&ball, &Job::default()).unwrap().euler_characteristic(), 2);
+    assert_eq!(Complex::from_net(&ball, &Job::default()).unwrap().euler_characteristic(), 2);
     // Before 1 it is open at the poles, and before one half along a meridian.
     let barrel = detect_gluing(rolled(&net, &wrap, 0.9).coordinates(), 1e-9, &Job::default()).unwrap();
     assert_eq!(barrel.sides(), Some(Sides::TUBE));
@@ -205,6 +205,6 @@ fn rolls_stretch_space_as_their_curvature_says_and_have_no_jumps() {
 
 /// A net whose nodes are all one point.
 fn one(p: DVec3) -> Net<'static> {
-    let topology = Topology::of_sides(sheet(2, 2, Scalar::F64).shape(), Sides::SHEET);
+    let topology = Topology::from_sides(sheet(2, 2, Scalar::F64).shape(), Sides::SHEET);
     Net::from_fn(topology, Scalar::F64, |_, _| p).unwrap()
 }

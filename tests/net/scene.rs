@@ -70,7 +70,7 @@ proptest! {
             scene.add_child(group, net).unwrap();
         }
         let flat = scene.flatten(&hidden(direction), &job()).unwrap();
-        let back = Scene::of_flat(&flat, direction, &job()).unwrap();
+        let back = Scene::from_flat_net(&flat, direction, &job()).unwrap();
         let (before, after) = (nets(&scene), nets(&back));
         prop_assert_eq!(before.len(), after.len());
         prop_assert!(before.iter().zip(&after).all(|(a, b)| same(a, b)));
@@ -89,7 +89,7 @@ fn nets_that_were_joined_before_stay_joined() {
             scene.add_child(group, net).unwrap();
         }
         let flat = scene.flatten(&hidden(direction), &job()).unwrap();
-        let back = Scene::of_flat(&flat, direction, &job()).unwrap();
+        let back = Scene::from_flat_net(&flat, direction, &job()).unwrap();
         let nets = nets(&back);
         assert_eq!(nets.len(), 3);
         assert!(same(nets[0], &pair) && same(nets[2], &pair));
@@ -236,7 +236,7 @@ fn where_things_are() {
 fn a_hundred_thousand_nets() {
     let mut scene = Scene::new();
     for k in 0..100_000u32 {
-        let topology = Topology::of_sides(shape(8, 8), Sides::TORUS);
+        let topology = Topology::from_sides(shape(8, 8), Sides::TORUS);
         let net = Net::from_fn(topology, Scalar::F32, |i, j| DVec3::new(k.into(), (i % 7) as f64, (j % 7) as f64));
         scene.add_net(Arc::new(net.unwrap())).unwrap();
     }

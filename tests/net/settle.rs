@@ -39,14 +39,14 @@ fn set(net: &mut Net<'_>, i: usize, j: usize, p: DVec3) {
 
 /// A strip of two columns and two rows from z = 0 to z = -1, or of any place.
 fn strip(height: f64, slope: f64) -> Net<'static> {
-    let topology = Topology::of_sides(Shape::new(2, 2).unwrap(), Sides::SHEET);
+    let topology = Topology::from_sides(Shape::new(2, 2).unwrap(), Sides::SHEET);
     Net::from_fn(topology, Scalar::F64, |i, j| DVec3::new(height + i as f64, slope * i as f64, j as f64)).unwrap()
 }
 
 /// An open cylinder of radius 1 between two heights.
 fn ring(columns: usize, from: f64, to: f64) -> Net<'static> {
     let sides = Sides { rows_closed: true, ..Sides::SHEET };
-    Net::from_fn(Topology::of_sides(Shape::new(2, columns + 1).unwrap(), sides), Scalar::F64, |i, j| {
+    Net::from_fn(Topology::from_sides(Shape::new(2, columns + 1).unwrap(), sides), Scalar::F64, |i, j| {
         let (sin, cos) = (std::f64::consts::TAU * (j % columns) as f64 / columns as f64).sin_cos();
         DVec3::new(cos, sin, if i == 0 { from } else { to })
     })

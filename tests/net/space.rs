@@ -35,7 +35,7 @@ pub fn is_present(net: &Net<'_>, i: usize, j: usize) -> bool {
 
 /// A sphere with poles at z = -1 (first row) and z = 1 (last row), its normals outwards.
 pub fn sphere(rows: usize, columns: usize, scalar: Scalar) -> Net<'static> {
-    let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), Sides::TWO_POLES);
+    let topology = Topology::from_sides(Shape::new(rows, columns).unwrap(), Sides::TWO_POLES);
     Net::from_fn(topology, scalar, |i, j| {
         let (z, radius) = match i {
             0 => (-1.0, 0.0),
@@ -51,7 +51,7 @@ pub fn sphere(rows: usize, columns: usize, scalar: Scalar) -> Net<'static> {
 
 /// A torus of radii 3 and 1 about the z axis, its normals outwards.
 pub fn torus(rows: usize, columns: usize, scalar: Scalar) -> Net<'static> {
-    let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), Sides::TORUS);
+    let topology = Topology::from_sides(Shape::new(rows, columns).unwrap(), Sides::TORUS);
     Net::from_fn(topology, scalar, |i, j| {
         let ((tube_sine, tube_cosine), (sine, cosine)) = (turn(i, rows - 1), turn(j, columns - 1));
         let distance = 3.0 + tube_cosine;
@@ -62,7 +62,7 @@ pub fn torus(rows: usize, columns: usize, scalar: Scalar) -> Net<'static> {
 
 /// The net before anything is done to it: x is the column, y the row, z is 0.
 pub fn sheet(rows: usize, columns: usize, scalar: Scalar) -> Net<'static> {
-    let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), Sides::SHEET);
+    let topology = Topology::from_sides(Shape::new(rows, columns).unwrap(), Sides::SHEET);
     Net::from_fn(topology, scalar, |i, j| DVec3::new(j as f64, i as f64, 0.0)).unwrap()
 }
 
@@ -112,7 +112,7 @@ pub fn bits(net: &Net<'_>) -> Vec<u64> {
 /// True if nodes of one class have equal bits.
 pub fn glued_bits_agree(net: &Net<'_>) -> bool {
     let (shape, bits) = (net.shape(), bits(net));
-    let classes = gusset::net::Classes::of(net.topology()).unwrap();
+    let classes = gusset::net::Classes::new(net.topology()).unwrap();
     (0..shape.node_count() as u32).all(|node| {
         let (a, b) = (3 * node as usize, 3 * classes.representative(node) as usize);
         bits[a..a + 3] == bits[b..b + 3]

@@ -43,7 +43,7 @@ pub(crate) fn assert_same(a: &Net<'_>, b: &Net<'_>) {
 /// The quantised net by the definition, node by node from the header.
 fn assert_quantised(net: &Net<'_>, back: &Net<'_>, info: &StreamInfo) {
     let Mode::Quantised { bits: levels } = info.mode else { panic!("{info:?}") };
-    let classes = Classes::of(net.topology()).unwrap();
+    let classes = Classes::new(net.topology()).unwrap();
     let round = |value: f64| match net.coordinates().scalar() {
         Scalar::F32 => f64::from(value as f32),
         Scalar::F64 => value,
@@ -76,7 +76,7 @@ pub(crate) fn noise(seed: u64, k: u64) -> f64 {
 }
 
 pub(crate) fn torus(h: usize, w: usize, scalar: Scalar, rough: f64) -> Net<'static> {
-    let topology = Topology::of_sides(Shape::new(h, w).unwrap(), Sides::TORUS);
+    let topology = Topology::from_sides(Shape::new(h, w).unwrap(), Sides::TORUS);
     let angle = |k: usize, n: usize| std::f64::consts::TAU * (k % (n - 1)) as f64 / (n - 1) as f64;
     Net::from_fn(topology, scalar, |i, j| {
         let (u, v) = (angle(i, h), angle(j, w));
@@ -94,8 +94,8 @@ pub(crate) fn odd_nets() -> Vec<Net<'static>> {
     let mut matrix = Matrix::empty(shape).unwrap();
     [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set(link, true));
     let topologies = [
-        Topology::of_sides(shape, Sides::TWO_POLES),
-        Topology::of_sides(shape, Sides::ONE_POLE).with_reversed(true),
+        Topology::from_sides(shape, Sides::TWO_POLES),
+        Topology::from_sides(shape, Sides::ONE_POLE).with_reversed(true),
         Topology::new(shape, Links::Sides(Sides::SHEET), &moebius).unwrap(),
         Topology::new(shape, Links::Matrix(matrix), &moebius).unwrap(),
     ];
@@ -129,7 +129,7 @@ pub(crate) fn odd_nets() -> Vec<Net<'static>> {
             *number = f32::from_bits(payload[(noise(9, (3 * at + k) as u64) * 6.0) as usize]);
         }
     }
-    nets.push(Net::new(Coordinates::F32(planes), Topology::of_sides(shape, Sides::SHEET)));
+    nets.push(Net::new(Coordinates::F32(planes), Topology::from_sides(shape, Sides::SHEET)));
     nets
 }
 
@@ -172,7 +172,7 @@ fn quantised_nets_are_what_the_header_says() {
 #[test]
 fn coordinates_with_steps_of_their_own_keep_them() {
     // Height in whole metres over a grid of 90 m; rounded to 10 bits, the step would be 3.5 m.
-    let topology = Topology::of_sides(Shape::new(40, 41).unwrap(), Sides::SHEET);
+    let topology = Topology::from_sides(Shape::new(40, 41).unwrap(), Sides::SHEET);
     let position = |i: usize, j: usize| {
         DVec3::new(90.0 * j as f64, 90.0 * i as f64, 500.0 + 10.0 * (30.0 * noise(3, (i * 41 + j) as u64)).floor())
     };
@@ -254,7 +254,7 @@ fn much_of_nothing_is_small_and_comes_back() {
     // for this many nodes.
     let shape = Shape::new(3000, 1000).unwrap();
     let sides = Sides { pole_left: true, ..Sides::TWO_POLES };
-    let net = Net::from_fn(Topology::of_sides(shape, sides), Scalar::F32, |_, _| DVec3::NAN).unwrap();
+    let net = Net::from_fn(Topology::from_sides(shape, sides), Scalar::F32, |_, _| DVec3::NAN).unwrap();
     for mode in [Mode::Lossless, Mode::Quantised { bits: 16 }] {
         let stream = encode(&net, &StreamOptions::new(mode), &job()).unwrap();
         assert!(stream.len() < 10_000, "{}", stream.len());
@@ -287,7 +287,7 @@ fn real_nets() -> Vec<(&'static str, Net<'static>)> {
     ];
     let net = |(name, scalar): (&'static str, Scalar)| {
         let (size, numbers) = crate::grids::npz(&format!("{name}.npz"), "xyz")?;
-        let topology = Topology::of_sides(Shape::new(size[0], size[1]).unwrap(), Sides::SHEET);
+        let topology = Topology::from_sides(Shape::new(size[0], size[1]).unwrap(), Sides::SHEET);
         let node = |i: usize, j: usize| DVec3::from_slice(&numbers[3 * (i * size[1] + j)..]);
         Some((name, Net::from_fn(topology, scalar, node).unwrap()))
     };
@@ -323,7 +323,7 @@ fn real_grids_come_back_and_are_small() {
 #[test]
 fn joined_nets_can_be_taken_apart_after_decoding() {
     let tube = |rows: usize, columns: usize| {
-        let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), Sides::TUBE);
+        let topology = Topology::from_sides(Shape::new(rows, columns).unwrap(), Sides::TUBE);
         Net::from_fn(topology, Scalar::F64, |i, j| {
             let angle = std::f64::consts::TAU * (j % (columns - 1)) as f64 / (columns - 1) as f64;
             DVec3::new(angle.cos(), angle.sin(), i as f64)
@@ -361,7 +361,7 @@ proptest! {
             rows_closed: on(0), columns_closed: on(1),
             pole_top: on(2), pole_bottom: on(3), pole_left: on(4), pole_right: on(5),
         };
-        let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), sides);
+        let topology = Topology::from_sides(Shape::new(rows, columns).unwrap(), sides);
         let scalar = if double { Scalar::F64 } else { Scalar::F32 };
         let net = Net::from_fn(topology, scalar, |i, j| {
             let at = 3 * (i * columns + j) as u64;

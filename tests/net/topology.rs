@@ -42,8 +42,8 @@ fn classes_of_sides_are_those_of_their_matrix() {
     for (h, w) in [(2, 2), (2, 3), (3, 2), (3, 3), (4, 5), (5, 2), (6, 7)] {
         let shape = Shape::new(h, w).unwrap();
         for sides in all_sides() {
-            let topology = Topology::of_sides(shape, sides);
-            let classes = Classes::of(&topology).unwrap();
+            let topology = Topology::from_sides(shape, sides);
+            let classes = Classes::new(&topology).unwrap();
             let expected = classes_by_force(shape, |link| sides.contracts(shape, link), &[]);
             assert_eq!(classes.table().unwrap(), expected, "{h} x {w}, {sides:?}");
             let mut members: Vec<u32> = Vec::new();
@@ -63,7 +63,7 @@ fn classes_of_sides_are_those_of_their_matrix() {
 fn one_form_for_one_gluing() {
     let shape = Shape::new(4, 6).unwrap();
     for sides in all_sides() {
-        let matrix = Matrix::of_sides(shape, sides).unwrap();
+        let matrix = Matrix::from_sides(shape, sides).unwrap();
         let bytes = matrix.to_bytes(shape).unwrap();
         assert_eq!(Matrix::from_bytes(shape, &bytes).unwrap(), matrix);
         let topology = Topology::new(shape, Links::Matrix(matrix), &[]).unwrap();
@@ -72,7 +72,7 @@ fn one_form_for_one_gluing() {
     // A seam from the last column to the first is what closed rows say.
     let seam = Seam { a: Run::along_column(3, 5, -1), b: Run::along_column(3, 0, -1), count: 4 };
     let tube = Topology::new(shape, Links::Sides(Sides::SHEET), &[seam]).unwrap();
-    assert_eq!(tube, Topology::of_sides(shape, Sides::TUBE));
+    assert_eq!(tube, Topology::from_sides(shape, Sides::TUBE));
     // Turned round, it is a Möbius strip, and all four ways to write it are one.
     let ways = [
         (Run::along_column(0, 5, 1), Run::along_column(3, 0, -1)),
@@ -89,7 +89,7 @@ fn one_form_for_one_gluing() {
 fn ones_of_the_paper_s_closures() {
     // The study's counts: two poles H + 2W - 2, torus H + W.
     let shape = Shape::new(9, 13).unwrap();
-    let ones = |sides| Matrix::of_sides(shape, sides).unwrap().links().count();
+    let ones = |sides| Matrix::from_sides(shape, sides).unwrap().links().count();
     assert_eq!(ones(Sides::TWO_POLES), 33);
     assert_eq!(ones(Sides::TORUS), 22);
     assert_eq!(ones(Sides::ONE_POLE), 2 * 12 + 2 * 8);
@@ -100,7 +100,7 @@ proptest! {
     #[test]
     fn saturated_is_one_for_equal_classes(topology in any_topology(2..7, 2..7)) {
         let shape = topology.shape();
-        let table = Classes::of(&topology).unwrap().table().unwrap();
+        let table = Classes::new(&topology).unwrap().table().unwrap();
         let node = |node: u32| {
             let (i, j) = shape.place(node);
             Run::along_row(i as u32, j as u32, 0)
@@ -115,7 +115,7 @@ proptest! {
         }
         let chains = Topology::new(shape, Links::Sides(Sides::SHEET), &seams).unwrap();
         let saturated = topology.saturated().unwrap();
-        prop_assert_eq!(&Classes::of(&saturated).unwrap().table().unwrap(), &table);
+        prop_assert_eq!(&Classes::new(&saturated).unwrap().table().unwrap(), &table);
         prop_assert_eq!(&saturated.saturated().unwrap(), &saturated);
         for other in [one_by_one, chains] {
             prop_assert_eq!(&other.saturated().unwrap().with_reversed(saturated.is_reversed()), &saturated);

@@ -65,7 +65,7 @@ fn soup(vertices: u32, triangles: &[Vec<u32>]) -> Soup {
 
 fn tube(rows: usize, columns: usize) -> Net<'static> {
     let mut net = sheet(rows, columns, Scalar::F64);
-    net.set_topology(Topology::of_sides(net.shape(), Sides::TUBE));
+    net.set_topology(Topology::from_sides(net.shape(), Sides::TUBE));
     net
 }
 
@@ -73,7 +73,7 @@ fn tube(rows: usize, columns: usize) -> Net<'static> {
 fn grids_that_were_cut_are_found_again() {
     let cone = |rows, columns| {
         let mut net = sheet(rows, columns, Scalar::F64);
-        net.set_topology(Topology::of_sides(net.shape(), Sides { pole_top: true, ..Sides::TUBE }));
+        net.set_topology(Topology::from_sides(net.shape(), Sides { pole_top: true, ..Sides::TUBE }));
         net
     };
     let mut nets = vec![("torus", torus(9, 13, Scalar::F64)), ("torus", torus(14, 8, Scalar::F64))];

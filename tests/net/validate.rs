@@ -14,7 +14,7 @@ fn sphere() -> Net<'static> {
 
 fn sheet(shape: Shape) -> Net<'static> {
     let place = |i: usize, j: usize| DVec3::new(j as f64, i as f64, 0.0);
-    Net::from_fn(Topology::of_sides(shape, Sides::SHEET), Scalar::F64, place).unwrap()
+    Net::from_fn(Topology::from_sides(shape, Sides::SHEET), Scalar::F64, place).unwrap()
 }
 
 fn kinds(net: &Net<'_>, tolerance: f64) -> Vec<(FindingKind, [u32; 2])> {
@@ -78,7 +78,7 @@ fn seams_and_warnings() {
     assert_eq!(loops, [(FindingKind::Loop, [7, 13])]);
     // A tube of two cells round.
     let place = |i: usize, j: usize| DVec3::new([0.0, 1.0, 0.0][j], i as f64, 0.0);
-    let narrow = Topology::of_sides(Shape::new(4, 3).unwrap(), Sides::TUBE);
+    let narrow = Topology::from_sides(Shape::new(4, 3).unwrap(), Sides::TUBE);
     let net = Net::from_fn(narrow, Scalar::F32, place).unwrap();
     assert_eq!(kinds(&net, 0.0), [(FindingKind::FewNodes, [2, 0])]);
 }
@@ -96,7 +96,7 @@ fn derived_from_classes() {
             matrix.set(link, shape.is_inner(link));
         }
         let topology = Topology::new(shape, Links::Matrix(matrix), &[]).unwrap();
-        let classes = Classes::of(&topology).unwrap();
+        let classes = Classes::new(&topology).unwrap();
         let place = |i: usize, j: usize| {
             let k = f64::from(classes.representative(shape.node(i, j)));
             DVec3::new((k * 0.7).sin(), (k * 1.3).cos(), k)
@@ -105,13 +105,13 @@ fn derived_from_classes() {
         assert_eq!(net.validate(0.0, &Job::default()).unwrap().iter().filter(|f| f.kind.is_violation()).count(), 0);
         let derived = detect_gluing(net.coordinates(), 0.0, &Job::default()).unwrap();
         // Rims that are glued through the inside may be known as seams besides: the classes count.
-        assert_eq!(Classes::of(&derived).unwrap().table().unwrap(), classes.table().unwrap());
+        assert_eq!(Classes::new(&derived).unwrap().table().unwrap(), classes.table().unwrap());
         assert_eq!(derived.links(), topology.saturated().unwrap().links());
     }
     // In the plane nothing crosses. Both diagonals: refused by name.
     let shape = Shape::new(2, 2).unwrap();
     let cross = |i: usize, j: usize| DVec3::X * ((i + j) % 2) as f64;
-    let net = Net::from_fn(Topology::of_sides(shape, Sides::SHEET), Scalar::F64, cross).unwrap();
+    let net = Net::from_fn(Topology::from_sides(shape, Sides::SHEET), Scalar::F64, cross).unwrap();
     assert_eq!(detect_gluing(net.coordinates(), 0.0, &Job::default()), Err(Error::CrossingCell { cell: 0 }));
 }
 
@@ -148,7 +148,7 @@ fn gluing_and_ungluing_undo_each_other() {
     let mut dice = Dice(3);
     let shape = Shape::new(5, 7).unwrap();
     for _ in 0..500 {
-        let start = Topology::of_sides(shape, [Sides::SHEET, Sides::TUBE, Sides::TORUS][dice.below(3) as usize]);
+        let start = Topology::from_sides(shape, [Sides::SHEET, Sides::TUBE, Sides::TORUS][dice.below(3) as usize]);
         let gluing = match dice.below(4) {
             0 => Gluing::Link(2 * dice.below(35) as u32),
             1 => Gluing::Star { node: dice.below(35) as u32, mask: dice.below(16) as u8 },
@@ -174,7 +174,7 @@ fn gluing_and_ungluing_undo_each_other() {
     let part = Seam { a: Run::along_column(2, 6, 1), b: Run::along_column(2, 0, -1), count: 1 };
     let cut = whole.unglued(&[Gluing::Seam(part)]).unwrap();
     assert_eq!(cut.seams().iter().map(|seam| seam.count).collect::<Vec<_>>(), [2, 2]);
-    assert_eq!(Classes::of(&cut).unwrap().groups().unwrap().len(), 4);
+    assert_eq!(Classes::new(&cut).unwrap().groups().unwrap().len(), 4);
 }
 
 #[test]
@@ -227,11 +227,11 @@ fn a_rim_folded_about_a_corner_is_derived() {
             let k = rim(i, j).map_or(n + w * i + j, |k| k.min(n - k)) as f64;
             DVec3::new((k * 0.7).sin(), (k * 1.3).cos(), k * 0.1)
         };
-        let sheet = Topology::of_sides(shape, Sides::SHEET);
+        let sheet = Topology::from_sides(shape, Sides::SHEET);
         let net = Net::from_fn(sheet, Scalar::F32, place).unwrap();
         for tolerance in [0.0, 1e-6] {
             let derived = detect_gluing(net.coordinates(), tolerance, &Job::default()).unwrap();
-            let classes = Classes::of(&derived).unwrap();
+            let classes = Classes::new(&derived).unwrap();
             let nodes = || (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
             for ((a, b), (c, d)) in nodes().flat_map(|p| nodes().map(move |q| (p, q))) {
                 let one = classes.representative(shape.node(a, b)) == classes.representative(shape.node(c, d));
@@ -245,7 +245,7 @@ fn a_rim_folded_about_a_corner_is_derived() {
 #[test]
 fn long_level_rims_are_derived() {
     let shape = Shape::new(2, 20_000).unwrap();
-    let topology = Topology::of_sides(shape, Sides::SHEET);
+    let topology = Topology::from_sides(shape, Sides::SHEET);
     let [along, across] = [DVec3::new(0.618_033_99, -0.577_350_27, 0.0), DVec3::new(0.0, 0.533_751_17, -0.618_033_99)];
     let net = Net::from_fn(topology, Scalar::F64, |i, j| along * j as f64 + across * i as f64).unwrap();
     for tolerance in [0.0, 1e-6] {

@@ -1,5 +1,5 @@
-//! Fallible allocation: the one place that requests memory sized by the input, so that a huge
-//! count is an error and not an abort.
+//! Fallible allocation. All memory sized by the input is requested here, so that a huge count
+//! causes an error instead of an abort.
 
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -7,22 +7,22 @@ use crate::reserve;
 use std::collections::HashSet;
 use std::hash::Hash;
 
-/// An empty vector with room for `capacity` elements.
+/// Returns an empty vector with room for `capacity` elements.
 pub fn with_capacity<T>(capacity: usize) -> Result<Vec<T>> {
     let mut vec = Vec::new();
     reserve(&mut vec, capacity)?;
     Ok(vec)
 }
 
-/// A vector of `len` copies of `value`.
+/// Returns a vector of `len` copies of `value`.
 pub fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
     let mut vec = with_capacity(len)?;
     vec.resize(len, value);
     Ok(vec)
 }
 
-/// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses
-/// it.
+/// Returns a vector of `len` zeros. The memory is first touched when it is used, by the thread that
+/// uses it.
 pub fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
     let made = bytemuck::allocation::try_zeroed_vec(len).ok();
     made.filter(|vec: &Vec<T>| !reserve::holds(vec.as_ptr())).ok_or_else(|| out_of_memory::<T>(len))
@@ -35,7 +35,7 @@ pub fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
     Ok(vec)
 }
 
-/// [`collect`], for long iterators: the host can cancel.
+/// [`collect`] for long iterators: the host can cancel.
 pub fn collect_cancellable<T>(
     mut items: impl ExactSizeIterator<Item = T>,
     job: &Job<'_>,
@@ -54,7 +54,7 @@ pub fn gather<T>(items: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
     try_collect(items.into_iter().map(Ok))
 }
 
-/// Collects an iterator of any length until one of its items fails.
+/// Collects an iterator of any length, up to the first error.
 pub fn try_collect<T, E: From<Error>>(items: impl IntoIterator<Item = Result<T, E>>) -> Result<Vec<T>, E> {
     let items = items.into_iter();
     let mut vec = with_capacity(items.size_hint().0)?;
@@ -64,20 +64,20 @@ pub fn try_collect<T, E: From<Error>>(items: impl IntoIterator<Item = Result<T, 
     Ok(vec)
 }
 
-/// A copy of a slice.
+/// Copies a slice.
 pub fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
     let mut vec = Vec::new();
     append(&mut vec, items)?;
     Ok(vec)
 }
 
-/// Makes a vector `len` copies of `value`, in the memory that it has.
+/// Sets a vector to `len` copies of `value`, reusing its memory.
 pub fn reset<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     vec.clear();
     grow(vec, len, value)
 }
 
-/// Appends copies of `value` until there are `len` elements at least.
+/// Appends copies of `value` until the vector has at least `len` elements.
 pub fn grow<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     if vec.len() < len {
         reserve(vec, len - vec.len())?;
@@ -86,13 +86,13 @@ pub fn grow<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     Ok(())
 }
 
-/// Makes room for `additional` more elements.
+/// Reserves room for `additional` more elements.
 pub fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
     if additional <= vec.capacity() - vec.len() { Ok(()) } else { grow_capacity(vec, additional) }
 }
 
-/// [`reserve`] where there is no room. The reserve behind the allocator is for those who cannot
-/// fail: a vector that was moved there goes back to where it was.
+/// Grows a vector that lacks room. Only infallible allocations may use the memory reserve, so a
+/// vector that lands there moves back to its old block.
 #[cold]
 #[inline(never)]
 fn grow_capacity<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
@@ -123,7 +123,7 @@ pub fn extend<T>(vec: &mut Vec<T>, items: impl IntoIterator<Item = T>) -> Result
     items.try_for_each(|item| push(vec, item))
 }
 
-/// Appends parts, one after another, until one has failed.
+/// Appends the parts in turn, up to the first error.
 pub fn append_all<T: Copy>(vec: &mut Vec<T>, parts: impl IntoIterator<Item = Result<Vec<T>>>) -> Result<()> {
     parts.into_iter().try_for_each(|part| append(vec, &part?))
 }

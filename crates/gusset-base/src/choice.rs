@@ -1,19 +1,19 @@
 //! Choices: the values of an option in a stable order, each with the text that hosts show.
 //!
-//! A table stands beside its enum in the core; filters and their pages take order, values and texts
-//! from it. Places in a table are stored by hosts: a table grows at its end only.
+//! A table is declared beside its enum in the core. Filters and their documentation take order,
+//! values and texts from it. Hosts store positions in a table, so new entries go at the end.
 
 /// The text of one choice.
 #[derive(Debug, Clone, Copy)]
 pub struct Choice {
-    /// For menus.
+    /// The label, for menus.
     pub label: &'static str,
-    /// Its effect, in a sentence.
+    /// The effect, as a sentence.
     pub help: &'static str,
 }
 
 impl Choice {
-    /// A choice with its texts.
+    /// Creates a choice from its texts.
     pub const fn new(label: &'static str, help: &'static str) -> Self {
         Choice { label, help }
     }
@@ -36,7 +36,7 @@ macro_rules! choices {
     (for $type:ident: $($variant:ident => $label:literal, $help:literal;)+) => {
         impl $type {
             $crate::choices! {
-                /// The choices of hosts.
+                /// The choices that hosts offer.
                 CHOICES: $type = $($type::$variant => $label, $help;)+
             }
         }

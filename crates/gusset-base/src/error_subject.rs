@@ -20,15 +20,15 @@ impl fmt::Display for Side {
     }
 }
 
-/// Kinds of elements that share a cause of failure. Places are those that a caller gave, counted
-/// from 0.
+/// A kind of element that several causes of failure share. Indices count the caller's elements from
+/// 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Element {
     /// A vertex of a mesh.
     Vertex,
-    /// A point of a loop.
+    /// A point of a given loop.
     LoopPoint(Side),
-    /// A point of an outline or a curve, counted over all of them.
+    /// A point of an outline or curve, counted over all of them.
     Point,
     /// A constraint on an outline.
     Constraint,
@@ -73,36 +73,36 @@ impl fmt::Display for Element {
     }
 }
 
-/// Why a pair of loops that a caller names cannot be taken.
+/// The reason why a pair of loops is unusable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum PairFault {
-    /// There is no such piece.
+    /// The piece does not exist.
     NoPiece,
-    /// The piece has no such vertex.
+    /// The vertex does not exist in the piece.
     NoVertex,
-    /// A vertex must be named, and none is.
+    /// The pair must name a vertex, and names none.
     VertexMissing,
-    /// No loop passes the vertex that could be joined.
+    /// No loop that can be joined passes the vertex.
     NoLoop,
     /// Several loops pass the vertex.
     SeveralLoops,
     /// The pair names one loop twice.
     SameLoop,
-    /// A pair before this one names the loop.
+    /// A previous pair names the loop.
     LoopTaken,
 }
 
 impl PairFault {
     pub(crate) fn text(self, piece: u32, vertex: u32) -> String {
         match self {
-            PairFault::NoPiece => format!("there is no piece {piece}"),
-            PairFault::NoVertex => format!("piece {piece} has no vertex {vertex}"),
-            PairFault::VertexMissing => format!("it names piece {piece} and no vertex of it"),
+            PairFault::NoPiece => format!("piece {piece} does not exist"),
+            PairFault::NoVertex => format!("vertex {vertex} of piece {piece} does not exist"),
+            PairFault::VertexMissing => format!("it names piece {piece} but none of its vertices"),
             PairFault::NoLoop => format!("no loop that can be joined passes vertex {vertex} of piece {piece}"),
             PairFault::SeveralLoops => format!("several loops pass vertex {vertex} of piece {piece}"),
             PairFault::SameLoop => format!("vertex {vertex} of piece {piece} is on the pair's other loop"),
             PairFault::LoopTaken => {
-                format!("the loop through vertex {vertex} of piece {piece} is in a pair before this one")
+                format!("the loop through vertex {vertex} of piece {piece} is in a previous pair")
             }
         }
     }

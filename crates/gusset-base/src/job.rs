@@ -4,21 +4,20 @@ use crate::error::{Error, Result};
 use crate::reserve;
 use std::ops::{ControlFlow, Range};
 
-/// Elements of simple work that are done within a few milliseconds.
+/// The number of simple elements that take a few milliseconds.
 const ELEMENTS_PER_REPORT: usize = 1 << 17;
 
 /// Receives progress and notes. All calls come from the thread that started the computation.
 pub trait Progress {
-    /// `fraction` of the whole is done (0 to 1, never decreasing within a call of the library) and
-    /// `stage` begins or goes on. `Break` cancels: the computation returns [`Error::Cancelled`]
-    /// soon after.
+    /// Receives the completed fraction (0 to 1, never decreasing within a call) and the current
+    /// stage. Return `Break` to cancel: the computation then soon returns [`Error::Cancelled`].
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()>;
 
-    /// Something the caller may want to know that is no failure.
+    /// Receives a message that may interest the caller but is not an error.
     fn note(&self, _message: &str) {}
 }
 
-/// Neither listens nor cancels.
+/// Ignores progress and never cancels.
 struct Silent;
 
 impl Progress for Silent {
@@ -27,57 +26,57 @@ impl Progress for Silent {
     }
 }
 
-/// The circumstances of one computation.
+/// The context of one computation: its threads and its progress receiver.
 #[derive(Clone, Copy)]
 pub struct Job<'a> {
     threads: usize,
     progress: &'a dyn Progress,
     from: f64,
     to: f64,
-    /// What had been taken from the reserve when the job began.
+    /// The bytes taken from the memory reserve before the job began.
     drawn: u64,
 }
 
 impl<'a> Job<'a> {
-    /// `threads`: 0 for as many as the machine has, 1 for the calling thread only. The result does
-    /// not depend on it.
+    /// Creates a job. If `threads` is 0, it uses as many threads as the machine has; 1 means the
+    /// calling thread only. The result does not depend on the number of threads.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
         Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn() }
     }
 
-    /// The number of threads asked for; 0 is automatic.
+    /// The requested number of threads; 0 means automatic.
     pub fn threads(&self) -> usize {
         self.threads
     }
 
-    /// The same job with another number of threads.
+    /// Returns a copy of the job with a different number of threads.
     pub fn with_threads(&self, threads: usize) -> Job<'a> {
         Job { threads, ..*self }
     }
 
-    /// The same job seen by one of its parts: what the part calls 0..1 is `from..to` of the whole.
+    /// Returns the job of one part of the work. The part's range 0..1 is `from..to` of the whole.
     pub fn part(&self, from: f64, to: f64) -> Job<'a> {
         let span = self.to - self.from;
         Job { from: self.from + span * from, to: self.from + span * to, ..*self }
     }
 
-    /// Part `k` of `count` equal ones.
+    /// Returns the job of part `k` of `count` equal parts.
     pub fn share(&self, k: usize, count: usize) -> Job<'a> {
         self.part(k as f64 / count as f64, (k + 1) as f64 / count as f64)
     }
 
-    /// Reports progress; [`Error::Cancelled`] if the host wants to stop, and in the libraries for C
-    /// [`Error::OutOfMemory`] if memory was refused that could not be asked for.
+    /// Reports progress. Returns [`Error::Cancelled`] if the host cancels. In the libraries for C,
+    /// returns [`Error::OutOfMemory`] if an infallible allocation was served from the reserve.
     #[inline(never)]
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
         self.memory()?;
         self.report(fraction, stage)
     }
 
-    /// [`Job::step`] of work that changes what the caller has as it goes on: memory was asked for
-    /// before it.
+    /// Reports progress like [`Job::step`], but without checking the reserve. Use it in work that
+    /// modifies the caller's data in place, after a call of [`Job::memory`].
     pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
-        // Of nothing to do, the part that is done may be no number.
+        // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
         let whole = self.from + (self.to - self.from) * fraction;
         match self.progress.step(whole, stage) {
@@ -86,8 +85,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job began.
-    /// Asked for before anything is changed that the caller has.
+    /// Returns [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job
+    /// began. Call it before modifying the caller's data.
     #[inline]
     pub fn memory(&self) -> Result<()> {
         match reserve::drawn() - self.drawn {
@@ -102,22 +101,22 @@ impl<'a> Job<'a> {
         if k.is_multiple_of(interval) { self.step(k as f64 / count as f64, stage) } else { Ok(()) }
     }
 
-    /// Reports within work on element `k` of a list that is short as a rule: not at the first, so
-    /// that many short lists report nothing.
+    /// Reports within work on element `k` of a list that is usually short. It skips the first
+    /// element, so that many short lists report nothing.
     #[inline]
     pub fn step_within(&self, k: usize, stage: &'static str) -> Result<()> {
         if k % ELEMENTS_PER_REPORT == ELEMENTS_PER_REPORT - 1 { self.step(0.0, stage) } else { Ok(()) }
     }
 
-    /// [`Job::step_within`] where each element takes as long as `weight` simple ones, a power of
-    /// two.
+    /// [`Job::step_within`] for elements that each take as long as `weight` simple ones. `weight`
+    /// is a power of two.
     #[inline]
     pub fn step_within_heavy(&self, weight: usize, k: usize, stage: &'static str) -> Result<()> {
         self.step_within(k * weight + (weight - 1), stage)
     }
 
-    /// Does work of `len` elements, so many at a time that no host waits, and reports before each
-    /// time.
+    /// Runs `work` on consecutive ranges of `0..len` that take a few milliseconds each, and reports
+    /// before each.
     pub fn ranges(
         &self,
         stage: &'static str,
@@ -138,7 +137,7 @@ impl<'a> Job<'a> {
 }
 
 impl Default for Job<'_> {
-    /// Automatic threads, nobody listening.
+    /// Automatic threads, without a progress receiver.
     fn default() -> Self {
         Job::new(0, &Silent)
     }

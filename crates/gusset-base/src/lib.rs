@@ -20,8 +20,8 @@
 //! George (1973).
 //!
 //! Three rules hold here and above. Memory that grows with the input is requested by `alloc`, which
-//! returns an error. Long loops report to the job, so that the host can cancel. Results have the same
-//! bits for any number of threads and on any machine.
+//! returns an error. Long loops report to the job, so that the host can cancel. Results have the
+//! same bits for any number of threads and on any machine.
 
 #[doc(hidden)]
 pub mod alloc;

@@ -1,8 +1,8 @@
-//! Work on many threads whose result does not depend on their number.
+//! Parallel loops whose results do not depend on the number of threads.
 //!
-//! The work is cut into items that do not depend on the number of threads, and the results come
-//! back in the order of the items: whatever is reduced over them is reduced in the same order on
-//! one thread and on a hundred. No thread outlives the call.
+//! The work is divided into items independently of the number of threads, and the results arrive in
+//! the order of the items. A reduction over the results therefore runs in the same order on any
+//! number of threads. Threads end before the call returns.
 
 use crate::alloc;
 use crate::error::Result;
@@ -14,12 +14,13 @@ use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// How long the host is not asked while a thread waits for another.
+/// The longest time between two progress reports while a thread waits for another.
 const BETWEEN_REPORTS: Duration = Duration::from_millis(10);
 
 /// Applies `work` to every item and returns the results in order.
 ///
-/// `threads`: 0 for as many as the machine has; the calling thread is one of them.
+/// If `threads` is 0, the call uses as many threads as the machine has. The calling thread is one
+/// of them.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), for the results.
@@ -31,9 +32,9 @@ pub fn map<T: Send, R: Send>(
     run_ordered(threads, items, work, |_| Ok(()))
 }
 
-/// [`map`] that the host can cancel: the calling thread reports progress before each item that it
-/// takes, and once the host cancels no thread takes another. Items should be large enough to be
-/// worth a report and small enough not to delay one.
+/// [`map`] that the host can cancel. The calling thread reports progress before each item that it
+/// takes. After a cancel, no thread takes another item. Choose items large enough to be worth a
+/// report and small enough not to delay one.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled),
@@ -49,12 +50,13 @@ pub fn map_cancellable<T: Send, R: Send>(
     run_ordered(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
 }
 
-/// [`map_cancellable`] for items that may be large: the work hears the job, too. On this thread
-/// that is the host's; the others hear of it once the host cancels or an item fails, and while this
-/// thread waits for them the host is asked. What the others report and note is not passed on.
+/// [`map_cancellable`] for items that may be large: `work` also receives a job. On the calling
+/// thread it is a part of the host's job. On the other threads it fails as soon as the host cancels
+/// or an item fails. While the calling thread waits for the others, it reports to the host.
+/// Progress and notes from the other threads are dropped.
 ///
 /// # Errors
-/// The first of the items' in their order; those of [`map_cancellable`].
+/// The first item's error in the order of the items, or an error of [`map_cancellable`].
 pub fn map_jobs<T: Send, R: Send>(
     job: &Job<'_>,
     stage: &'static str,
@@ -64,7 +66,7 @@ pub fn map_jobs<T: Send, R: Send>(
     let count = items.len();
     let helpers = at_most(count, job.threads()).saturating_sub(1);
     let queue = Mutex::new(items.enumerate());
-    // Room for all results before the first item: nothing fails after the last.
+    // Allocates all results before the first item, so that nothing fails after the last.
     let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
     let do_next = |job_of: JobOf<'_>| -> Result<Step> {
         let Some((i, item)) = lock(&queue).next() else { return Ok(Step::NothingLeft) };
@@ -80,21 +82,21 @@ pub fn map_jobs<T: Send, R: Send>(
     Ok(all)
 }
 
-/// The job of an item, or the reason not to begin it.
+/// Returns the job of an item, or the reason not to begin it.
 type JobOf<'a> = &'a dyn Fn(usize) -> Result<Job<'a>>;
 
-/// What became of the next item.
+/// The outcome of taking the next item.
 enum Step {
-    /// The items are used up.
+    /// No items are left.
     NothingLeft,
-    /// The item has its result.
+    /// The item succeeded.
     Done,
-    /// The result of the item is an error.
+    /// The item failed.
     Failed,
 }
 
-/// Calls `do_next` on this thread and on `helpers` others until an item fails or none is left. It
-/// knows no type of items, so that it is compiled once and the work of a caller once.
+/// Calls `do_next` on the calling thread and on `helpers` others until an item fails or none is
+/// left. It is not generic over the items, so that it is compiled only once.
 fn share_jobs(
     helpers: usize,
     job: &Job<'_>,
@@ -103,7 +105,7 @@ fn share_jobs(
     do_next: &(dyn Fn(JobOf<'_>) -> Result<Step> + Sync),
 ) -> Result<()> {
     let (busy, stopped) = (Busy::default(), AtomicBool::new(false));
-    let goes_on = |job_of: JobOf<'_>| -> Result<bool> {
+    let take_next = |job_of: JobOf<'_>| -> Result<bool> {
         if stopped.load(Ordering::Relaxed) {
             return Ok(false);
         }
@@ -113,16 +115,16 @@ fn share_jobs(
     };
     let help = || {
         let _one = busy.begin();
-        let own = Unless(&stopped);
-        while matches!(goes_on(&|_| Ok(Job::new(1, &own))), Ok(true)) {}
+        let flagged = CancelOnFlag(&stopped);
+        while matches!(take_next(&|_| Ok(Job::new(1, &flagged))), Ok(true)) {}
     };
     let mut reported = Ok(());
     let mut lead = |_| {
-        let stop = StopOnDrop(&stopped);
+        let stop = SetFlagOnDrop(&stopped);
         let ask = |done: usize| job.step(done as f64 / count.max(1) as f64, stage);
         let own_job = |i: usize| ask(i).map(|()| job.share(i, count).with_threads(1));
         reported = (|| {
-            while goes_on(&own_job)? {}
+            while take_next(&own_job)? {}
             busy.wait(|| ask(count))
         })();
         if reported.is_ok() {
@@ -133,13 +135,13 @@ fn share_jobs(
     reported
 }
 
-/// Places for as many results.
+/// A slot for each of `count` results.
 fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
     Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
 }
 
-/// The engine of [`map`]: results in the order of the items. `before` is called on this thread with
-/// the number of each item that it takes.
+/// Implements [`map`]: returns the results in the order of the items. The calling thread calls
+/// `before` with the index of each item that it takes.
 fn run_ordered<T: Send, R: Send>(
     threads: usize,
     items: impl ExactSizeIterator<Item = T> + Send,
@@ -162,11 +164,12 @@ fn run_ordered<T: Send, R: Send>(
     Ok(all)
 }
 
-/// Called with the number of an item before it begins.
+/// Called with the index of an item before the item begins.
 type Before<'a> = &'a dyn Fn(usize) -> Result<()>;
 
-/// Calls `do_next` on this thread and on `helpers` others until none is left or `before` fails,
-/// which is called on this thread only. It knows no type of items, as [`share_jobs`].
+/// Calls `do_next` on the calling thread and on `helpers` others until no item is left or `before`
+/// fails. Only the calling thread calls `before`. Like [`share_jobs`], it is not generic over the
+/// items.
 fn share(helpers: usize, before: Before<'_>, do_next: &(dyn Fn(Before<'_>) -> Result<bool> + Sync)) -> Result<()> {
     let stopped = AtomicBool::new(false);
     let help = || {
@@ -187,14 +190,15 @@ fn share(helpers: usize, before: Before<'_>, do_next: &(dyn Fn(Before<'_>) -> Re
     reported
 }
 
-/// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
-/// asked while this thread waits; once the first fails or the host cancels, the second hears of it
-/// at its next report. What the second reports and notes is not passed on. Both hold their memory at
-/// once.
+/// Runs two closures, the second on a thread of its own if the job allows one. While the calling
+/// thread waits, it reports to the host. If the first closure fails or the host cancels, the second
+/// closure is cancelled at its next report. Its progress and notes are dropped. Both hold their
+/// memory at the same time.
 ///
 /// # Errors
-/// Those of the first, then those of the second; [`Error::Cancelled`](crate::Error::Cancelled).
-pub fn both<R, S: Send>(
+/// The error of the first closure, then of the second;
+/// [`Error::Cancelled`](crate::Error::Cancelled).
+pub fn run_both<R, S: Send>(
     job: &Job<'_>,
     stage: &'static str,
     first: impl FnOnce(&Job<'_>) -> Result<R>,
@@ -209,48 +213,48 @@ pub fn both<R, S: Send>(
     let help = || {
         let _one = busy.begin();
         let second = lock(&second).take();
-        *lock(&done) = second.map(|second| second(&Job::new(1, &Unless(&stopped))));
+        *lock(&done) = second.map(|second| second(&Job::new(1, &CancelOnFlag(&stopped))));
     };
-    let (mut first, mut found) = (Some(first), None);
+    let (mut first, mut first_result) = (Some(first), None);
     let mut lead = |_| {
-        let stop = StopOnDrop(&stopped);
-        found = first.take().map(|first| {
+        let stop = SetFlagOnDrop(&stopped);
+        first_result = first.take().map(|first| {
             let found = first(&job.part(0.0, 0.5))?;
-            // What the other thread has not begun is done by this one.
+            // Runs the second closure here if the other thread has not begun it.
             let late = lock(&second).take();
             let late = late.map(|second| second(&job.part(0.5, 1.0))).transpose()?;
             busy.wait(|| job.step(0.5, stage))?;
             Ok((found, late))
         });
-        if matches!(found, Some(Ok(_))) {
+        if matches!(first_result, Some(Ok(_))) {
             std::mem::forget(stop);
         }
     };
     run_beside(1, &help, &mut lead);
-    let (found, late) = found.unwrap_or(Err(crate::Error::Cancelled))?;
+    let (found, late) = first_result.unwrap_or(Err(crate::Error::Cancelled))?;
     match late.map(Ok).or(done.into_inner().unwrap_or_else(PoisonError::into_inner)) {
         Some(second) => Ok((found, second?)),
         None => Err(crate::Error::Cancelled),
     }
 }
 
-/// How many other threads are at work.
+/// Counts the helper threads that are at work.
 #[derive(Default)]
 struct Busy {
     count: AtomicUsize,
-    /// Whoever waits for fewer holds this from its look at the count on.
+    /// Held by a waiting thread from its look at the count until it sleeps.
     looking: Mutex<()>,
     fewer: Condvar,
 }
 
 impl Busy {
-    /// One more, until what is returned is dropped.
+    /// Counts one more thread until the returned guard is dropped.
     fn begin(&self) -> impl Drop + use<'_> {
         self.count.fetch_add(1, Ordering::Relaxed);
         AtWork(self)
     }
 
-    /// Waits until there are none; `ask` is called first and now and then.
+    /// Waits until the count is 0. Calls `ask` before and during the wait.
     fn wait(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
         while self.count.load(Ordering::Acquire) > 0 {
             ask()?;
@@ -263,7 +267,7 @@ impl Busy {
     }
 }
 
-/// One of [`Busy`].
+/// The guard of one thread in [`Busy`].
 struct AtWork<'a>(&'a Busy);
 
 impl Drop for AtWork<'_> {
@@ -274,31 +278,31 @@ impl Drop for AtWork<'_> {
     }
 }
 
-/// Tells [`Unless`] to break off, whether by failure or by panic.
-struct StopOnDrop<'a>(&'a AtomicBool);
+/// Sets the flag of [`CancelOnFlag`] when dropped, after a failure or a panic.
+struct SetFlagOnDrop<'a>(&'a AtomicBool);
 
-impl Drop for StopOnDrop<'_> {
+impl Drop for SetFlagOnDrop<'_> {
     fn drop(&mut self) {
         self.0.store(true, Ordering::Relaxed);
     }
 }
 
-/// Breaks off once it is told to.
-struct Unless<'a>(&'a AtomicBool);
+/// A progress receiver that cancels once its flag is set.
+struct CancelOnFlag<'a>(&'a AtomicBool);
 
-impl Progress for Unless<'_> {
+impl Progress for CancelOnFlag<'_> {
     fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
         if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
-/// Consecutive ranges of `size` elements that cover `0..len`, as items.
+/// Divides `0..len` into consecutive ranges of `size` elements.
 pub fn ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
     (0..len.div_ceil(size)).map(move |i| i * size..len.min((i + 1) * size))
 }
 
-/// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and
-/// at least 1.
+/// Resolves a number of threads: 0 means as many as the machine has. The result is at most `limit`
+/// and at least 1.
 pub fn at_most(limit: usize, threads: usize) -> usize {
     match threads {
         // Asking the system takes longer than a small job.
@@ -316,7 +320,7 @@ mod tests {
     use std::sync::atomic::AtomicUsize;
 
     #[test]
-    fn the_same_for_any_thread_count() {
+    fn results_are_equal_for_any_thread_count() {
         let sums =
             |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>()).unwrap();
         let one = sums(1);
@@ -344,7 +348,7 @@ mod tests {
             let done = map_cancellable(&Job::new(threads, &counter), "work", ranges(1000, 10), work);
             (done.map(|done| done.len()), begun.into_inner(), calls - counter.0.get())
         };
-        // One call at first, and one for each item.
+        // One report at first, and one for each item.
         assert_eq!(run(1, 1000), (Ok(100), 100, 101));
         assert_eq!(run(1, 41), (Err(crate::Error::Cancelled), 39, 41));
         for threads in [2, 16] {
@@ -355,8 +359,9 @@ mod tests {
     }
 
     #[test]
-    fn large_items_hear_the_host() {
-        // The host cancels at its third answer: an item that never ends does, on any thread.
+    fn large_items_are_cancelled() {
+        // The host cancels at its third report. An item that never ends must then end on any
+        // thread.
         struct Patience(Cell<u32>);
         impl crate::Progress for Patience {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
@@ -376,25 +381,25 @@ mod tests {
             assert_eq!(map_jobs(&job, "work", 0..50, |i: usize, _: &Job<'_>| Ok(i * i)).unwrap()[7], 49);
             let fails = |i: usize, _: &Job<'_>| if i == 3 { Err(Error::Cancelled) } else { Ok(i) };
             assert_eq!(map_jobs(&job, "work", 0..50, fails), Err(Error::Cancelled));
-            // One item fails, and the others hear of it.
+            // One item fails, and the other items stop.
             let either = |i: usize, job: &Job<'_>| if i == 0 { Err(Error::Cancelled) } else { endless(i, job) };
             assert_eq!(map_jobs(&job, "work", 0..2, either), Err(Error::Cancelled));
         }
     }
 
     #[test]
-    fn both_are_done_and_either_stops_the_other() {
+    fn run_both_runs_both_and_either_stops_the_other() {
         let work = |n: u32| move |_: &Job<'_>| Ok(n);
         for threads in [1, 2, 16] {
             let job = Job::new(threads, &Forever);
-            assert_eq!(both(&job, "both", work(1), work(2)), Ok((1, 2)));
+            assert_eq!(run_both(&job, "both", work(1), work(2)), Ok((1, 2)));
             let refuse = |_: &Job<'_>| Err::<u32, _>(Error::Cancelled);
-            assert_eq!(both(&job, "both", work(1), refuse), Err(Error::Cancelled));
-            // The second goes on until it hears of it.
+            assert_eq!(run_both(&job, "both", work(1), refuse), Err(Error::Cancelled));
+            // Runs until its report fails.
             let endless = |job: &Job<'_>| loop {
                 job.step(0.0, "endless")?;
             };
-            let found: Result<(u32, u32)> = both(&job, "both", refuse, endless);
+            let found: Result<(u32, u32)> = run_both(&job, "both", refuse, endless);
             assert_eq!(found, Err(Error::Cancelled));
         }
     }
@@ -408,10 +413,11 @@ mod tests {
         let passed_on = |found: thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
         for threads in [1, 2] {
             let job = Job::new(threads, &Forever);
-            let first = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| both(&job, "both", fails, endless)));
+            let first =
+                std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| run_both(&job, "both", fails, endless)));
             assert_eq!(passed_on(first), "of work");
             let second =
-                std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| both(&job, "both", |_| Ok(()), fails)));
+                std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| run_both(&job, "both", |_| Ok(()), fails)));
             assert_eq!(passed_on(second), "of work");
         }
     }
@@ -429,7 +435,7 @@ mod tests {
             job.step(0.0, "endless")?;
         };
         let patience = Patience(Cell::new(3));
-        let found: Result<((), ())> = both(&Job::new(2, &patience), "both", |_| Ok(()), endless);
+        let found: Result<((), ())> = run_both(&Job::new(2, &patience), "both", |_| Ok(()), endless);
         assert_eq!((found, patience.0.get()), (Err(Error::Cancelled), 0));
     }
 

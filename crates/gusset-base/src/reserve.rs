@@ -1,18 +1,21 @@
-//! A reserve of memory for the moment at which the system has none: part of the libraries for C
-//! only (feature `reserve`), as the allocator of a Rust program is that program's choice.
+//! A reserve of memory for the moment when the system runs out. Only the libraries for C have it
+//! (feature `reserve`), because a Rust program chooses its own allocator.
 //!
-//! What grows with the input is asked for by `alloc`, where failure is an error. The standard
-//! library and crates make small allocations on their own, which cannot fail but by abort. When
-//! the system refuses one of these, it is taken from the reserve; the job of the call sees that at
-//! its next step ([`drawn`]) and ends the call with an error, which gives the memory back.
+//! Memory that grows with the input is requested through `alloc`, where a refusal is an error. The
+//! standard library and third-party crates also make small allocations that cannot fail without
+//! aborting. If the system refuses one of these, the allocator serves it from the reserve. The job
+//! of the call notices at its next step ([`drawn`]) and ends the call with an error, which frees
+//! the memory.
 //!
-//! The reserve is static, cut into arenas in which blocks lie one behind another. An arena begins
-//! anew when its last block is given back. Its state is one number, changed by compare-and-swap: no
-//! lock, which a thread could hold while it is stopped, and nothing that belongs to a thread.
+//! The reserve is static and divided into arenas, in which blocks lie one behind another. An arena
+//! is reset when its last block is freed. The state of an arena is one number that threads change
+//! by compare-and-swap. There is no lock that a suspended thread could hold, and no thread-local
+//! data.
 
 #![allow(unsafe_code, reason = "an allocator")]
 
-/// Bytes taken from the reserve since the program began. Of two equal readings, none was between.
+/// The number of bytes taken from the reserve since the program began. Two equal readings mean that
+/// nothing was taken in between.
 #[inline]
 pub fn drawn() -> u64 {
     #[cfg(feature = "reserve")]
@@ -21,7 +24,7 @@ pub fn drawn() -> u64 {
     0
 }
 
-/// Whether a block is in the reserve.
+/// Returns true if the block lies in the reserve.
 #[inline]
 pub fn holds<T>(block: *const T) -> bool {
     #[cfg(feature = "reserve")]
@@ -44,21 +47,22 @@ mod arenas {
     use std::sync::atomic::{AtomicPtr, AtomicU64, AtomicUsize, Ordering};
 
     const ARENAS: usize = 32;
-    /// Bytes of one arena, and thus of the largest block.
+    /// The size of one arena in bytes, and the largest block that the reserve serves.
     const ARENA: usize = 1 << 16;
     const MAX_ALIGN: usize = 64;
 
-    /// Memory, and what of it is in use. Of a static one that begins with zeros, the program's file
-    /// and its memory hold nothing before it is used.
+    /// The memory of the reserve, and its allocation state. A static that is all zeros takes no
+    /// space in the executable and no physical memory until it is used.
     #[repr(C, align(64))]
     pub(super) struct Arenas {
         bytes: UnsafeCell<[u8; ARENAS * ARENA]>,
-        /// Of each arena: below, how far it is used; above, its blocks that are in use.
+        /// The state of each arena. The low half is the number of bytes in use, the high half the
+        /// number of live blocks.
         states: [AtomicU64; ARENAS],
         pub(super) drawn: AtomicU64,
     }
 
-    // SAFETY: the bytes are touched through blocks only, which the states give to one owner each.
+    // SAFETY: the bytes are accessed only through blocks, and the states give each block one owner.
     unsafe impl Sync for Arenas {}
 
     pub(super) static RESERVE: Arenas = Arenas {
@@ -75,14 +79,14 @@ mod arenas {
     }
 
     impl Arenas {
-        /// Where a block begins in the reserve, if it does.
+        /// The offset of a block in the reserve, if the block lies there.
         #[inline]
         pub(super) fn offset_of(&self, block: *const u8) -> Option<usize> {
             let offset = (block as usize).wrapping_sub(self.bytes.get() as usize);
             (offset < ARENAS * ARENA).then_some(offset)
         }
 
-        /// A block of the reserve; null if it has none of that size.
+        /// Allocates a block from the reserve; returns null if no arena has room.
         #[cold]
         #[inline(never)]
         fn draw(&self, layout: Layout) -> *mut u8 {
@@ -104,8 +108,8 @@ mod arenas {
             ptr::null_mut()
         }
 
-        /// Takes a block back: an arena without blocks begins anew, and behind the last block there
-        /// is room.
+        /// Frees a block. An arena without blocks is reset. If the block was the last one of its
+        /// arena, its room is reused.
         #[cold]
         #[inline(never)]
         fn give_back(&self, offset: usize, size: usize) {
@@ -117,60 +121,61 @@ mod arenas {
         }
     }
 
-    /// Where a block of the reserve came from when it grew: the system's block, which is kept until
-    /// the other is given back. A vector that must not be in the reserve returns to it, and needs
-    /// no memory for that.
-    struct Move {
+    /// The origin of a block that grew into the reserve: the system's block, which is kept until
+    /// the block in the reserve is freed. A vector that must not stay in the reserve thus returns
+    /// to its old block without allocating.
+    struct Origin {
         block: AtomicPtr<u8>,
         from: AtomicPtr<u8>,
         size: AtomicUsize,
     }
 
-    static MOVES: [Move; 64] = [const {
-        Move {
+    static ORIGINS: [Origin; 64] = [const {
+        Origin {
             block: AtomicPtr::new(ptr::null_mut()),
             from: AtomicPtr::new(ptr::null_mut()),
             size: AtomicUsize::new(0),
         }
     }; 64];
 
-    impl Move {
-        /// Notes where a block came from; false if there is no room for that.
+    impl Origin {
+        /// Records the origin of a block. Returns false if the table is full.
         fn note(block: *mut u8, from: *mut u8, size: usize) -> bool {
-            let free = |of: &&Move| {
+            let free = |record: &&Origin| {
                 let none = ptr::null_mut();
-                of.block.compare_exchange(none, block, Ordering::AcqRel, Ordering::Relaxed).is_ok()
+                record.block.compare_exchange(none, block, Ordering::AcqRel, Ordering::Relaxed).is_ok()
             };
-            MOVES.iter().find(free).is_some_and(|own| {
-                own.from.store(from, Ordering::Relaxed);
-                own.size.store(size, Ordering::Relaxed);
+            ORIGINS.iter().find(free).is_some_and(|record| {
+                record.from.store(from, Ordering::Relaxed);
+                record.size.store(size, Ordering::Relaxed);
                 true
             })
         }
 
-        /// Where a block came from, and how large that is; it is noted no longer.
+        /// Removes and returns the origin of a block and its size.
         fn take(block: *mut u8) -> Option<(*mut u8, usize)> {
-            let own = MOVES.iter().find(|of| of.block.load(Ordering::Acquire) == block)?;
-            let found = (own.from.load(Ordering::Relaxed), own.size.load(Ordering::Relaxed));
-            own.block.store(ptr::null_mut(), Ordering::Release);
-            Some(found)
+            let record = ORIGINS.iter().find(|record| record.block.load(Ordering::Acquire) == block)?;
+            let origin = (record.from.load(Ordering::Relaxed), record.size.load(Ordering::Relaxed));
+            record.block.store(ptr::null_mut(), Ordering::Release);
+            Some(origin)
         }
     }
 
-    /// A block of another size with the same content; `block` is as it was if there is none.
+    /// Reallocates a block to another size. Returns null and leaves `block` unchanged if there is
+    /// no memory.
     ///
     /// # Safety
-    /// That of `realloc`.
+    /// The requirements of [`GlobalAlloc::realloc`].
     #[cold]
     #[inline(never)]
-    unsafe fn moved(block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+    unsafe fn reallocate(block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         let Ok(new) = Layout::from_size_align(size, layout.align()) else { return ptr::null_mut() };
         let offset = RESERVE.offset_of(block);
-        // SAFETY: the caller's promises on `block` and the two sizes, neither of which is 0; what
-        // was noted is the system's, has that size, and nobody else has it.
+        // SAFETY: the caller guarantees `block` and both sizes, which are not 0. A recorded origin
+        // is a block of the system with the recorded size, and has no other owner.
         unsafe {
             if let Some(offset) = offset
-                && let Some((from, before)) = Move::take(block)
+                && let Some((from, before)) = Origin::take(block)
             {
                 if before == size {
                     ptr::copy_nonoverlapping(block, from, layout.size().min(size));
@@ -185,46 +190,46 @@ mod arenas {
             }
             ptr::copy_nonoverlapping(block, made, layout.size().min(size));
             let is_moved = offset.is_none() && RESERVE.offset_of(made).is_some();
-            if !(is_moved && Move::note(made, block, layout.size())) {
+            if !(is_moved && Origin::note(made, block, layout.size())) {
                 Backed.dealloc(block, layout);
             }
             made
         }
     }
 
-    /// Takes a block of the reserve back, and what it came from.
+    /// Frees a block of the reserve and its recorded origin.
     ///
     /// # Safety
-    /// That of `dealloc`.
+    /// The requirements of [`GlobalAlloc::dealloc`].
     #[cold]
     #[inline(never)]
     unsafe fn free(block: *mut u8, offset: usize, layout: Layout) {
-        if let Some((from, size)) = Move::take(block) {
-            // SAFETY: as in `moved`.
+        if let Some((from, size)) = Origin::take(block) {
+            // SAFETY: as in `reallocate`.
             unsafe { System.dealloc(from, Layout::from_size_align_unchecked(size, layout.align())) };
         }
         RESERVE.give_back(offset, layout.size());
     }
 
-    /// The system's allocator, with the reserve behind it.
+    /// The system's allocator, backed by the reserve.
     pub struct Backed;
 
-    // SAFETY: blocks of the system's allocator go back to it, and those of the reserve, which have
-    // the size and the alignment that were asked for and one owner each, to the reserve.
+    // SAFETY: each block returns to the allocator that it came from, either the system's or the
+    // reserve. Blocks of the reserve have the requested size and alignment, and one owner each.
     unsafe impl GlobalAlloc for Backed {
         unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-            // SAFETY: the caller's promises.
+            // SAFETY: guaranteed by the caller.
             let block = unsafe { System.alloc(layout) };
             if block.is_null() { RESERVE.draw(layout) } else { block }
         }
 
         unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-            // SAFETY: the caller's promises.
+            // SAFETY: guaranteed by the caller.
             let mut block = unsafe { System.alloc_zeroed(layout) };
             if block.is_null() {
                 block = RESERVE.draw(layout);
                 if !block.is_null() {
-                    // SAFETY: a block of that size. It may have been used before.
+                    // SAFETY: the block has that size. It may have been used before.
                     unsafe { block.write_bytes(0, layout.size()) };
                 }
             }
@@ -233,23 +238,23 @@ mod arenas {
 
         unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
             match RESERVE.offset_of(block) {
-                // SAFETY: the caller's promises.
+                // SAFETY: guaranteed by the caller.
                 Some(offset) => unsafe { free(block, offset, layout) },
-                // SAFETY: the caller's promises.
+                // SAFETY: guaranteed by the caller.
                 None => unsafe { System.dealloc(block, layout) },
             }
         }
 
         unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
             if RESERVE.offset_of(block).is_none() {
-                // SAFETY: the caller's promises.
+                // SAFETY: guaranteed by the caller.
                 let made = unsafe { System.realloc(block, layout, size) };
                 if !made.is_null() {
                     return made;
                 }
             }
-            // SAFETY: the caller's promises.
-            unsafe { moved(block, layout, size) }
+            // SAFETY: guaranteed by the caller.
+            unsafe { reallocate(block, layout, size) }
         }
     }
 
@@ -258,20 +263,21 @@ mod arenas {
         use super::*;
 
         #[test]
-        fn a_block_that_was_moved_knows_where_it_came_from() {
+        fn the_origin_of_a_moved_block_is_recorded() {
             let mut blocks = [[0_u8; 8]; 66];
             let blocks = blocks.each_mut().map(|block| block.as_mut_ptr());
-            let noted = |k: usize| Move::note(blocks[k], blocks[k + 1], k);
+            let noted = |k: usize| Origin::note(blocks[k], blocks[k + 1], k);
             assert!((0..64).all(noted) && !noted(64));
-            assert_eq!(Move::take(blocks[7]), Some((blocks[8], 7)));
-            assert!(Move::take(blocks[7]).is_none() && noted(64) && !noted(7));
-            assert_eq!(Move::take(blocks[64]), Some((blocks[65], 64)));
-            assert!((0..64).all(|k| Move::take(blocks[k]).is_some() == (k != 7)));
+            assert_eq!(Origin::take(blocks[7]), Some((blocks[8], 7)));
+            assert!(Origin::take(blocks[7]).is_none() && noted(64) && !noted(7));
+            assert_eq!(Origin::take(blocks[64]), Some((blocks[65], 64)));
+            assert!((0..64).all(|k| Origin::take(blocks[k]).is_some() == (k != 7)));
         }
 
         #[test]
-        fn blocks_of_the_reserve_are_apart_and_come_back() {
-            // Not that of the program, whose jobs would find no memory.
+        fn blocks_of_the_reserve_are_disjoint_and_are_reused() {
+            // A separate reserve, because jobs of other tests would find the program's reserve in
+            // use.
             static OWN: Arenas = Arenas {
                 bytes: UnsafeCell::new([0; ARENAS * ARENA]),
                 states: [const { AtomicU64::new(0) }; ARENAS],
@@ -288,7 +294,7 @@ mod arenas {
                 }
                 assert!(block.addr().is_multiple_of(layout.align()) && OWN.offset_of(block).is_some());
                 assert!(RESERVE.offset_of(block).is_none());
-                // SAFETY: a block of that size.
+                // SAFETY: the block has that size.
                 unsafe { block.write_bytes(k as u8, layout.size()) };
                 held.push((block, layout));
             }
@@ -307,7 +313,7 @@ mod arenas {
                 OWN.give_back(OWN.offset_of(block).unwrap(), layout.size());
             });
             assert!(unused());
-            // Small blocks one after another take no more room than one.
+            // Freed blocks are reused: many small ones in turn take the room of one.
             let kept = OWN.draw(of(8, 8));
             for _ in 0..ARENA {
                 let block = OWN.draw(of(64, 8));
@@ -319,7 +325,7 @@ mod arenas {
         }
 
         #[test]
-        fn blocks_of_many_threads_are_apart() {
+        fn blocks_of_many_threads_are_disjoint() {
             static OWN: Arenas = Arenas {
                 bytes: UnsafeCell::new([0; ARENAS * ARENA]),
                 states: [const { AtomicU64::new(0) }; ARENAS],
@@ -333,7 +339,7 @@ mod arenas {
                             let blocks = [0; 5].map(|_| OWN.draw(layout));
                             for block in blocks {
                                 assert!(!block.is_null());
-                                // SAFETY: a block of that size, of this thread.
+                                // SAFETY: the block has that size and belongs to this thread.
                                 unsafe { block.write_bytes(name, layout.size()) };
                             }
                             std::thread::yield_now();

@@ -1,23 +1,23 @@
-//! Kernels: loops over slices, compiled for wider vectors too and chosen at run time.
+//! Kernels: loops over slices that are also compiled for wider vectors and selected at run time.
 //!
-//! A kernel is written as plain arithmetic. The compiler neither reorders nor fuses floating point
-//! operations, whatever vectors it may use, so that all ways through here give the same bits.
+//! A kernel is written as plain arithmetic. The compiler does not reorder or fuse floating-point
+//! operations, so every version returns the same bits.
 //!
-//! What the compiler needs to see in such a loop: slices of one length that are arguments of a
-//! function, as only those are known not to overlap; no calls that are not inlined; and sums, which
-//! it may not reorder, written as several side by side.
+//! For a loop to be vectorised, its slices must have equal length and be arguments of a function,
+//! which tells the compiler that they do not overlap. All calls must be inlined. Sums must be split
+//! into several independent ones, because the compiler may not reorder them.
 
-/// A loop over slices. `run` must be `#[inline(always)]`, and so must be what it calls: code that
-/// is not inlined is compiled for the narrow vectors only.
+/// A loop over slices. Mark `run` and everything that it calls `#[inline(always)]`, because a
+/// function that is not inlined is compiled for narrow vectors only.
 pub trait Kernel {
-    /// What it returns.
+    /// The result of the loop.
     type Output;
 
-    /// The loop.
+    /// Runs the loop.
     fn run(self) -> Self::Output;
 }
 
-/// Runs a kernel with the widest vectors that the processor has.
+/// Runs a kernel with the widest vectors that the processor supports.
 #[inline]
 pub fn run<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]

@@ -1,5 +1,4 @@
-//! Sorting: in place and cancellable, stable without memory, by counting, and of the part before a
-//! median.
+//! Sorting and selection: cancellable and in place, stable without allocation, and by counting.
 
 use crate::alloc;
 use crate::error::Result;
@@ -9,17 +8,17 @@ use std::ops::Range;
 
 /// Elements sorted between two progress reports.
 const ELEMENTS_PER_REPORT: usize = 1 << 16;
-/// Elements of which one is selected at once.
+/// The largest number of elements in which a selection runs without a progress report.
 const MAX_AT_ONCE: usize = 1 << 19;
-/// More are divided about the median of so many of them, again and again. Odd.
+/// The sample size for the pivot of a larger selection. Odd, so that the sample has a median.
 const SAMPLES: usize = 63;
 const MAX_DIVISIONS: usize = 16;
 
-/// Sorts in place, unstably: `compare` must be a total order without ties for results to be
+/// Sorts in place, unstably. `compare` must be a total order without ties for the result to be
 /// deterministic.
 ///
 /// # Errors
-/// [`Error::Cancelled`](crate::Error::Cancelled); the elements are then in some order.
+/// [`Error::Cancelled`](crate::Error::Cancelled); the order of the elements is then unspecified.
 pub fn sort<T>(
     items: &mut [T],
     compare: impl Fn(&T, &T) -> Ordering,
@@ -27,7 +26,7 @@ pub fn sort<T>(
     stage: &'static str,
 ) -> Result<()> {
     let whole = items.len().max(1) as f64;
-    // What is in order is left so; else this ends soon.
+    // Returns early if the elements are in order; an unordered list fails this test soon.
     let in_order = |k: usize| k == 0 || compare(&items[k - 1], &items[k]).is_le();
     let (mut ordered, looking) = (0, job.part(0.0, 0.0));
     while ordered < items.len() && in_order(ordered) {
@@ -37,8 +36,9 @@ pub fn sort<T>(
     if ordered == items.len() {
         return Ok(());
     }
-    // Parts still to be sorted, the first on top, and how often each may still be divided: twice as
-    // often as halving takes. What is left then is sorted at once, so that all is O(n log n).
+    // Parts still to be sorted, the first on top, each with the number of divisions it may still
+    // take. The limit is twice the number that halving takes. A part that reaches it is sorted at
+    // once, which bounds the total to O(n log n).
     let divisions = 2 * (items.len().ilog2() + 1);
     let mut parts = vec![(items, divisions)];
     let mut done = 0;
@@ -57,8 +57,8 @@ pub fn sort<T>(
     Ok(())
 }
 
-/// Brings the element that `middle` precede to its place, and those before it; `report` is called
-/// every so often. O(n).
+/// Partitions so that the element of rank `middle` is in its place, with smaller elements before
+/// it. Calls `report` regularly. O(n).
 fn select_in_steps<T>(
     items: &mut [T],
     middle: usize,
@@ -84,8 +84,8 @@ fn select_in_steps<T>(
     report()
 }
 
-/// Puts what is less than one of the elements before it and the rest after it, and returns the
-/// places of it and of some that equal it: near the middle, as a rule. O(n).
+/// Partitions about a pivot near the median. Returns the range of elements that are known to equal
+/// the pivot; smaller ones lie before it and the rest after. O(n).
 fn divide<T>(
     items: &mut [T],
     compare: &impl Fn(&T, &T) -> Ordering,
@@ -96,25 +96,26 @@ fn divide<T>(
     items.swap(0, samples[SAMPLES / 2]);
     let less = partition(items, Ordering::Equal, compare, report)?;
     items.swap(0, less);
-    // What equals it too, where that may be many.
+    // Also groups the elements equal to the pivot, if there may be many.
     let few = less < items.len() / 8;
     let equal = if few { partition(&mut items[less..], Ordering::Greater, compare, report)? } else { 0 };
     Ok(less..less + 1 + equal)
 }
 
-/// A place in each of as many ranges: not the same one, as lists of meshes repeat themselves, ring
-/// after ring.
+/// Draws one random position from each of `SAMPLES` equal ranges. Random positions avoid resonance
+/// with the periodic lists that meshes produce.
 fn scattered(count: usize) -> [usize; SAMPLES] {
     let range = count / SAMPLES;
     let mut number = count as u64;
     std::array::from_fn(|k| {
-        // D. Knuth's linear congruential generator, whose upper bits are the better ones.
+        // D. Knuth's linear congruential generator. Its high bits are the better ones.
         number = number.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         k * range + (number >> 33) as usize % range
     })
 }
 
-/// Puts what compares with the first element as less than `bound` next to it, and returns how many.
+/// Moves the elements whose comparison with the first element is less than `bound` next to it, and
+/// returns how many there are.
 fn partition<T>(
     items: &mut [T],
     bound: Ordering,
@@ -127,7 +128,7 @@ fn partition<T>(
             if k % ELEMENTS_PER_REPORT == 0 {
                 report()?;
             }
-            // Without a branch: what lies between is not before it either.
+            // Branch-free: an element between the two ends is not smaller either.
             let is_before = compare(&rest[k], pivot) < bound;
             rest.swap(before, k);
             before += usize::from(is_before);
@@ -136,12 +137,12 @@ fn partition<T>(
     Ok(before)
 }
 
-/// Items that are put in order one by one before they are merged.
+/// Runs of this length are sorted by insertion before they are merged.
 const RUN: usize = 16;
 
-/// Sorts in place, stably, and takes no memory for it, which the standard library's would take
-/// without asking. By reference, so that it is compiled once for each type: for lists that are
-/// short or in order, as a rule. O(n log^2 n).
+/// Sorts in place, stably, without allocating (the standard library's stable sort allocates
+/// infallibly). `compare` is a trait object, so that the code is compiled once for each element
+/// type. Intended for lists that are short or nearly sorted. O(n log^2 n).
 pub fn stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
     for run in items.chunks_mut(RUN) {
         for k in 1..run.len() {
@@ -158,13 +159,13 @@ pub fn stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
     }
 }
 
-/// Merges the sorted items before and from `middle`, both some: half of the larger list and what
-/// belongs before or after it in the other change places, and both sides are merged in turn.
+/// Merges two sorted non-empty runs that meet at `middle`. Halves the longer run, rotates the
+/// matching part of the other run to the half's far side, and merges both sides recursively.
 fn merge<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering) {
     if compare(&items[middle - 1], &items[middle]).is_le() {
         return;
     }
-    // Whatever else `compare` says of them, which might be no order.
+    // Two elements need one comparison, even if `compare` is not a total order.
     if let [first, last] = items {
         return std::mem::swap(first, last);
     }
@@ -187,13 +188,13 @@ fn merge<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering
     }
 }
 
-/// Brings the number that `middle` numbers precede by key to its place, and those that precede it
-/// before it; of equal keys the smaller numbers come first. O(n).
+/// Partitions indices so that the index of rank `middle` by key is in its place, with smaller ones
+/// before it. Breaks ties by the smaller index. O(n).
 pub fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
     numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
 }
 
-/// [`select`] of so many that a host would wait: `report` is called every so often.
+/// [`select`] for long lists: calls `report` regularly.
 pub fn select_reported(
     numbers: &mut [u32],
     middle: usize,
@@ -203,13 +204,14 @@ pub fn select_reported(
     select_in_steps(numbers, middle, &|&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)), report)
 }
 
-/// Sorts, and leaves one of equal elements.
+/// Sorts and removes duplicates.
 pub fn sort_distinct<T: Ord>(items: &mut Vec<T>) {
     items.sort_unstable();
     items.dedup();
 }
 
-/// Items in numbered buckets: a counting sort. 4 bytes a bucket beside the items.
+/// Items grouped into numbered buckets by a counting sort. Takes 4 bytes a bucket besides the
+/// items.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Buckets<T> {
     /// Bucket k has the items from `start[k]` to `start[k + 1]`.
@@ -218,13 +220,13 @@ pub struct Buckets<T> {
 }
 
 impl<T: Copy> Buckets<T> {
-    /// Puts items, fewer than 2^32, each into the bucket named with it, of `count`; within a bucket
-    /// they keep their order. `blank` fills memory until then. O(items + count).
+    /// Puts each item, of fewer than 2^32, into the bucket paired with it. Items keep their order
+    /// within a bucket. `blank` initialises the memory. O(items + count).
     pub fn new(count: usize, blank: T, given: impl Iterator<Item = (usize, T)> + Clone) -> Result<Self> {
         Buckets::new_cancellable(count, blank, given, &Job::default(), "")
     }
 
-    /// The same of so many that a host would wait.
+    /// [`new`](Self::new) for many items: the host can cancel.
     pub fn new_cancellable(
         count: usize,
         blank: T,
@@ -233,8 +235,8 @@ impl<T: Copy> Buckets<T> {
         stage: &'static str,
     ) -> Result<Self> {
         let job = job.part(0.0, 0.0);
-        // Counted two buckets further on, so that the sums are the starts of buckets one further on
-        // while they are filled.
+        // Counts two buckets ahead, so that the running sums become the starts of the buckets while
+        // they are filled.
         let mut start = alloc::filled(0u32, count + 2)?;
         for (k, (bucket, _)) in given.clone().enumerate() {
             job.step_within(k, stage)?;
@@ -259,7 +261,7 @@ impl<T: Copy> Buckets<T> {
         Ok(Buckets { start, items })
     }
 
-    /// Where the items of a bucket are among all.
+    /// The range of a bucket in [`items`](Self::items).
     #[inline]
     pub fn range(&self, bucket: usize) -> Range<usize> {
         self.start[bucket] as usize..self.start[bucket + 1] as usize
@@ -271,26 +273,26 @@ impl<T: Copy> Buckets<T> {
         &self.items[self.range(bucket)]
     }
 
-    /// The items of a bucket, to be changed.
+    /// The items of a bucket, mutable.
     #[inline]
     pub fn get_mut(&mut self, bucket: usize) -> &mut [T] {
         let range = self.range(bucket);
         &mut self.items[range]
     }
 
-    /// All items, bucket after bucket.
+    /// All items, bucket by bucket.
     pub fn items(&self) -> &[T] {
         &self.items
     }
 
-    /// The ends of the buckets among the items, after a 0, and the items.
+    /// Returns the end offsets of the buckets (after a leading 0) and the items.
     pub fn into_parts(self) -> (Vec<u32>, Vec<T>) {
         (self.start, self.items)
     }
 }
 
-/// Sorts items whose order compares the numbers of their buckets, below `count`, first: by counting
-/// where there are many. O(items + count) with few items in each bucket.
+/// Sorts items whose order compares a bucket number below `count` first. Long lists are sorted by
+/// counting. O(items + count) if each bucket has few items.
 pub fn sort_by_bucket<T: Ord + Copy>(items: &mut Vec<T>, count: usize, bucket: impl Fn(&T) -> u32) -> Result<()> {
     if items.len() < count / 8 || items.len() < 256 || items.len() > u32::MAX as usize {
         items.sort_unstable();
@@ -310,15 +312,15 @@ mod tests {
     use std::cell::Cell;
     use std::ops::ControlFlow;
 
-    /// Numbers without order, some of them several times.
+    /// Random numbers, with some repetitions.
     fn numbers(count: u64) -> Vec<u64> {
         (0..count).map(|k| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 20) % (count / 2 + 1)).collect()
     }
 
     #[test]
-    fn the_same_as_in_one_go() {
+    fn sort_and_select_agree_with_the_standard_library() {
         let large = MAX_AT_ONCE as u64 + 17;
-        // Also of so few different ones that no division is even.
+        // Also with so few distinct keys that every division is uneven.
         let few = [1, 2, 3].map(|keys| (large, keys));
         for (count, keys) in [0, 1, 2, 1000, large].map(|count| (count, u64::MAX)).into_iter().chain(few) {
             let mut ours: Vec<u64> = numbers(count).into_iter().map(|number| number % keys).collect();
@@ -331,7 +333,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn stable_is_that_of_the_standard_library(keys in prop::collection::vec(0u8..40, 0..300)) {
+        fn stable_agrees_with_the_standard_library(keys in prop::collection::vec(0u8..40, 0..300)) {
             let mut ours: Vec<(u8, usize)> = keys.into_iter().zip(0..).collect();
             let mut plain = ours.clone();
             stable(&mut ours, &|a, b| a.0.cmp(&b.0));
@@ -340,7 +342,7 @@ mod tests {
         }
 
         #[test]
-        fn buckets_are_a_stable_sort(keys in prop::collection::vec(0usize..7, 0..50)) {
+        fn buckets_agree_with_a_stable_sort(keys in prop::collection::vec(0usize..7, 0..50)) {
             let mut given: Vec<(usize, usize)> = keys.into_iter().zip(0..).collect();
             let mut buckets = Buckets::new(7, 0, given.iter().copied()).unwrap();
             given.sort_by_key(|&(key, _)| key);
@@ -355,7 +357,7 @@ mod tests {
         }
 
         #[test]
-        fn the_median_is_that_of_a_sort(keys in prop::collection::vec(0u8..9, 1..60)) {
+        fn select_agrees_with_a_sort(keys in prop::collection::vec(0u8..9, 1..60)) {
             let key = |i: u32| f64::from(keys[i as usize]);
             let mut sorted: Vec<u32> = (0..keys.len() as u32).collect();
             let mut selected = sorted.clone();
@@ -368,9 +370,10 @@ mod tests {
         }
     }
 
-    /// Keys of meshes whose vertices are numbered ring after ring, or row after row, there and back.
+    /// Keys of meshes whose vertices are numbered ring by ring, or row by row in alternating
+    /// directions.
     #[test]
-    fn what_repeats_is_divided_evenly() {
+    fn periodic_keys_are_divided_evenly() {
         for (period, rings) in [(126, true), (252, true), (63, false), (189, false), (64, true)] {
             let count = 1 << 18;
             let keys: Vec<u64> = (0..count)
@@ -393,11 +396,11 @@ mod tests {
     }
 
     #[test]
-    fn medians_of_many_are_those_of_a_sort() {
+    fn select_reported_agrees_with_a_sort() {
         let count = MAX_AT_ONCE as u64 + 17;
         let shuffled = |keys: u64| numbers(count).into_iter().map(|number| number % keys).collect();
         let half = count as usize / 2;
-        // Of few different keys, too, and in order.
+        // With few distinct keys too, and in ascending order.
         let cases: [(Vec<u64>, usize); 4] =
             [(shuffled(u64::MAX), half), (shuffled(3), half), (shuffled(1), 5), ((0..count).rev().collect(), 5)];
         for (keys, middle) in cases {

@@ -1,7 +1,7 @@
-//! What unit tests share.
+//! Helpers for unit tests.
 
-/// How many of `full` cases a test tries that goes through many: all in an optimised build (`make
-/// exhaustive`), a tenth in a plain one, which is ten times as slow.
+/// The number of cases that a randomised test tries. An optimised build (`make exhaustive`) tries
+/// all `full` cases. A plain build is ten times as slow and tries a tenth.
 pub const fn cases(full: u32) -> u32 {
     if cfg!(debug_assertions) { full.div_ceil(10) } else { full }
 }

@@ -1,17 +1,16 @@
-//! Threads that end with the call.
+//! Threads that end before the call returns.
 //!
-//! Those of the standard library cannot be started without memory: what it notes of each it asks
-//! the system for, whatever the allocator, and aborts if that has none. Where there are POSIX
-//! threads, these are used.
+//! The standard library aborts if it cannot allocate the record of a new thread. On systems with
+//! POSIX threads, this module uses those instead.
 
 #![allow(unsafe_code, reason = "POSIX threads, which borrow from the thread that starts them")]
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 use std::thread;
 
-/// Runs `lead` on this thread, which learns how many others there are, and `help` on `helpers`
-/// others at most; returns when all have returned. A thread that cannot be started is no failure. A
-/// panic of any is passed on.
+/// Runs `lead` on the calling thread and `help` on at most `helpers` others, and returns when all
+/// have returned. `lead` receives the number of threads that were started. A thread that cannot be
+/// started is not an error. A panic on any thread is propagated.
 pub fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut(usize)) {
     if helpers == 0 {
         return lead(0);
@@ -19,9 +18,9 @@ pub fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut
     started::run_beside(helpers, help, lead);
 }
 
-/// Locks what is held for a few instructions at a time, and so never slept for: the sanitizer of
-/// threads, too, sees this, and not what the standard library does while it sleeps. What a thread
-/// that panicked leaves behind is whole: nothing is changed in two steps.
+/// Locks a mutex that is held for a few instructions at a time. It spins instead of sleeping,
+/// because the thread sanitizer cannot see how the standard library sleeps. A panic does not poison
+/// the data, since no update takes two steps.
 pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     loop {
         match mutex.try_lock() {
@@ -43,17 +42,17 @@ mod started {
     use std::ptr;
     use std::sync::{Mutex, PoisonError};
 
-    /// Bytes of a stack: as many as the standard library gives to a thread.
+    /// The stack size in bytes, equal to the standard library's default.
     const STACK: usize = 2 << 20;
 
-    /// What the threads share.
+    /// The data that the threads share.
     struct Shared<'a> {
         help: &'a (dyn Fn() + Sync),
         panic: Mutex<Option<Box<dyn Any + Send>>>,
     }
 
     extern "C" fn run(shared: *mut c_void) -> *mut c_void {
-        // SAFETY: the thread that started this one waits for it before it gives `shared` up.
+        // SAFETY: the starting thread joins this one before it drops `shared`.
         let shared = unsafe { &*shared.cast::<Shared<'_>>() };
         if let Err(panic) = catch_unwind(AssertUnwindSafe(shared.help)) {
             *lock(&shared.panic) = Some(panic);
@@ -61,24 +60,24 @@ mod started {
         ptr::null_mut()
     }
 
-    /// Threads that run, and are waited for even if this one panics.
+    /// Running threads, which are joined on drop, even after a panic.
     struct Threads(Vec<pthread_t>);
 
     impl Drop for Threads {
         fn drop(&mut self) {
             for &thread in &self.0 {
-                // SAFETY: a thread that was started, and is waited for once.
+                // SAFETY: the thread was started and is joined once.
                 unsafe { libc::pthread_join(thread, ptr::null_mut()) };
             }
         }
     }
 
-    /// Starts a thread; its number, unless the system has no room for it.
+    /// Starts a thread. Returns `None` if the system refuses.
     fn start(shared: &Shared<'_>) -> Option<pthread_t> {
         let (mut attributes, mut thread) =
             (MaybeUninit::<pthread_attr_t>::uninit(), MaybeUninit::<pthread_t>::uninit());
-        // SAFETY: attributes are initialised, used and destroyed; `shared` lives until the thread
-        // has been waited for, which the caller sees to, and is Sync but for the lifetime.
+        // SAFETY: the attributes are initialised, used and destroyed. `shared` is `Sync` and
+        // outlives the thread, because the caller joins it.
         unsafe {
             if libc::pthread_attr_init(attributes.as_mut_ptr()) != 0 {
                 return None;
@@ -93,7 +92,7 @@ mod started {
 
     pub(super) fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut(usize)) {
         let shared = Shared { help, panic: Mutex::new(None) };
-        // Without room for their numbers there are none.
+        // Starts no threads if their list cannot be allocated.
         let mut threads = Threads(alloc::with_capacity(helpers).unwrap_or_default());
         while threads.0.len() < helpers.min(threads.0.capacity())
             && let Some(thread) = start(&shared)
@@ -131,19 +130,19 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     #[test]
-    fn all_have_returned_and_a_panic_of_any_is_passed_on() {
+    fn all_threads_return_and_a_panic_is_propagated() {
         for helpers in [0, 1, 7] {
-            let (ran, mut told) = (AtomicUsize::new(0), 0);
+            let (ran, mut helper_count) = (AtomicUsize::new(0), 0);
             let help = || {
                 std::thread::yield_now();
                 ran.fetch_add(1, Ordering::Relaxed);
             };
-            run_beside(helpers, &help, &mut |others| told = others);
-            assert_eq!((told, ran.load(Ordering::Relaxed)), (helpers, helpers));
-            let of_this = catch_unwind(AssertUnwindSafe(|| {
+            run_beside(helpers, &help, &mut |others| helper_count = others);
+            assert_eq!((helper_count, ran.load(Ordering::Relaxed)), (helpers, helpers));
+            let own_panic = catch_unwind(AssertUnwindSafe(|| {
                 run_beside(helpers, &help, &mut |_| std::panic::panic_any("this"));
             }));
-            assert_eq!(*of_this.unwrap_err().downcast::<&str>().unwrap(), "this");
+            assert_eq!(*own_panic.unwrap_err().downcast::<&str>().unwrap(), "this");
             assert_eq!(ran.load(Ordering::Relaxed), 2 * helpers);
         }
         let fails = || std::panic::panic_any("another");

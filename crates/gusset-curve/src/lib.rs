@@ -6,10 +6,10 @@
 //!
 //! | module | task | main items |
 //! |---|---|---|
-//! | `curve` | holds piecewise Bézier curves of any degrees, borrowed or owned | [`CurveView`], [`Curve`], [`Place`] |
-//! | `identify` | passes curves through points, and accounts for each point | [`fit`](fit()), [`Outlines`], [`Mode`], [`Method`]; [`sections`](sections()) for single points |
+//! | `curve` | piecewise Bézier curves of any degrees, borrowed or owned | [`CurveView`], [`Curve`], [`Place`] |
+//! | `identify` | fits curves through points, with a report on each point | [`fit`](fit()), [`Outlines`], [`Mode`], [`Method`]; [`sections`](sections()) for single points |
 //! | [`ops`] | answers queries and builds new curves, as methods of [`CurveView`] | lengths, areas, nearest points, intersections, offsets, SVG paths |
-//! | [`frame`] | lays curves across and along a body, through a grid of nodes | [`frame()`](frame::frame()) |
+//! | [`frame`] | curves across and along a body, through a grid of nodes | [`frame()`](frame::frame()) |
 //!
 //! Each module uses only modules above it in the table. Curves are in double precision. Every
 //! operation first moves its curve near the origin and to a size near 1, so that any unit serves.

@@ -27,7 +27,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
     let measures = measure(&net, &job.part(0.4, 0.5))?;
     let plane = planarity(&net, values.number("planarity"), &job.part(0.5, 0.6))?;
-    let complex = Complex::of_topology(net.topology(), &job.part(0.6, 0.8))?;
+    let complex = Complex::from_topology(net.topology(), &job.part(0.6, 0.8))?;
     let sided = if complex.orientable { "two-sided" } else { "one-sided" };
     let mut text = format!(
         "{}, {} of vertices\n{sided}, Euler characteristic {}, {}\narea {}, box {} to {}\n\

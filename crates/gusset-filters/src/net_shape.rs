@@ -90,7 +90,7 @@ fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output
         }
         error => error,
     })?;
-    let complex = Complex::of_topology(net.topology(), &job.part(0.5, 0.7))?;
+    let complex = Complex::from_topology(net.topology(), &job.part(0.5, 0.7))?;
     let mesh = quads::mesh(&net, values, &job.part(0.7, 1.0))?;
     let text = format!(
         "{}, {}, {}, {}\nEuler characteristic {}, {}\n",

@@ -1,5 +1,4 @@
-//! Concatenation of meshes into one: vertices and faces in the order of the pieces, positions
-//! bit for bit.
+//! Concatenation of meshes: vertices and faces in the order of the pieces, positions bit for bit.
 
 use super::owned::{Mesh, PositionBuffer};
 use super::positions::{Scalar, check_size};
@@ -10,19 +9,18 @@ use gusset_base::job::Job;
 
 const STAGE: &str = "putting the pieces together";
 
-/// Where a piece lies in the whole: its vertex v is `first_vertex + v` there, its face f is
-/// `first_face + f`.
+/// The place of a piece in the concatenated mesh. Its vertex v becomes `first_vertex + v` and its
+/// face f becomes `first_face + f`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Piece {
-    /// The new index of its first vertex.
+    /// The new index of the piece's first vertex.
     pub first_vertex: u32,
-    /// The new index of its first face.
+    /// The new index of the piece's first face.
     pub first_face: u32,
 }
 
-/// One mesh of all pieces in their order, not joined: vertices, faces and corners follow each
-/// other, and positions keep their bits (in the scalar type of the first piece). O(size); no memory
-/// besides the result.
+/// Concatenates pieces into one mesh without joining them. Positions keep their bits, in the scalar
+/// type of the first piece. O(size); the only memory is the result.
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a
@@ -36,11 +34,11 @@ pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<
     Ok((whole, places))
 }
 
-/// An empty mesh with room for `pieces` and for as many `extra` vertices, faces and corners, in the
-/// scalar type of the first.
+/// Creates an empty mesh in the scalar type of the first piece. It has room for `pieces`, and for
+/// `extra` vertices, faces and corners in addition.
 ///
 /// # Errors
-/// As for [`concatenate`].
+/// The errors of [`concatenate`].
 pub fn empty<'m, 'a: 'm>(pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone, extra: [usize; 3]) -> Result<Mesh> {
     let scalar = pieces.clone().next().ok_or(Error::EmptyMesh { what: "pieces" })?.positions().scalar();
     if scalar == Scalar::F32 && pieces.clone().any(|p| p.positions().scalar() == Scalar::F64) {
@@ -59,8 +57,8 @@ pub fn empty<'m, 'a: 'm>(pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone,
     Ok(Mesh::new(positions, face_offsets, alloc::with_capacity(counts[2] as usize)?))
 }
 
-/// Appends a piece to a mesh that has room for it; the faces that `turn` names are turned over,
-/// each from its own first corner.
+/// Appends a piece to a mesh that has room for it. `turn` selects the faces to flip; a flipped face
+/// keeps its first corner.
 pub fn append(
     whole: &mut Mesh,
     piece: &MeshView<'_>,

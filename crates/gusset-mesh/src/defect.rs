@@ -1,29 +1,30 @@
-//! Defects of connectivity, each with the element that it is about.
+//! Defects of connectivity, each with the element at fault.
 
-/// Something wrong or unusual about a mesh's connectivity.
+/// A defect or peculiarity of a mesh's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Defect {
-    /// A face that repeats a vertex. If fewer than three distinct consecutive corners remain, the
-    /// face has no border and its neighbours are taken to touch each other.
+    /// A face repeats a vertex. If fewer than three distinct consecutive corners remain, the face
+    /// is ignored and its neighbours count as adjacent.
     DegenerateFace {
         /// The face.
         face: u32,
         /// The repeated vertex.
         vertex: u32,
     },
-    /// An edge whose two faces run it in the same direction: one of them is wrongly oriented.
+    /// The two faces of an edge traverse it in the same direction: one face has the wrong
+    /// orientation.
     OrientationConflict {
-        /// The two half-edges, the smaller number first.
+        /// The two half-edges, the smaller index first.
         half_edges: [u32; 2],
     },
-    /// An edge with three or more faces.
+    /// An edge has three or more faces.
     NonManifoldEdge {
-        /// The first of its half-edges.
+        /// The first of the edge's half-edges.
         half_edge: u32,
-        /// How many half-edges it has.
+        /// The number of half-edges of the edge.
         faces: u32,
     },
-    /// A vertex where the surface touches itself: its faces form more than one fan.
+    /// The surface touches itself at a vertex: the vertex's faces form more than one fan.
     BowTie {
         /// The vertex.
         vertex: u32,

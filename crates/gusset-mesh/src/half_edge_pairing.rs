@@ -1,15 +1,15 @@
-//! How half-edges find each other.
+//! The pairing of half-edges by a counting sort.
 //!
-//! Half-edges are put into buckets (a counting sort): bucket 2v has those that run up from vertex
-//! v, to a vertex of a larger number, and bucket 2v + 1 those that run down to it. What shares an
-//! edge lies in two buckets side by side, and in an oriented manifold each half-edge of the one has
-//! the same other end as just one of the other, which in short buckets is found by looking. Where
-//! it is not so, both are sorted by that end. No hashing, and the same answer for any order of the
-//! faces but for the numbers of the half-edges.
+//! Every vertex v has two buckets. Bucket 2v holds the half-edges that start at v and end at a
+//! larger vertex. Bucket 2v + 1 holds the half-edges that end at v and start at a larger vertex.
+//! The half-edges of one edge are thus in two adjacent buckets. In an oriented manifold each
+//! half-edge of one bucket matches exactly one of the other by its far end, and short buckets are
+//! simply scanned. Otherwise both buckets are sorted by the far end. There is no hashing. The order
+//! of the faces affects only the numbers of the half-edges.
 //!
-//! Each thread counts and distributes a part of the faces. All counts together tell it its places
-//! in every bucket: half-edges are in order there, whatever the number of threads. Pairs are then
-//! made in ranges of vertices.
+//! Each thread counts and distributes a part of the faces. The sum of all counts gives each thread
+//! its positions in every bucket, so half-edges are in order for any number of threads. The pairs
+//! are then made in ranges of vertices.
 
 use super::defect::Defect;
 use super::view::{Faces, MeshView, Visitor};
@@ -21,29 +21,29 @@ use gusset_base::sort::sort;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-/// The edge has this one face only.
+/// Marks a half-edge whose edge has one face.
 pub(super) const FREE: u32 = u32::MAX;
-/// The edge has three or more faces.
+/// Marks a half-edge whose edge has three or more faces.
 pub(super) const SINGULAR: u32 = u32::MAX - 1;
 
-/// Faces, or vertices, that one thread takes between two progress reports.
+/// Faces or vertices that a thread processes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
-/// Vertices whose buckets one thread looks through at a time.
+/// Vertices whose buckets form one work item.
 const CHUNK: usize = 1 << 13;
-/// The most threads that fill buckets, as each counts in arrays of its own.
+/// The maximum number of threads that fill buckets. Each of them needs its own arrays of counts.
 const MAX_PARTS: usize = 8;
-/// The fewest faces that are worth a thread.
+/// The minimum number of faces for a thread.
 const MIN_FACES_PER_PART: usize = 1 << 11;
-/// The longest bucket that is not sorted.
+/// The longest bucket that is scanned instead of sorted.
 const MAX_UNSORTED_BUCKET: usize = 32;
-/// The longest that is sorted without a report.
+/// The longest bucket that is sorted without a progress report.
 const MAX_UNREPORTED_BUCKET: usize = 1 << 16;
 
 /// The pairing of half-edges.
 pub struct Topology {
-    /// Per half-edge: its partner, or [`FREE`], or [`SINGULAR`], or itself if it is ignored.
+    /// Per half-edge: its partner, [`FREE`], [`SINGULAR`], or itself if it is ignored.
     pub(super) mate: Vec<u32>,
-    /// Per vertex: the number of half-edges that start there, ignored ones apart.
+    /// Per vertex: the number of half-edges that start there, without ignored ones.
     pub(super) corner_count: Vec<u32>,
     /// Sorted.
     pub(super) defects: Vec<Defect>,
@@ -52,9 +52,10 @@ pub struct Topology {
 const STAGE: &str = "pairing half-edges";
 
 impl Topology {
-    /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
-    /// memory: 12 bytes a half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most
-    /// 8 take part. Of this 4 bytes a half-edge and 4 a vertex remain.
+    /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d.
+    ///
+    /// Extra memory: 12 bytes a half-edge, 4 bytes a vertex, and 12 bytes a vertex for each of at
+    /// most 8 threads. The result keeps 4 bytes a half-edge and 4 bytes a vertex.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -68,15 +69,16 @@ impl Topology {
         job.step(0.3, STAGE)?;
         let count = places(&mut parts, mesh.positions().len(), &job.part(0.3, 0.3))?;
 
-        // (Other end, half-edge) in one word. No two threads write to the same one.
+        // Each entry packs (far end, half-edge) into one word. No two threads write to the same
+        // entry.
         let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
         each_part(&mut parts, &job.part(0.3, 0.6), |part, range| {
             faces.visit(range, &mut Distribute { part, entries: &entries })
         })?;
         let threads = parts.len();
         job.step(0.6, STAGE)?;
-        // Now the last part's places are where the buckets end. Memory that is used again costs less
-        // than new memory: the parts give theirs up first.
+        // The last part's positions are now the ends of the buckets. Reused memory costs less than
+        // new memory, so free the parts first.
         let (mut ends, mut ignored) = (Vec::new(), Vec::new());
         for part in parts {
             alloc::append(&mut ignored, &part.ignored)?;
@@ -120,7 +122,7 @@ impl Topology {
     }
 }
 
-/// Consecutive ranges of `length` elements that cover `range`.
+/// Divides `range` into consecutive ranges of `length` elements.
 fn blocks(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usize>> {
     range.clone().step_by(length).map(move |first| first..range.end.min(first + length))
 }
@@ -128,16 +130,16 @@ fn blocks(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usiz
 /// The faces that one thread puts into buckets.
 struct Part {
     faces: Range<usize>,
-    /// Per bucket: first how many half-edges it gets, then where the next one goes.
+    /// Per bucket: first the number of its half-edges, later the position of the next one.
     places: Vec<u32>,
-    /// Per vertex: how many half-edges start there.
+    /// Per vertex: the number of half-edges that start there.
     corner_count: Vec<u32>,
-    /// Half-edges that go into no bucket.
+    /// Half-edges that belong to no bucket.
     ignored: Vec<u32>,
     defects: Vec<Defect>,
 }
 
-/// As many parts as there are threads for them.
+/// Divides the faces among the threads, with enough faces for each.
 fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
     let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
     let threads = par::at_most(faces.div_ceil(MIN_FACES_PER_PART).min(MAX_PARTS), threads);
@@ -149,7 +151,7 @@ fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// Lets every thread do its part, with a report now and then.
+/// Runs `work` on every part, each on its own thread, with progress reports.
 fn each_part(
     parts: &mut [Part],
     job: &Job<'_>,
@@ -168,7 +170,7 @@ fn each_part(
     Ok(())
 }
 
-/// The corners of each vertex, and the degenerate faces, of all parts.
+/// Sums the parts' corner counts, and collects their degenerate faces.
 fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
     let (mut counts, mut defects) = (Vec::new(), Vec::new());
     for part in parts {
@@ -183,8 +185,8 @@ fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
     Ok((counts, defects))
 }
 
-/// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns how
-/// many half-edges there are.
+/// Turns counts into positions: bucket after bucket, and within a bucket part after part. Returns
+/// the number of half-edges.
 fn places(parts: &mut [Part], vertices: usize, job: &Job<'_>) -> Result<u32> {
     let mut next = 0;
     job.ranges(STAGE, 2 * vertices, |buckets| {
@@ -204,8 +206,8 @@ fn bucket(u: u32, v: u32) -> usize {
     2 * u.min(v) as usize + usize::from(u > v)
 }
 
-/// Shows `visit` the half-edges of a face as (number, start, end), but for those without length,
-/// and not if fewer than three remain. Returns how many it showed.
+/// Calls `visit` with the half-edges of a face as (index, start, end). Skips half-edges without
+/// length, and the whole face if fewer than three remain. Returns the number of calls.
 #[inline(always)]
 fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> usize {
     let end = |i: usize| corners[if i + 1 < corners.len() { i + 1 } else { 0 }];
@@ -221,7 +223,7 @@ fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> 
     count
 }
 
-/// A vertex that the face names twice.
+/// A vertex that occurs twice in the face.
 #[inline(always)]
 fn repeated(corners: &[u32]) -> Result<Option<u32>> {
     if corners.len() <= 8 {
@@ -233,7 +235,7 @@ fn repeated(corners: &[u32]) -> Result<Option<u32>> {
     Ok(sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]))
 }
 
-/// Counts half-edges, and notes degenerate faces.
+/// Counts half-edges and collects degenerate faces.
 struct Count<'p> {
     faces: &'p Faces<'p>,
     part: &'p mut Part,
@@ -274,7 +276,7 @@ impl Visitor for Distribute<'_> {
 }
 
 impl Distribute<'_> {
-    /// Notes the half-edges of a face that were not shown.
+    /// Records the half-edges of a face that were skipped.
     #[cold]
     fn ignore(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
@@ -283,15 +285,16 @@ impl Distribute<'_> {
     }
 }
 
-/// What making pairs leaves.
+/// The leftovers of pairing a range of vertices.
 #[derive(Default)]
 struct Unpaired {
     defects: Vec<Defect>,
-    /// The buckets of vertices with so many half-edges that a host would wait.
+    /// The buckets that are too long to process without progress reports.
     long: Vec<Range<usize>>,
 }
 
-/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`.
+/// Pairs the half-edges in the buckets of some vertices. The buckets start at `first` and end at
+/// `ends`.
 fn pair(
     faces: &Faces<'_>,
     mate: &[AtomicU32],
@@ -322,20 +325,21 @@ fn pair(
     Ok(found)
 }
 
-/// True of two half-edges of one vertex's buckets that have the same other end.
+/// Returns true if two half-edges of one vertex's buckets have the same far end.
 fn same_edge(x: &u64, y: &u64) -> bool {
     x >> 32 == y >> 32
 }
 
-/// Pairs each half-edge that runs up with the one that runs down from the same end. False if there
-/// is not one, or another one, or too many to look through: then nothing that was written counts.
+/// Pairs each upward half-edge with the downward one that has the same far end. Returns false if a
+/// match is missing or ambiguous, or if there are too many half-edges to scan. The caller must then
+/// overwrite the partners.
 fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
     if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET {
         return false;
     }
     for (i, &up) in ups.iter().enumerate() {
         let downs = &mut downs[i..];
-        // No exit, and no branch that depends on where it lies.
+        // Without an early exit, and without a branch that depends on the position.
         let (mut count, mut at) = (0, 0);
         for (k, &down) in downs.iter().enumerate() {
             let same = up >> 32 == down >> 32;
@@ -356,7 +360,7 @@ fn set_mates(mate: &[AtomicU32], g: u32, h: u32) {
     mate[h as usize].store(g, Ordering::Relaxed);
 }
 
-/// Enters what the half-edges of one edge, in order, are to each other.
+/// Stores the relation of the half-edges of one edge, given in order.
 fn join(faces: &Faces<'_>, mate: &[AtomicU32], edge: &[u64], defects: &mut Vec<Defect>) -> Result<()> {
     let half_edge = |i: usize| edge[i] as u32;
     let set = |mark: u32| edge.iter().for_each(|&entry| mate[entry as u32 as usize].store(mark, Ordering::Relaxed));

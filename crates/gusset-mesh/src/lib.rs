@@ -1,16 +1,16 @@
 //! Polygon meshes: a validated view of the host's own arrays, an owned mesh for results, and the
 //! pairing of half-edges.
 //!
-//! * [`MeshView`] borrows positions and faces as they lie in the host's memory (any stride, any
-//!   alignment, `f32` or `f64`, polygons of any degree) and holds them to the rules once, so that
-//!   the algorithms need not.
-//! * [`Mesh`] owns its arrays; it is what the algorithms return.
-//! * [`concatenate`] puts many meshes side by side in one.
-//! * [`merge`]: which vertices are one, of those that are kept apart for the values that they carry.
-//! * [`Topology`] says which half-edges share an edge.
+//! - [`MeshView`] borrows positions and faces from the host's memory (any stride, any alignment,
+//!   `f32` or `f64`, polygons of any degree). It validates them once, so that the algorithms need
+//!   no checks.
+//! - [`Mesh`] owns its arrays; the algorithms return it.
+//! - [`concatenate`] puts many meshes into one.
+//! - [`merge`] finds vertices that coincide but are kept apart for the values that they carry.
+//! - [`Topology`] tells which half-edges share an edge.
 //!
-//! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of
-//! the corner array names and runs to the vertex of the next corner of the same face.
+//! **Half-edges** have the indices of corners. Half-edge `h` starts at the vertex of corner `h` in
+//! the corner array and ends at the vertex of the next corner of the face.
 
 #[doc(hidden)]
 pub mod concat;
@@ -30,7 +30,7 @@ pub use owned::{Mesh, PositionBuffer};
 #[doc(hidden)]
 pub use positions::check_size;
 pub use positions::{MAX_ELEMENTS, Positions, Scalar};
-pub use topology::{Across, half_edges, unordered, vertex_components};
+pub use topology::{Opposite, half_edges, unordered, vertex_components};
 #[doc(hidden)]
 pub use view::Visitor;
 pub use view::{Faces, MeshView};

@@ -1,4 +1,4 @@
-//! Which vertices are one: those with equal keys, or at equal positions.
+//! Merge maps: which vertices have equal keys or equal positions.
 
 use super::view::MeshView;
 use gusset_base::alloc;
@@ -7,21 +7,22 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use std::cmp::Ordering;
 
-const STAGE: &str = "finding vertices that are one";
+const STAGE: &str = "finding equal vertices";
 
-/// For each vertex the smallest one with the same key, or without keys at the same place, where -0
-/// equals 0; a vertex whose position is not finite is one with itself alone. A merge map as
-/// [`MeshView::merged_corners`] takes it. O(n log n).
+/// Computes a merge map as [`MeshView::merged_corners`] takes it. The map sends each vertex to the
+/// smallest vertex with the same key. Without keys it compares positions, where -0 equals 0 and a
+/// vertex whose position is not finite is equal only to itself. O(n log n).
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory), [`Error::Cancelled`](gusset_base::Error::Cancelled).
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Result<Vec<u32>> {
     let positions = mesh.positions();
     let mut order = alloc::collect(0..positions.len() as u32)?;
     let place = |v: u32| positions.get(v).to_array();
     let compare = |&u: &u32, &v: &u32| match keys {
         Some(keys) => keys[u as usize].cmp(&keys[v as usize]),
-        // By numbers first; 0 and -0 are equal, and what is no number comes at the ends.
+        // A numeric comparison makes 0 and -0 equal; NaN goes to the ends.
         None => place(u)
             .into_iter()
             .zip(place(v))

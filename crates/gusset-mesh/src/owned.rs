@@ -10,7 +10,7 @@ use gusset_base::geom::scale::distance;
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// Positions of one scalar type, packed.
+/// Packed positions of one scalar type.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PositionBuffer {
     /// 32-bit coordinates.
@@ -29,8 +29,8 @@ impl PositionBuffer {
         })
     }
 
-    /// Appends positions `range` of `from`: the same bits where the types agree, exact where `f32`
-    /// becomes `f64`.
+    /// Appends the positions `range` of `from`. They keep their bits if the types agree; `f32`
+    /// converts exactly to `f64`.
     #[inline]
     pub fn append(&mut self, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
         match self {
@@ -48,12 +48,12 @@ impl PositionBuffer {
         }
     }
 
-    /// Positions `vertices` of this buffer, bit for bit.
+    /// Copies the positions `vertices` of this buffer, bit for bit.
     pub fn select(&self, vertices: &[u32]) -> Result<PositionBuffer> {
         Self::gather(&self.view(), vertices)
     }
 
-    /// Positions `vertices` of `from`, bit for bit.
+    /// Copies the positions `vertices` of `from`, bit for bit.
     pub fn gather(from: &Positions<'_>, vertices: &[u32]) -> Result<PositionBuffer> {
         Ok(match from.scalar() {
             Scalar::F32 => PositionBuffer::F32(gather_bits(from, vertices)?),
@@ -67,13 +67,13 @@ impl PositionBuffer {
         self.view().len()
     }
 
-    /// True if there are none.
+    /// Returns true if the list of positions is empty.
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// A view of them.
+    /// Borrows the positions.
     #[inline]
     pub fn view(&self) -> Positions<'_> {
         match self {
@@ -110,23 +110,24 @@ fn gather_bits<T: bytemuck::Pod>(from: &Positions<'_>, vertices: &[u32]) -> Resu
 pub struct Mesh {
     /// The positions.
     pub positions: PositionBuffer,
-    /// Where each face's corners start; one entry more than there are faces.
+    /// The start of each face's corners, then the number of corners.
     pub face_offsets: Vec<u32>,
     /// Vertex indices, face after face.
     pub face_corners: Vec<u32>,
-    /// For each vertex the one that it is one with, where faces name vertices that are kept apart for
-    /// the values that they carry, see [`MeshView::merged`]; empty if none is one with another.
+    /// The merge map: for each vertex the vertex that it is merged into, see [`MeshView::merged`].
+    /// Vertices are kept apart in the faces for the values that they carry. Empty if no vertices
+    /// are merged.
     pub merge: Vec<u32>,
 }
 
 impl Mesh {
-    /// A mesh none of whose vertices is one with another.
+    /// Creates a mesh without merged vertices.
     #[inline]
     pub fn new(positions: PositionBuffer, face_offsets: Vec<u32>, face_corners: Vec<u32>) -> Mesh {
         Mesh { positions, face_offsets, face_corners, merge: Vec::new() }
     }
 
-    /// The vertex at a corner, as the one that it is one with.
+    /// The vertex at a corner after merging.
     #[inline]
     pub fn corner(&self, corner: usize) -> u32 {
         let v = self.face_corners[corner];
@@ -150,13 +151,13 @@ impl Mesh {
         self.face_offsets.windows(2).map(|w| &self.face_corners[w[0] as usize..w[1] as usize])
     }
 
-    /// Turns face `f` over: it keeps its first corner, and has the others in reverse order.
+    /// Flips face `f`: keeps its first corner and reverses the order of the others.
     pub fn turn_face(&mut self, f: usize) {
         let [first, end] = [f, f + 1].map(|k| self.face_offsets[k] as usize);
         self.face_corners[first + 1..end].reverse();
     }
 
-    /// The mean length of the faces' sides; infinite if none has a length.
+    /// The mean length of the faces' sides; infinite if all lengths are 0.
     pub fn mean_side(&self) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for face in self.faces() {
@@ -168,8 +169,7 @@ impl Mesh {
         if sum > 0.0 { sum / count } else { f64::INFINITY }
     }
 
-    /// A validated view, in which no vertex is one with another; see [`MeshView::new`] for the
-    /// errors.
+    /// Returns a validated view that ignores the merge map; see [`MeshView::new`] for the errors.
     #[inline]
     pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
         MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)

@@ -1,14 +1,14 @@
-//! Positions as they lie in a host's memory.
+//! Positions in a host's memory.
 
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::strided::Strided;
 use std::ops::Range;
 
-/// The largest number of vertices and the largest number of half-edges of a mesh: 2^32 - 2.
+/// The maximum number of vertices and of half-edges of a mesh: 2^32 - 2.
 pub const MAX_ELEMENTS: u64 = u32::MAX as u64 - 1;
 
-/// The type of a coordinate, the coarser one first.
+/// The type of a coordinate, the less precise one first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Scalar {
     /// 32-bit float.
@@ -18,7 +18,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// Bytes of one position: three coordinates.
+    /// The size in bytes of one position: three coordinates.
     #[inline]
     pub fn position_size(self) -> usize {
         match self {
@@ -28,8 +28,7 @@ impl Scalar {
     }
 }
 
-/// Positions as they lie in memory: `x, y, z` at the start of every `stride` bytes, at any
-/// alignment.
+/// Positions in a host's memory: `x, y, z` at the start of every `stride` bytes, at any alignment.
 #[derive(Debug, Clone, Copy)]
 pub struct Positions<'a> {
     points: Strided<'a>,
@@ -37,8 +36,8 @@ pub struct Positions<'a> {
 }
 
 impl<'a> Positions<'a> {
-    /// `bytes` starts with the first position; `stride` is in bytes, 0 for positions without gaps.
-    /// The last position needs its own bytes only, not a whole stride.
+    /// `bytes` starts with the first position. `stride` is in bytes; 0 means positions without
+    /// gaps. The last position needs only its own bytes, not a whole stride.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
@@ -65,7 +64,7 @@ impl<'a> Positions<'a> {
         self.points.count()
     }
 
-    /// True if there are none.
+    /// Returns true if the list of positions is empty.
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -89,11 +88,11 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// True if all coordinates in `range` are finite.
+    /// Returns true if all coordinates in `range` are finite.
     pub(super) fn are_finite(&self, mut range: Range<usize>) -> bool {
         match (self.packed_bytes(), self.scalar) {
-            // Sign apart, adding one to the exponent carries into the sign bit just where the
-            // exponent is the largest, that of infinities and NaN. A loop without an exit runs
+            // Without the sign, adding one to the exponent overflows into the sign bit exactly for
+            // the largest exponent, which marks infinities and NaN. A loop without an exit runs
             // several times as fast.
             (Some(bytes), Scalar::F64) => {
                 let add = |carry, bits: &[u8]| {
@@ -116,12 +115,14 @@ impl<'a> Positions<'a> {
         self.points.bytes(v)
     }
 
-    /// True if nothing lies between the positions.
+    /// The bytes, if the positions are contiguous.
     pub(super) fn packed_bytes(&self) -> Option<&'a [u8]> {
         self.points.without_gaps()
     }
 }
 
+/// Checks both counts against [`MAX_ELEMENTS`].
+///
 /// # Errors
 /// [`Error::TooLarge`].
 pub fn check_size(vertices: u64, half_edges: u64) -> Result<()> {

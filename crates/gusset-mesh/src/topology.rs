@@ -9,39 +9,38 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_base::par;
 
-/// Half-edges that one thread looks at at a time.
+/// Half-edges in one work item.
 const CHUNK: usize = 1 << 18;
 
-/// What lies across a half-edge.
+/// The opposite of a half-edge, across its edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Across {
-    /// Nothing: a free edge.
+pub enum Opposite {
+    /// None: the edge is free.
     Free,
-    /// Two or more other faces.
+    /// Two or more faces.
     Singular,
-    /// This half-edge of the one other face.
+    /// A single half-edge, of the edge's other face.
     Mate(u32),
 }
 
 impl Topology {
-    /// What lies across half-edge `h`, which must not be an ignored one.
+    /// The opposite of half-edge `h`, which must not be an ignored one.
     #[inline]
-    pub fn across(&self, h: u32) -> Across {
+    pub fn opposite(&self, h: u32) -> Opposite {
         match self.mate[h as usize] {
-            FREE => Across::Free,
-            SINGULAR => Across::Singular,
-            mate => Across::Mate(mate),
+            FREE => Opposite::Free,
+            SINGULAR => Opposite::Singular,
+            mate => Opposite::Mate(mate),
         }
     }
 
-    /// True if `h` takes no part: it has no length, or its face is degenerate.
+    /// Returns true if `h` is ignored, because its length is 0 or its face is degenerate.
     #[inline]
     pub fn is_ignored(&self, h: u32) -> bool {
         self.mate[h as usize] == h
     }
 
-    /// The half-edges of free edges and those of edges with three or more faces, in ascending
-    /// order.
+    /// The half-edges of free edges and of edges with three or more faces, in ascending order.
     pub fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
         let found = par::map(job.threads(), par::ranges(self.mate.len(), CHUNK), |range| {
             let half_edges = (range.start as u32..).zip(&self.mate[range]);
@@ -52,7 +51,7 @@ impl Topology {
         Ok(border)
     }
 
-    /// The number of faces' corners at vertex `v`, ignored half-edges apart.
+    /// The number of faces' corners at vertex `v`, without ignored half-edges.
     #[inline]
     pub fn corner_count(&self, v: u32) -> u32 {
         self.corner_count[v as usize]
@@ -64,7 +63,7 @@ impl Topology {
         &self.defects
     }
 
-    /// The half-edge of the same face that follows `h`, those without length left out.
+    /// The next half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn next(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
@@ -72,7 +71,7 @@ impl Topology {
         after.chain(before).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
 
-    /// The half-edge of the same face that precedes `h`, those without length left out.
+    /// The previous half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn previous(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
@@ -81,13 +80,13 @@ impl Topology {
     }
 }
 
-/// The ends of an edge in one word, whatever their order.
+/// Packs the ends of an edge into one word, independently of their order.
 #[inline]
 pub fn unordered([u, v]: [u32; 2]) -> u64 {
     u64::from(u.min(v)) << 32 | u64::from(u.max(v))
 }
 
-/// The half-edges of face `f` as (number, start vertex, end vertex).
+/// The half-edges of face `f` as (index, start vertex, end vertex).
 #[inline]
 pub fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
     let faces = mesh.faces();
@@ -96,7 +95,7 @@ pub fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = 
     (start..end).map(move |h| (h, faces.corner(h), faces.corner(if h + 1 == end { start } else { h + 1 })))
 }
 
-/// Sets of vertices, in which all vertices of a face are in one. O(V + H), 4 bytes a vertex.
+/// Sets of vertices in which all vertices of a face belong to one set. O(V + H), 4 bytes a vertex.
 pub fn vertex_components(mesh: &MeshView<'_>) -> Result<DisjointSets> {
     let mut sets = DisjointSets::new(mesh.positions().len())?;
     for f in 0..mesh.faces().len() {

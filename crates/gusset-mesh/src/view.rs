@@ -7,7 +7,7 @@ use gusset_base::job::Job;
 use gusset_base::par;
 use std::ops::Range;
 
-/// Elements that one thread checks at a time.
+/// Elements in one work item of the checks.
 const CHUNK: usize = 1 << 16;
 
 /// Packed 32-bit indices at any alignment.
@@ -29,7 +29,8 @@ impl<'a> Indices<'a> {
         self.0.len() / 4
     }
 
-    /// Taken as face offsets: they start at 0, and each is at least 3 more than the one before.
+    /// Checks the indices as face offsets: they start at 0, and each is at least 3 more than the
+    /// previous one.
     fn check(self, job: &Job<'_>) -> Result<()> {
         if self.get(0) != 0 {
             return Err(Error::BadOffsets { entry: 0, value: self.get(0) });
@@ -53,33 +54,34 @@ enum Layout<'a> {
     Offsets(Indices<'a>),
 }
 
-/// Somebody whom [`Faces::visit`] shows faces to.
+/// The receiver of [`Faces::visit`].
 pub trait Visitor {
-    /// A face, its first half-edge and its vertices. To be inlined: triangles and quads are arrays,
-    /// whose length the compiler then knows.
+    /// Receives a face as its first half-edge and its vertices. Inline it: triangles and quads are
+    /// passed as arrays, whose length the compiler then knows.
     fn face(&mut self, first: u32, corners: &[u32]) -> Result<()>;
 }
 
-/// Faces as they lie in memory: vertex indices, face after face.
+/// Faces in a host's memory: vertex indices, face after face.
 #[derive(Debug, Clone, Copy)]
 pub struct Faces<'a> {
     corners: Indices<'a>,
     layout: Layout<'a>,
     count: usize,
-    /// Where vertices are one with others.
+    /// The merge map and the corners before merging, if the faces are merged.
     split: Option<Split<'a>>,
 }
 
-/// Faces before vertices are made one.
+/// The corners before merging, and the merge map.
 #[derive(Debug, Clone, Copy)]
 struct Split<'a> {
-    /// For each vertex the one that it is one with.
+    /// For each vertex the vertex that it is merged into.
     merge: Indices<'a>,
     corners: Indices<'a>,
 }
 
 impl<'a> Faces<'a> {
-    /// `face_size` corners for every face; `corners` holds `count * face_size` native-endian `u32`.
+    /// Creates faces of `face_size` corners each. `corners` holds `count * face_size` native-endian
+    /// `u32`.
     ///
     /// # Errors
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`], [`Error::ArrayTooShort`].
@@ -93,12 +95,12 @@ impl<'a> Faces<'a> {
         })
     }
 
-    /// Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`; both are native-endian
-    /// `u32`, and `offsets` has one entry more than there are faces.
+    /// Creates polygons. Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`. Both
+    /// are native-endian `u32`, and `offsets` has `count + 1` entries.
     ///
     /// # Errors
-    /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. The offsets themselves are checked by
-    /// [`MeshView::new`].
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. [`MeshView::new`] checks the offsets
+    /// themselves.
     pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
         let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         let needed = offsets.get(count) as usize * 4;
@@ -110,13 +112,13 @@ impl<'a> Faces<'a> {
         })
     }
 
-    /// True if some vertices may be one with others.
+    /// Returns true if the faces have a merge map.
     #[inline]
     pub fn is_merged(&self) -> bool {
         self.split.is_some()
     }
 
-    /// The vertex that one is one with; itself if it is beyond all.
+    /// The vertex that `v` is merged into; `v` itself if the map does not cover it.
     #[inline]
     pub fn merge_of(&self, v: u32) -> u32 {
         match self.split {
@@ -125,13 +127,13 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The vertex at corner `h` before vertices are made one.
+    /// The vertex at corner `h` before merging.
     #[inline]
     pub fn split_corner(&self, h: u32) -> u32 {
         self.split.map_or(self.corners, |split| split.corners).get(h as usize)
     }
 
-    /// The number of corners of `count` faces of `face_size` corners.
+    /// The number of corners of `count` faces with `face_size` corners each.
     ///
     /// # Errors
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`].
@@ -144,7 +146,7 @@ impl<'a> Faces<'a> {
         Ok(total as usize)
     }
 
-    /// The number of offsets of `count` faces.
+    /// The number of offsets for `count` faces.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
@@ -154,9 +156,9 @@ impl<'a> Faces<'a> {
         Ok(count + 1)
     }
 
-    /// Holds the offsets of `count` faces to the rules before anybody has seen the corners, and
-    /// returns how many corners there must be. For callers that learn the length of the corner
-    /// array from the offsets alone.
+    /// Validates the offsets of `count` faces without the corners, and returns the required number
+    /// of corners. It serves callers that learn the length of the corner array from the offsets
+    /// alone.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`],
@@ -170,7 +172,7 @@ impl<'a> Faces<'a> {
         Ok(corners as usize)
     }
 
-    /// Triangles.
+    /// Creates triangles.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
@@ -179,7 +181,7 @@ impl<'a> Faces<'a> {
         Self::uniform(bytemuck::cast_slice(corners), 3, corners.len())
     }
 
-    /// Quads.
+    /// Creates quads.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
@@ -188,10 +190,10 @@ impl<'a> Faces<'a> {
         Self::uniform(bytemuck::cast_slice(corners), 4, corners.len())
     }
 
-    /// Polygons: see [`Faces::with_offsets`].
+    /// Creates polygons; see [`Faces::with_offsets`].
     ///
     /// # Errors
-    /// [`Error::BadOffsets`] for empty offsets, and as there.
+    /// [`Error::BadOffsets`] for empty offsets, and the errors of [`Faces::with_offsets`].
     #[inline]
     pub fn polygons(offsets: &'a [u32], corners: &'a [u32]) -> Result<Self> {
         let count = offsets.len().checked_sub(1).ok_or(Error::BadOffsets { entry: 0, value: 0 })?;
@@ -204,7 +206,7 @@ impl<'a> Faces<'a> {
         self.count
     }
 
-    /// True if there are none.
+    /// Returns true if the list of faces is empty.
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.count == 0
@@ -219,7 +221,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The face that corner (half-edge) `h` belongs to: at once for uniform faces, else by
+    /// The face that corner (half-edge) `h` belongs to. O(1) for uniform faces, otherwise by
     /// bisection.
     #[inline]
     pub fn face_of(&self, h: u32) -> u32 {
@@ -236,7 +238,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The half-edge that follows `h` in its face.
+    /// The next half-edge of the face.
     #[inline]
     pub fn next(&self, h: u32) -> u32 {
         let range = self.range(self.face_of(h) as usize);
@@ -254,7 +256,7 @@ impl<'a> Faces<'a> {
         self.corners.slice(range)
     }
 
-    /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has
+    /// Calls `visitor` with each face of `faces` in turn. Extra memory: the largest face that has
     /// more than four corners.
     #[doc(hidden)]
     pub fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
@@ -298,12 +300,12 @@ fn indices<'a>(bytes: &'a [u8], needed: usize, what: &'static str) -> Result<Ind
     }
 }
 
-/// A polygon mesh in the host's memory that keeps the rules: at least one vertex and one face,
-/// monotone offsets, at least three corners a face, every index in range, and finite coordinates at
-/// every vertex that a face uses.
+/// A validated polygon mesh in the host's memory. It has at least one vertex and one face, monotone
+/// offsets, at least three corners a face, and indices in range. Coordinates are finite at every
+/// vertex that a face uses.
 ///
-/// Vertices that no face uses may hold anything, as the empty cells of a range scan do; they are
-/// carried along untouched.
+/// Vertices that no face uses may hold any values, like the empty cells of a range scan. The
+/// algorithms copy them unchanged.
 #[derive(Debug, Clone, Copy)]
 pub struct MeshView<'a> {
     positions: Positions<'a>,
@@ -311,7 +313,7 @@ pub struct MeshView<'a> {
 }
 
 impl<'a> MeshView<'a> {
-    /// Checks the rules, in O(vertices + corners), on the job's threads.
+    /// Validates the arrays, in O(vertices + corners), on the job's threads.
     ///
     /// # Errors
     /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`],
@@ -330,7 +332,7 @@ impl<'a> MeshView<'a> {
             offsets.check(job)?;
         }
         job.step(0.3, "checking the mesh")?;
-        // Both arrays in as many parts, so that the threads start once.
+        // Divides both arrays into the same number of parts, so that the threads start once.
         let (corners, vertices) = (faces.half_edge_count(), positions.len());
         let count = corners.max(vertices).div_ceil(CHUNK);
         let part = |len: usize, i: usize| {
@@ -342,7 +344,7 @@ impl<'a> MeshView<'a> {
         })?;
         checked.iter().try_for_each(|&(corners, _)| corners)?;
         if !checked.iter().all(|&(_, finite)| finite) {
-            // Rare: find out whether a face uses such a vertex.
+            // Rare: check whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
             let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad))?;
             if let Some(&h) = firsts.iter().flatten().next() {
@@ -366,9 +368,9 @@ impl<'a> MeshView<'a> {
         &self.faces
     }
 
-    /// The corners of the mesh where vertices are one with others: `merge` holds for each vertex a
-    /// native-endian `u32`, the vertex that it is one with, itself or one that is so. For
-    /// [`MeshView::merged`]. O(V + H).
+    /// Applies a merge map to the corners, for [`MeshView::merged`]. `merge` holds for each vertex
+    /// a native-endian `u32`: the vertex that it is merged into. A vertex that others are merged
+    /// into must map to itself. O(V + H).
     ///
     /// # Errors
     /// [`Error::ArrayTooShort`], [`Error::BadMerge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -392,8 +394,8 @@ impl<'a> MeshView<'a> {
         Ok(corners)
     }
 
-    /// The mesh whose faces have these [`merged_corners`](MeshView::merged_corners) by `merge`; its
-    /// own are kept beside them.
+    /// Returns the mesh with merged corners, from [`merged_corners`](MeshView::merged_corners) for
+    /// the same `merge`. The original corners remain accessible.
     #[must_use]
     #[inline]
     pub fn merged<'b>(&self, merge: &'b [u8], corners: &'b [u32]) -> MeshView<'b>
@@ -413,7 +415,8 @@ impl<'a> MeshView<'a> {
 
     fn check_corners(&self, range: Range<usize>) -> Result<()> {
         let count = self.positions.len();
-        // Whether at all first: a loop without an exit runs several times as fast.
+        // First test all corners without locating an error: a loop without an exit runs several
+        // times as fast.
         let beyond = |any, v: u32| any | u32::from(v >= count as u32);
         if self.faces.corners(range.clone()).fold(0, beyond) == 0 {
             return Ok(());

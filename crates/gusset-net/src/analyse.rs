@@ -1,11 +1,12 @@
-//! Analysis of a deformation as soft or hard (Deryagin, "Soft and hard deformations of a net").
+//! Classification of a deformation as soft or hard (Deryagin, "Soft and hard deformations of a
+//! net").
 //!
-//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes,
-//! which is neither necessary nor sufficient: (x, y, 0) has determinant 0 everywhere and leaves a
-//! sheet in a plane z = const unchanged, and rolling a sheet up to a cylinder has a positive one
-//! and closes the sheet. A link is contracted if and only if the deformation brings its ends
-//! together; so the links are measured, closing links included, and the determinant shows where
-//! space is inverted. O(nodes).
+//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes. That
+//! condition is neither necessary nor sufficient. The map (x, y, 0) has determinant 0 everywhere
+//! but leaves a sheet in a plane z = const unchanged. Rolling a sheet up to a cylinder has a
+//! positive determinant but closes the sheet. A deformation contracts a link if and only if it
+//! brings the link's ends together. The links are therefore measured, including closing links, and
+//! the determinant shows where space is inverted. O(nodes).
 
 use super::field::{Step, deform};
 use super::hidden_cells::HiddenCells;
@@ -37,8 +38,8 @@ pub struct Analysis {
     pub cells: Vec<f64>,
     /// The determinant of the field's Jacobian at the centre of each cell; empty without a field.
     pub determinants: Vec<f64>,
-    /// The links contracted to a point: longer than the tolerance before, not glued, and no longer
-    /// than it now.
+    /// The links contracted to a point: longer than the tolerance before, not glued, and at most
+    /// that long now.
     pub contracted: Vec<Contracted>,
     /// The glued links whose ends are farther apart than the tolerance now.
     pub torn: Vec<u32>,
@@ -53,16 +54,18 @@ impl Analysis {
     }
 }
 
-/// Compares a net after a deformation with the net before. `tolerance`: lengths up to it count as
-/// 0.
+/// Compares a net after a deformation with the net before. Lengths up to `tolerance` count as 0.
 ///
-/// The net is folded at a link whose two cells lie on the same side of it in one plane, and in a
-/// cell two opposite sides of which cross, if they did not before; both within the tolerance and
-/// the rounding of the coordinates, in cells that are wider than that. Folds divide each connected
-/// component of cells into two sides, of which the smaller is folded; where a fold ends within the
-/// surface and divides nothing, the cells along it are. Invertible affine maps fold nothing, nor
-/// does bending until the dihedral angle vanishes. Links across seams other than closed sides are
-/// not tested. O(nodes), 24 bytes a node, and 9 more if there are folds.
+/// The net is folded at a link if the two cells of the link lie on the same side of it in one
+/// plane. It is folded in a cell if two opposite sides of the cell cross. Folds that existed before
+/// do not count. Both tests allow for the tolerance and the rounding of the coordinates, and skip
+/// cells that are not wider than that.
+///
+/// Folds divide each connected component of cells into two sides, and the smaller side is folded.
+/// If a fold ends within the surface and divides nothing, the cells along it are folded. Invertible
+/// affine maps fold nothing, and bending folds nothing until a dihedral angle vanishes. Links
+/// across seams are tested only at closed sides. O(nodes), 24 bytes a node, and 9 more if there are
+/// folds.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN,
@@ -78,13 +81,13 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
     Ok(found)
 }
 
-/// As [`analyse`], for a chain of fields; the net stays unchanged. Determinants are found by
-/// central differences; cells whose sign differs from the majority are folded. A determinant below
-/// the error of the differences is 0 and has no sign; if no sign differs, folds are found as in
-/// [`analyse`]. Also 8 bytes a node, and a copy of the net.
+/// Classifies a chain of fields like [`analyse`], without changing the net. Determinants are found
+/// by central differences. Cells whose sign differs from the majority are folded. A determinant
+/// below the error of the differences counts as 0 and has an undefined sign. If all signs agree,
+/// folds are found as in [`analyse`]. Takes 8 bytes a node more, and a copy of the net.
 ///
 /// # Errors
-/// Also those of [`deform`].
+/// The errors of [`analyse`] and [`deform`].
 pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
     let mut after = net.copied()?;
     deform(&mut after, steps, &job.part(0.0, 0.3))?;
@@ -96,8 +99,8 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
     Ok(found)
 }
 
-/// The topology with more links contracted: the gluings of a hard deformation made part of the net.
-/// Follow it with [`snap`](super::field::snap).
+/// Contracts more links of a topology, which makes the gluings of a hard deformation part of the
+/// net. Follow it with [`snap`](super::field::snap).
 ///
 /// # Errors
 /// [`Error::NoSuch`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
@@ -113,15 +116,15 @@ pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &J
     Ok(glued.with_reversed(topology.is_reversed()))
 }
 
-/// The analysis without signs.
+/// Compares two nets without signs.
 fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     job.step(0.0, "analyse")?;
-    let (shape, classes) = (before.shape(), Classes::of(before.topology())?);
+    let (shape, classes) = (before.shape(), Classes::new(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        let row = |i: usize, ratios: &mut [f64]| row_of_links((old, new), i, ratios, &classes, tolerance);
+        let row = |i: usize, ratios: &mut [f64]| measure_row_of_links((old, new), i, ratios, &classes, tolerance);
         chunks::map_rows(&mut links, width, (&job.part(0.0, 0.5), "analyse"), row)?.collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
@@ -130,14 +133,14 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
         alloc::append(&mut contracted, &new)?;
         alloc::append(&mut torn, &lost)?;
     }
-    let contracted = with_stars(before.topology(), &contracted, &job.part(0.5, 0.5))?;
+    let contracted = find_stars(before.topology(), &contracted, &job.part(0.5, 0.5))?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
-    let hidden = HiddenCells::of(before)?;
+    let hidden = HiddenCells::new(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         chunks::map_rows(&mut cells, shape.columns() - 1, (&job.part(0.5, 1.0), "analyse"), |i, ratios| {
             for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !hidden.contains(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
-                // 0 / 0 is NaN already; an area grown from 0 has no ratio either.
+                // 0 / 0 is NaN already; the ratio of an area grown from 0 is NaN too.
                 *ratio = if ratio.is_infinite() { f64::NAN } else { *ratio };
             }
         })?
@@ -147,7 +150,7 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
 }
 
 /// Writes the ratios of the links of row i; returns those newly contracted and those torn.
-fn row_of_links<A: Real, B: Real>(
+fn measure_row_of_links<A: Real, B: Real>(
     (old, new): (&Planes<'_, A>, &Planes<'_, B>),
     i: usize,
     ratios: &mut [f64],
@@ -172,11 +175,11 @@ fn row_of_links<A: Real, B: Real>(
 }
 
 /// The types of the stars at newly contracted links.
-fn with_stars(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<Contracted>> {
+fn find_stars(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<Contracted>> {
     if links.is_empty() {
         return Ok(Vec::new());
     }
-    let classes = Classes::of_cancellable(&absorb(topology, links.iter().copied(), job)?, job, "analyse")?;
+    let classes = Classes::new_cancellable(&absorb(topology, links.iter().copied(), job)?, job, "analyse")?;
     alloc::gather(links.iter().filter_map(|&link| {
         let (i, j) = topology.shape().place(link / 2);
         classify_node(&classes, i, j, true).map(|star| Contracted { link, star })
@@ -188,7 +191,8 @@ fn area_vector<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize) -> DVec3 {
     (planes.get(i + 1, j + 1) - planes.get(i, j)).cross(planes.get(i + 1, j) - planes.get(i, j + 1))
 }
 
-/// Records the existing cells of sign -1 as folded. `signs`: one for each cell, or none.
+/// Records the existing cells of sign -1 as folded. `signs` has one sign for each cell, or is
+/// empty.
 fn mark_folds(found: &mut Analysis, signs: &[i8]) {
     for ((cell, ratio), _) in (0..).zip(&mut found.cells).zip(signs).filter(|&(_, &sign)| sign < 0) {
         *ratio = -*ratio;
@@ -199,7 +203,7 @@ fn mark_folds(found: &mut Analysis, signs: &[i8]) {
 }
 
 /// Gives ratios the signs of the determinants, and records the cells whose sign differs from the
-/// majority. False if none does.
+/// majority. Returns false if all signs agree.
 fn mark_inversions(found: &mut Analysis) -> bool {
     let sign = |determinant: f64| i64::from(determinant > 0.0) - i64::from(determinant < 0.0);
     let existing = found.cells.iter_mut().zip(&found.determinants).filter(|(ratio, _)| !ratio.is_nan());
@@ -225,7 +229,7 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
             let size = (c - a).length() + (d - b).length();
             let (jacobian, error) = jacobian((a + b + c + d) / 4.0, size, steps);
             let [x, y, z] = [jacobian.x_axis, jacobian.y_axis, jacobian.z_axis];
-            // The error bound of the determinant, given that of each column.
+            // The error bound of the determinant, from the error bound of each column.
             let off = error * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length());
             *determinant = if jacobian.determinant().abs() <= off { 0.0 } else { jacobian.determinant() };
         }
@@ -253,7 +257,7 @@ pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
     let jacobian = DMat3::from_cols(column(0), column(1), column(2));
     let largest = |values: &[f64]| values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let ratio = [0, 1, 2].map(|k| jacobian.col(k).length()).into_iter().fold(0.0, f64::max);
-    // Roundings of the results and of their terms, and as much again for truncation.
+    // The rounding errors of the results and their terms, doubled to allow for truncation.
     let rounded =
         largest(&x).max(largest(&y)).max(largest(&z)).max(ratio * point.abs().max_element()).max(ratio * size);
     (jacobian, 32.0 * f64::EPSILON * rounded / step)

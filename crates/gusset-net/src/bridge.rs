@@ -1,5 +1,5 @@
-//! Bridges: the cells between two nets that were joined (Deryagin, "Concatenation", Figs. 8 and 9),
-//! and the record of how each net was adapted, so that splitting is exact.
+//! Bridges: the cells between two nets that were joined (Deryagin, "Concatenation", Figs. 8 and 9).
+//! A bridge records how each net was adapted, so that splitting is exact.
 
 use super::{Direction, Shape, Topology};
 use gusset_base::choices;
@@ -12,7 +12,7 @@ pub enum BridgeKind {
     Ribbon,
     /// A band between closed sides, which is closed itself.
     Tube,
-    /// One edge between sides that are a point each.
+    /// One edge between two sides that are points.
     Thread,
 }
 
@@ -22,9 +22,9 @@ pub enum BridgeMode {
     /// Ordinary cells.
     #[default]
     Keep,
-    /// Absent cells: the two nets are separate.
+    /// Absent cells, so that the two nets are separate.
     Hide,
-    /// The two sides coincide: the links between them are contracted.
+    /// Coincident sides: the links between them are contracted.
     Weld,
 }
 
@@ -35,36 +35,35 @@ choices! { for BridgeMode:
 }
 
 /// The physical properties of a bridge (Deryagin, "tension, elasticity, stiffness"), under which
-/// [`settle`](super::settle()) finds its equilibrium. Units: of length that of the coordinates, of
-/// force any one.
+/// [`settle`](super::settle()) finds its equilibrium. Lengths are in the unit of the coordinates,
+/// forces in any unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BridgeProperties {
     /// Tension: a force in each line across a thread or a ribbon, a force per length in a tube.
     pub tension: f64,
-    /// Elasticity: the force that doubles the length of a line across, at least 0.
+    /// Elasticity: the force that doubles the length of a line across; at least 0.
     pub elasticity: f64,
-    /// Stiffness against bending: force times squared length, for each line across; infinite: the
-    /// bridge is rigid.
+    /// Stiffness against bending, force times squared length, for each line across. If it is
+    /// infinite, the bridge is rigid.
     pub stiffness: f64,
-    /// The host's own.
+    /// A value for the host's own use.
     pub user: u64,
 }
 
-/// The record of what was done to a net before it was joined, from which splitting restores it.
+/// The adaptation of a net before it was joined, from which splitting restores it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Adaptation {
-    /// The size it was joined with; a part of any other size is no longer this net.
+    /// The size at which it was joined. A part of any other size is not this net any more.
     pub(crate) joined: Shape,
-    /// First: its rows were flipped, as its faces had the opposite orientation.
+    /// Step 1: whether its rows were flipped, because its faces had the opposite orientation.
     pub(crate) flipped: bool,
-    /// Second: its rows (or columns, across the direction) were replicated; those of `joined` that
-    /// are copies.
+    /// Step 2: the rows of `joined` (or columns, across the direction) that are copies.
     pub(crate) copies: Vec<u32>,
-    /// Last: it was rotated by so many places along its closed side.
+    /// Step 3: the number of places by which it was rotated along its closed side.
     pub(crate) twist: u32,
-    /// Its topology before.
+    /// The topology before the adaptation.
     pub(crate) topology: Topology,
-    /// Its own bridges before.
+    /// The bridges before the adaptation.
     pub(crate) bridges: Vec<Bridge>,
 }
 
@@ -80,15 +79,15 @@ impl Drop for Adaptation {
     }
 }
 
-/// The cells between two nets that were joined, with all that splitting needs.
+/// The cells between two nets that were joined, with all data that splitting needs.
 ///
-/// Invariant: `at > rows`. The sides are rows (`Down`) or columns `at - rows - 1` and `at`; between
-/// them lie `rows` inner rows or columns of the bridge's own.
+/// Invariant: `at > rows`. The sides are rows (`Down`) or columns `at - rows - 1` and `at`. Between
+/// them lie the bridge's own `rows` inner rows or columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bridge {
     /// The direction from the first net to the second.
     pub direction: Direction,
-    /// The first row or column of the second net: the cells of the bridge lie before it.
+    /// The first row or column of the second net, which follows the cells of the bridge.
     pub at: u32,
     /// The inner rows or columns of nodes, which belong to neither net.
     pub rows: u32,
@@ -104,7 +103,7 @@ pub struct Bridge {
     pub properties: BridgeProperties,
     /// The adaptations of the first net and of the second, if any.
     pub(crate) adaptations: [Option<Arc<Adaptation>>; 2],
-    /// The number of times the net was joined since: the bridge made last is split first.
+    /// The number of times the net was joined since; the newest bridge is split first.
     pub(crate) nesting: u32,
 }
 
@@ -115,7 +114,7 @@ impl Bridge {
         Bridge { direction, at, rows: 0, start: 0, end: count, kind, mode, properties, adaptations, nesting: 0 }
     }
 
-    /// True if its cells are absent.
+    /// Returns true if its cells are absent.
     pub fn is_hidden(&self) -> bool {
         self.mode == BridgeMode::Hide
     }
@@ -125,7 +124,8 @@ impl Bridge {
         self.at - self.rows - 1
     }
 
-    /// True if it runs from side to side of a net of that size, so that the net can be split there.
+    /// Returns true if it runs from side to side of a net of the given size, so that the net can be
+    /// split there.
     pub fn is_whole(&self, shape: Shape) -> bool {
         self.start == 0 && self.end as usize == self.direction.extent(shape).1
     }

@@ -28,8 +28,8 @@ struct ChunkLayout {
 }
 
 impl ChunkLayout {
-    /// Rows without gaps are one long line, divided anywhere.
-    fn of<T: Real>(planes: &Planes<'_, T>) -> Self {
+    /// Treats rows without gaps as one long line, which can be divided anywhere.
+    fn new<T: Real>(planes: &Planes<'_, T>) -> Self {
         let (stride, columns) = (planes.stride(), planes.shape().columns());
         if stride == columns {
             ChunkLayout { length: BLOCK, stride: BLOCK, lines: 1 }
@@ -59,8 +59,8 @@ pub(crate) fn zip3<I: ExactSizeIterator>([x, y, z]: [I; 3]) -> impl ExactSizeIte
     x.zip(y).zip(z).map(|((x, y), z)| [x, y, z])
 }
 
-/// Calls `work` with the number of the first node and the coordinates of each chunk of at most
-/// `max` nodes, in parallel. The error is that of the first chunk that fails; other chunks may be
+/// Calls `work` in parallel with the index of the first node and the coordinates of each chunk of
+/// at most `max` nodes. Returns the error of the first chunk that fails; other chunks may have
 /// changed.
 pub(crate) fn for_each_chunk_mut<T: Real>(
     planes: &mut Planes<'_, T>,
@@ -68,7 +68,7 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     max: usize,
     work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let layout = ChunkLayout::of(planes);
+    let layout = ChunkLayout::new(planes);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
     let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
         layout.for_each_chunk(matrices, block * layout.lines, max, &work)
@@ -76,13 +76,13 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     results.into_iter().collect()
 }
 
-/// As [`for_each_chunk_mut`], in the order of the nodes and on this thread. Stops at the first
+/// [`for_each_chunk_mut`] in the order of the nodes, on the calling thread. Stops at the first
 /// error.
 pub(crate) fn for_each_chunk_in_order<T: Real>(
     planes: &mut Planes<'_, T>,
     work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
 ) -> Result<()> {
-    ChunkLayout::of(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * CHUNK, work)
+    ChunkLayout::new(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * CHUNK, work)
 }
 
 /// The results of `work` for each row of `width` values, in order, computed in parallel;

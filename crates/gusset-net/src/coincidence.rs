@@ -9,13 +9,13 @@ use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// True if both nodes exist and coincide.
+/// Returns true if both nodes exist and coincide.
 pub(super) fn coincide(a: DVec3, b: DVec3, tolerance: f64) -> bool {
     a.is_finite() && b.is_finite() && (a == b || (tolerance > 0.0 && (b - a).length() <= tolerance))
 }
 
-/// Calls `visit` with each link whose ends coincide: those of each row in order, closing links
-/// included unless they join neighbours. O(nodes).
+/// Calls `visit` with each link whose ends coincide, row by row. Closing links are included unless
+/// they join neighbours. O(nodes).
 pub(super) fn coincident_links<T: Real>(
     planes: &Planes<'_, T>,
     tolerance: f64,
@@ -50,8 +50,8 @@ pub(super) fn coincident_links<T: Real>(
     Ok(())
 }
 
-/// False if no two corresponding nodes of `a` and `b` coincide. Branch-free, as it is false for
-/// most rows.
+/// Returns false if no two corresponding nodes of `a` and `b` coincide. Branch-free, because it is
+/// false for most rows.
 fn may_coincide<T: Real>(a: [&[T]; 3], b: [&[T]; 3], tolerance: f64) -> bool {
     let close = |a: T, b: T| {
         let difference: f64 = a.into() - b.into();

@@ -1,7 +1,8 @@
-//! Changed copies of nets: a part, a net without duplicate lines, an enlarged or turned net, another
-//! type.
+//! Changed copies of nets: a part, a net without duplicate lines, an enlarged or turned net,
+//! another type.
 //!
-//! Each step is a method of [`Net`]. A copy takes only the steps that the options ask for. O(nodes).
+//! Each step is a method of [`Net`]. A copy takes only the steps that the options ask for.
+//! O(nodes).
 
 use super::{Net, Replication, Turn};
 use gusset_base::error::Result;
@@ -24,12 +25,12 @@ pub struct CopyOptions {
     pub replication: [Replication; 2],
     /// The symmetry that the rows and columns undergo.
     pub turn: Turn,
-    /// The type of the coordinates; `None` for that of the net.
+    /// The type of the coordinates; `None` keeps the net's type.
     pub scalar: Option<Scalar>,
 }
 
 impl Net<'_> {
-    /// Makes a copy and changes it by the options; `None` if they ask for no change.
+    /// Makes a copy and changes it by the options; `None` if they request no change.
     ///
     /// # Errors
     /// Errors of [`Net::part`], [`Net::compacted`], [`Net::reformatted`], [`Net::turned_by`] and

@@ -1,10 +1,10 @@
 //! Detection of the gluing of a net from its coordinates.
 //!
-//! Neighbours that coincide are contracted links. Of the others only the rim is examined: runs of
-//! at least two rim nodes that coincide with others, in the same sense or in reverse, are seams.
-//! They cover closed rows and columns, reversed sides and folded sides; a single pair of coincident
-//! nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted by cell.
-//! O(nodes), and O(r log r) for r rim nodes.
+//! Neighbours that coincide are contracted links. Otherwise only the rim is examined. A run of at
+//! least two rim nodes that coincide with others, in the same direction or reversed, is a seam.
+//! Such seams cover closed rows and columns, reversed sides and folded sides. A single pair of
+//! coincident nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted
+//! by cell. O(nodes), plus O(r log r) for r rim nodes.
 
 use super::coincidence::{coincide, coincident_links};
 use super::topology::{Links, Matrix, Run, Seam, Topology};
@@ -16,7 +16,7 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use std::cmp::Ordering;
 
-/// The largest number of coincident rim nodes that each is paired with.
+/// The maximum number of coincident rim nodes with which a rim node is paired.
 const MAX_PARTNERS: usize = 8;
 
 /// The topology that coordinates imply, in canonical form ([`Topology::saturated`]): coincident
@@ -24,9 +24,10 @@ const MAX_PARTNERS: usize = 8;
 /// -0 are equal). O(nodes), and a sort of the rim.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is negative or
-/// not finite, [`Error::CrossingCell`](gusset_base::Error::CrossingCell) for a cell whose pairs of
-/// opposite corners coincide separately, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
+/// negative or not finite, [`Error::CrossingCell`](gusset_base::Error::CrossingCell) for a cell
+/// whose pairs of opposite corners coincide separately,
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
@@ -39,14 +40,14 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
         Ok(())
     }))?;
     let near = Topology::new(shape, Links::Matrix(matrix), &[])?;
-    let classes = Classes::of(&near)?;
+    let classes = Classes::new(&near)?;
     let rim = Rim { shape, coordinates, tolerance };
     let seams = rim.seams(&rim.pairs(&classes)?, &classes)?;
     job.step(0.8, "detecting gluings")?;
     Topology::new(shape, Links::Matrix(near.matrix()?), &seams)?.saturated()
 }
 
-/// The nodes of the four sides, numbered round the net: the first row forwards, the last column
+/// The nodes of the four sides, numbered around the net: the first row forwards, the last column
 /// down, the last row backwards, the first column up. Each corner appears once.
 struct Rim<'a> {
     shape: Shape,
@@ -94,7 +95,7 @@ impl Rim<'_> {
         let finite = nodes.iter().filter(|node| self.place(node.1).is_finite());
         let mut sorted: Vec<(Cell, usize)> = alloc::gather(finite.map(|&(_, k)| (self.cell(k), k)))?;
         sorted.sort_unstable_by(|a, b| by_cell(&a.0, &b.0).then(a.1.cmp(&b.1)));
-        // Nodes within the tolerance lie in the same cell or in one next to it; cells along z are
+        // Nodes within the tolerance lie in one cell or in adjacent ones; cells along z are
         // consecutive.
         let near: &[f64] = if self.tolerance > 0.0 { &[-1.0, 0.0, 1.0] } else { &[0.0] };
         let (first, last) = (near[0], near[near.len() - 1]);
@@ -125,9 +126,9 @@ impl Rim<'_> {
         })
     }
 
-    /// The seams of the pairs: pairs of one sum of places run in reverse, those of one difference
-    /// in the same sense, both modulo the length of the rim. Every run is found from both its
-    /// sides; a topology merges the two.
+    /// The seams of the pairs. Pairs with equal sums of their places form a reversed run, pairs
+    /// with equal differences a run in the same direction, both modulo the length of the rim. Every
+    /// run is found from both its sides; a topology merges the two.
     fn seams(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
         let n = self.len();
         let mut seams = Vec::new();
@@ -145,8 +146,8 @@ impl Rim<'_> {
         Ok(seams)
     }
 
-    /// Adds a run, cut where either side turns a corner, and extended by one pair at each end if
-    /// that pair coincides but was not compared, as links glue it to others.
+    /// Adds a run, cut where either side turns a corner. The run is extended by one pair at each
+    /// end if that pair coincides but was not compared because links already glue it.
     fn add_run(
         &self,
         pairing: Pairing,

@@ -22,8 +22,9 @@ impl Direction {
         }
     }
 
-    /// Of row and column, that in this direction first, exchanged for `Right`; and back: row and
-    /// column of node k of line i, row i (`Down`) or column i, are `ordered(i, k)`.
+    /// Orders a row and a column: the coordinate in this direction comes first, so `Right`
+    /// exchanges them. It also converts back: node k of line i has row and column `ordered(i, k)`,
+    /// where line i is row i (`Down`) or column i.
     pub(crate) fn ordered<T>(self, row: T, column: T) -> (T, T) {
         match self {
             Direction::Right => (column, row),
@@ -31,7 +32,7 @@ impl Direction {
         }
     }
 
-    /// The number of nodes in this direction, and across it: along a side that is joined.
+    /// The number of nodes in this direction, and across it along a joined side.
     pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
         self.ordered(shape.rows(), shape.columns())
     }

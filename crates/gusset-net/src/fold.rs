@@ -1,11 +1,12 @@
 //! Detection of folds that a deformation has made in a net.
 //!
-//! A net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell
-//! two opposite sides of which cross. Coplanarity, sides of a line and crossings are affine
-//! invariants. Invariant: no invertible affine map folds anything, and bending folds only where the
-//! dihedral angle vanishes within the tolerance and the rounding error of the nodes.
+//! A net is folded at a link if the two cells of the link lie on the same side of it in one plane.
+//! It is folded in a cell if two opposite sides of the cell cross. Coplanarity, sides of a line and
+//! crossings are affine invariants. Invariant: no invertible affine map folds anything, and bending
+//! folds only if the dihedral angle vanishes within the tolerance and the rounding error of the
+//! nodes.
 //!
-//! Folds then partition the cells into two sides by union-find with parity. O(nodes).
+//! Union-find with parity then partitions the cells into two sides of the folds. O(nodes).
 
 use super::hidden_cells::HiddenCells;
 use super::{Classes, Net, Planes, Real, Shape, each};
@@ -26,20 +27,21 @@ enum FoldTest {
     Undecided,
 }
 
-/// Cells that one thread takes at a time, approximately, and that are tested between progress
-/// reports.
+/// The approximate number of cells that a thread tests between progress reports.
 const BLOCK: usize = 1 << 14;
 const STAGE: &str = "detecting folds";
 
-/// The factor on error margins before the deformation: a fold must not have been nearly one before.
+/// The factor on error margins before the deformation: a near-fold that existed before does not
+/// count.
 const MARGIN_BEFORE: f64 = 8.0;
 
-/// The sign of each cell, -1 where it is turned over, else 1; empty if nothing is folded.
+/// The sign of each cell: -1 if it is turned over, otherwise 1. Empty if nothing is folded.
 ///
-/// Folds divide each connected component of cells into two sides, of which the smaller is turned
-/// over. Where they do not, as round the end of a fold, the cells at the fold are.
+/// Folds divide each connected component of cells into two sides, and the smaller is turned over.
+/// If they do not divide it, because a fold ends within the surface, the cells at the fold are
+/// turned over.
 pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
-    let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, HiddenCells::of(before)?);
+    let (shape, classes, hidden) = (before.shape(), Classes::new(before.topology())?, HiddenCells::new(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
         let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
@@ -89,8 +91,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     /// The test of two cells: folded onto each other now, and not before.
     fn test(&self, (cells, link): Pair) -> FoldTest {
         let cells = cells.map(|cell| self.shape.cell_place(cell));
-        let before = || at_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
-        match at_link(self.new, link, cells, self.tolerance, 1.0) {
+        let before = || test_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
+        match test_link(self.new, link, cells, self.tolerance, 1.0) {
             FoldTest::Folded if before() != FoldTest::Unfolded => FoldTest::Unfolded,
             now => now,
         }
@@ -98,8 +100,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
 
     /// True if opposite sides of cell (i, j) cross and did not before.
     fn is_crossed(&self, i: usize, j: usize) -> bool {
-        in_cell(self.new, i, j, self.tolerance, 1.0) == FoldTest::Folded
-            && in_cell(self.old, i, j, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded
+        test_cell(self.new, i, j, self.tolerance, 1.0) == FoldTest::Folded
+            && test_cell(self.old, i, j, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded
             && !self.hidden.contains(i, j)
     }
 
@@ -155,14 +157,15 @@ fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
     tolerance + 8.0 * epsilon * largest
 }
 
-/// Differences of nodes and their error bound, scaled so that products neither overflow nor vanish.
+/// Differences of nodes and their error bound, scaled so that products neither overflow nor
+/// underflow.
 fn scaled<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
     let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
     (vectors.map(|vector| vector / largest), error / largest)
 }
 
 /// The test of two cells at a link: on the same side of it, in one plane.
-fn at_link<T: Real>(
+fn test_link<T: Real>(
     planes: &Planes<'_, T>,
     link: [(usize, usize); 2],
     cells: [(usize, usize); 2],
@@ -186,7 +189,7 @@ fn at_link<T: Real>(
 }
 
 /// The test of a cell: two opposite sides cross.
-fn in_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> FoldTest {
+fn test_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> FoldTest {
     let points @ [a, b, c, d] = planes.corners(i, j);
     let error = error::<T>(&points, tolerance);
     let found = [cross([a, b], [d, c], error, margin), cross([a, d], [b, c], error, margin)];

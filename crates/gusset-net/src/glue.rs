@@ -1,7 +1,8 @@
-//! Gluing in one step: by coordinates, by pairs of nodes, by links, in canonical form, with positions.
+//! Gluing in one step: by coordinates, by pairs of nodes, by links, in canonical form, with
+//! positions.
 //!
-//! [`reglued`] finds the new gluing before [`reglue`] sets it, so that a net changes as a whole or not
-//! at all.
+//! [`reglued`] finds the new gluing before [`reglue`] sets it, so that a net changes as a whole or
+//! not at all.
 
 use super::Net;
 use super::analyse::absorb;
@@ -25,7 +26,8 @@ pub struct GlueOptions<'a> {
     pub saturate: bool,
 }
 
-/// Finds the gluing of a net after the steps of the options; `None` if they have none. O(nodes).
+/// Finds the gluing of a net after the steps of the options; `None` if the options request no step.
+/// O(nodes).
 ///
 /// # Errors
 /// Errors of [`detect_gluing()`], [`Topology::glued`], [`absorb`] and [`Topology::saturated`].
@@ -50,14 +52,15 @@ pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Resul
     Ok(made)
 }
 
-/// Sets the gluing of a net, unless it is `None`. If `snap`, all nodes of a class get the position of
-/// the first of them. Returns the number of nodes whose bits changed. On an error the net is unchanged.
+/// Sets the gluing of a net, unless it is `None`. If `snap`, all nodes of a class get the position
+/// of the first of them. Returns the number of nodes whose bits changed. On an error the net is
+/// unchanged.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
 pub fn reglue(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
     let classes = topology.as_ref().unwrap_or(net.topology());
-    let groups = if snap { Some(Classes::of(classes)?.groups()?) } else { None };
+    let groups = if snap { Some(Classes::new(classes)?.groups()?) } else { None };
     job.memory()?;
     if let Some(topology) = topology {
         net.set_topology(topology);

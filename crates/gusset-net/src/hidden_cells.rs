@@ -14,8 +14,8 @@ pub(crate) struct HiddenCells {
 }
 
 impl HiddenCells {
-    /// O(rows + cells of hidden bridges).
-    pub(crate) fn of(net: &Net<'_>) -> Result<Self> {
+    /// Collects the cells of hidden bridges. O(rows + cells of hidden bridges).
+    pub(crate) fn new(net: &Net<'_>) -> Result<Self> {
         let rows = net.shape().rows() - 1;
         let hidden = net.bridges().iter().filter(|bridge| bridge.is_hidden());
         let mut sorted = Buckets::new(rows, [0; 2], hidden.flat_map(ranges))?;
@@ -23,7 +23,7 @@ impl HiddenCells {
         Ok(HiddenCells { rows: sorted, columns: net.shape().columns() - 1 })
     }
 
-    /// True if no cell is hidden.
+    /// Returns true if all cells are visible.
     pub(crate) fn is_empty(&self) -> bool {
         self.rows.items().is_empty()
     }
@@ -33,7 +33,7 @@ impl HiddenCells {
         self.rows.get(i)
     }
 
-    /// True if the cell at (i, j) is hidden.
+    /// Returns true if the cell at (i, j) is hidden.
     pub(crate) fn contains(&self, i: usize, j: usize) -> bool {
         !self.is_empty() && self.row(i).iter().any(|&[from, to]| (from as usize..to as usize).contains(&j))
     }

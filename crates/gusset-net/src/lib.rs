@@ -9,7 +9,7 @@
 //! |---|---|
 //! | size, numbering, coordinates, the net itself | [`Shape`], [`Planes`], [`Coordinates`], [`Net`] |
 //! | gluing, classes of glued nodes, the 18 local gluings | [`topology`] |
-//! | the surface that a gluing makes | [`complex`] |
+//! | the surface after gluing | [`complex`] |
 //! | whether glued nodes coincide; the gluing that coordinates imply | [`Net::validate`]; [`detect_gluing()`] |
 //! | gluing in one step; changed copies | [`glue`]; [`CopyOptions`] |
 //! | boxes, surfaces with a reversed side; standard shapes | [`closure`]; [`primitive`] |

@@ -42,7 +42,7 @@ impl<'a> From<Planes<'a, f64>> for Coordinates<'a> {
 }
 
 impl Coordinates<'_> {
-    /// Owned zeros.
+    /// Creates owned matrices of zeros.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -78,7 +78,7 @@ impl Coordinates<'_> {
         each!(self, planes => planes.set(i, j, position));
     }
 
-    /// True for borrowed memory.
+    /// Returns true for borrowed memory.
     pub fn is_borrowed(&self) -> bool {
         each!(self, planes => planes.is_borrowed())
     }
@@ -93,12 +93,12 @@ impl Coordinates<'_> {
 }
 
 /// A tetragonal regular network: H x W nodes in space, their gluing, and the bridges between the
-/// nets that it was joined from.
+/// nets from which it was joined.
 ///
-/// A node with a coordinate that is NaN or infinite is missing. A cell exists if its four nodes are
-/// not missing, and it belongs to no hidden bridge. A missing node does not affect the nodes that
-/// are glued to it: their cells exist, and the vertex lies at the first of its nodes that is not
-/// missing. [`Complex::of`](super::complex::Complex::of) and [`Net::to_mesh`] follow this rule.
+/// A node with a coordinate that is NaN or infinite is missing. A cell exists if its four nodes
+/// exist and no hidden bridge covers it. A missing node does not affect the nodes that are glued to
+/// it: their cells exist, and the vertex lies at its first existing node.
+/// [`Complex::from_net`](super::complex::Complex::from_net) and [`Net::to_mesh`] follow this rule.
 #[derive(Debug)]
 pub struct Net<'a> {
     coordinates: Coordinates<'a>,
@@ -162,7 +162,7 @@ impl<'a> Net<'a> {
         self.topology = topology;
     }
 
-    /// The bridges between the nets that this one was joined from.
+    /// The bridges between the nets from which this one was joined.
     pub fn bridges(&self) -> &[Bridge] {
         &self.bridges
     }
@@ -192,7 +192,7 @@ impl<'a> Net<'a> {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
         fn planes<A: Real, B: Real>(from: &Planes<'_, A>) -> Result<Planes<'static, B>> {
-            from.converted(|to, from| to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::of(from.into())))
+            from.converted(|to, from| to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::from_f64(from.into())))
         }
         let coordinates = match scalar {
             _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,

@@ -1,37 +1,37 @@
-//! Morphs: nets between two nets of one shape and gluing (Deryagin, "animation transformations").
+//! Morphs: nets between two nets of equal shape and gluing (Deryagin, "animation transformations").
 //!
-//! Every node goes its own way, as a function of its two positions and the time alone: nodes that are
-//! equal in both nets, such as glued ones, stay equal bit for bit. O(nodes).
+//! The path of a node depends only on its two positions and the time. Nodes that are equal in both
+//! nets, such as glued ones, therefore stay equal bit for bit. O(nodes).
 
 use super::{Classes, Net, Real, each};
 use glam::{DMat3, DVec3};
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::rotation::{best_rotation, part_of};
+use gusset_base::geom::rotation::{best_rotation, fraction_of_rotation};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
-/// The way of the nodes.
+/// The paths of the nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum MorphPath {
     /// Straight: (1 - t) a + t b.
     #[default]
     Linear,
-    /// The rotation between the nets that fits best is done at an even rate, and the rest of the way
-    /// goes straight in the frame that turns.
+    /// The best-fitting rotation between the nets turns at a uniform rate, and the remaining motion
+    /// is straight in the turning frame.
     Rigid,
 }
 
-/// The net at the time `t`, from 0 to 1, on the way from `a` to `b`: at 0 the bits of `a`, at 1 those
-/// of `b`. A node that is missing in one of them is missing between. Gluing, bridges and their
-/// properties are those of `a`.
+/// The net between `a` and `b` at the time `t`, from 0 to 1. At 0 it has the bits of `a`, at 1 the
+/// bits of `b`. A node that is missing in either is missing in between. Gluing, bridges and their
+/// properties come from `a`.
 ///
-/// Rigid: with the means m of the nodes that both nets have, and the rotation R for which the sum of
-/// |R (a - ma) - (b - mb)|^2 is least, nodes are at (1 - t) ma + t mb + R^t ((1 - t) (a - ma) +
-/// t R^-1 (b - mb)). If b is a moved rigidly, so is every net between. Of two rotations that fit as
-/// well, as by half a turn one way and the other, one is taken always.
+/// For [`MorphPath::Rigid`], let ma and mb be the means of the nodes that both nets have, and R the
+/// rotation that minimises the sum of |R (a - ma) - (b - mb)|^2. Nodes are at (1 - t) ma + t mb +
+/// R^t ((1 - t) (a - ma) + t R^-1 (b - mb)). If b is a rigid motion of a, so is every net between.
+/// If two rotations fit equally well, as half a turn in either sense, the choice is fixed.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a time outside of 0 to 1, [`Error::SidesDiffer`] with the rows or
+/// [`Error::OptionOutOfRange`] for a time outside 0 to 1, [`Error::SidesDiffer`] with the rows or
 /// the columns, [`Error::MixedScalars`], [`Error::GluingsDiffer`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn morph(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -> Result<Net<'static>> {
@@ -53,7 +53,7 @@ pub fn morph(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -
     Ok(made)
 }
 
-/// That two nets have the same shape, type and gluing.
+/// Checks that two nets have the same shape, type and gluing.
 fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
     let sizes = [a, b].map(|net| [net.shape().rows() as u32, net.shape().columns() as u32]);
     if let Some(k) = (0..2).find(|&k| sizes[0][k] != sizes[1][k]) {
@@ -62,7 +62,7 @@ fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
     if a.coordinates().scalar() != b.coordinates().scalar() {
         return Err(Error::MixedScalars);
     }
-    let [first, second] = [Classes::of(a.topology())?, Classes::of(b.topology())?];
+    let [first, second] = [Classes::new(a.topology())?, Classes::new(b.topology())?];
     let differ = |&node: &u32| first.representative(node) != second.representative(node);
     match (0..a.shape().node_count() as u32).find(differ) {
         Some(node) => Err(Error::GluingsDiffer { node }),
@@ -71,14 +71,14 @@ fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
     }
 }
 
-/// The means of two nets, and the rotations of the first and of the second at a time.
+/// The means of two nets, and the rotations of the first and the second net at a time.
 struct Way {
     t: f64,
     /// A power of two in which products of coordinates are in range.
     unit: f64,
-    /// In the unit.
+    /// In units of `unit`.
     means: [DVec3; 2],
-    /// R^t and R^(t - 1); `None` on straight ways.
+    /// R^t and R^(t - 1); `None` on straight paths.
     rotations: Option<[DMat3; 2]>,
 }
 
@@ -103,7 +103,7 @@ impl Way {
             covariance += DMat3::from_cols(p.x * q, p.y * q, p.z * q);
         });
         let turn = best_rotation(covariance);
-        let part = |t: f64| DMat3::from_quat(part_of(turn, t));
+        let part = |t: f64| DMat3::from_quat(fraction_of_rotation(turn, t));
         Ok(Way { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
     }
 
@@ -121,7 +121,7 @@ impl Way {
                     (mean + (1.0 - t) * (first * from) + t * (second * to)) * self.unit
                 }
             };
-            (*x, *y, *z) = (T::of(at.x), T::of(at.y), T::of(at.z));
+            (*x, *y, *z) = (T::from_f64(at.x), T::from_f64(at.y), T::from_f64(at.z));
         }
     }
 }

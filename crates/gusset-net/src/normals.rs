@@ -1,12 +1,13 @@
 //! Unit normals at the nodes.
 //!
-//! The normal of a vertex is the direction of the sum, over the corners of its cells, of the cross
-//! products of the two sides that meet there: cells reduced after gluing, corners of all nodes of
-//! the class. At a node with four whole cells the sum telescopes to the product of central
-//! differences, (E - W) x (S - N), which is the fast path. Poles and seams need the sum itself:
-//! over unreduced cells it vanishes at a pole.
+//! The normal of a vertex is the direction of a sum of cross products over the corners of its
+//! cells. Each corner adds the cross product of the two sides that meet there. Cells are reduced
+//! after gluing, and the sum includes the corners of all nodes of the class.
 //!
-//! Invariant: nodes of one class get the same bits. O(nodes), and memory for the glued nodes only.
+//! At a node with four whole cells, the sum simplifies to the product of central differences, (E -
+//! W) x (S - N), which is the fast path. Poles and seams need the full sum, because the sum over
+//! unreduced cells vanishes at a pole. Invariant: nodes of one class get the same bits. O(nodes),
+//! with memory for the glued nodes only.
 
 use super::chunks::{lines_per_block, zip3};
 use super::hidden_cells::HiddenCells;
@@ -26,7 +27,7 @@ const CLASSES_PER_TASK: usize = 1 << 10;
 
 const STAGE: &str = "normals";
 
-/// The unit normals of a net, and the number of nodes that have none: see [`normals_into`].
+/// The unit normals of a net, and the number of nodes without a normal; see [`normals_into`].
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -37,15 +38,16 @@ pub fn normals(net: &Net<'_>, job: &Job<'_>) -> Result<(Coordinates<'static>, u6
 }
 
 /// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits.
-/// Returns the number of nodes without a normal, which get zeros: missing ones, and those where the
-/// areas vanish or cancel.
+/// Returns the number of nodes without a normal, which get zeros: missing nodes, and nodes where
+/// the areas vanish or cancel.
 ///
-/// The normal is that of the right-handed rotation from the direction of columns to that of rows;
-/// the opposite for reversed topologies. At open rims, beside missing nodes and beside hidden
-/// bridges only existing cells count. O(nodes), and memory for the glued nodes only.
+/// The normal is the axis of the right-handed rotation from the direction of columns to the
+/// direction of rows; it is opposite for reversed topologies. At open rims, next to missing nodes
+/// and next to hidden bridges, only existing cells count. O(nodes), with memory for the glued nodes
+/// only.
 ///
 /// # Errors
-/// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of
+/// [`Error::MixedScalars`] if the normals have another type, [`Error::ArrayTooShort`] if they have
 /// another size, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> Result<u64> {
     if net.shape() != out.shape() {
@@ -80,14 +82,14 @@ struct CornerSums<'a, T> {
 
 impl<'a, T: Real> CornerSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
-        let classes = Classes::of(net.topology())?;
+        let classes = Classes::new(net.topology())?;
         let groups = classes.groups()?;
         let mut glued = BitSet::new(net.shape().node_count())?;
-        groups.members().iter().for_each(|&node| glued.insert(node));
+        groups.nodes().iter().for_each(|&node| glued.insert(node));
         Ok(CornerSums {
             planes,
             matrices: planes.matrices(),
-            hidden: HiddenCells::of(net)?,
+            hidden: HiddenCells::new(net)?,
             classes,
             groups,
             glued,
@@ -104,8 +106,8 @@ impl<'a, T: Real> CornerSums<'a, T> {
         DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
-    /// The sum over the corners at node (i, j) of the existing cells. Several corners of a cell in
-    /// one vertex count once, at the first of them.
+    /// The sum over the corners of the existing cells at node (i, j). If several corners of a cell
+    /// belong to one vertex, the cell counts once, at the first of them.
     fn sum(&self, i: usize, j: usize) -> VectorSum {
         let shape = self.planes.shape();
         let mut sum = VectorSum::default();
@@ -113,7 +115,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
             for (cj, corner_column) in [(j.wrapping_sub(1), 1), (j, 0)] {
                 if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.hidden.contains(ci, cj) {
                     let corner = if corner_row == 0 { corner_column } else { 3 - corner_column };
-                    sum = sum.add(VectorSum::of(self.corner(ci, cj, corner)));
+                    sum = sum.add(VectorSum::new(self.corner(ci, cj, corner)));
                 }
             }
         }
@@ -139,7 +141,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
         (other(1) - points[corner]).cross(other(3) - points[corner])
     }
 
-    /// The unit vector along a sum, or zero if the terms cancel but for rounding.
+    /// The unit vector along a sum, or zero if the terms cancel up to rounding.
     fn unit(&self, sum: VectorSum) -> DVec3 {
         // Scaled first, as squares of small sums would underflow.
         let largest = sum.vector.abs().max_element();
@@ -150,7 +152,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
         }
     }
 
-    /// True if a node near (i, j) is missing.
+    /// Returns true if a node near (i, j) is missing.
     fn is_near_missing(&self, i: usize, j: usize) -> bool {
         (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.point(i, j).is_finite()))
     }
@@ -168,7 +170,7 @@ struct VectorSum {
 }
 
 impl VectorSum {
-    fn of(vector: DVec3) -> Self {
+    fn new(vector: DVec3) -> Self {
         VectorSum { vector, size: vector.abs().element_sum() }
     }
 
@@ -177,7 +179,7 @@ impl VectorSum {
     }
 }
 
-/// The normals of all nodes that are not glued, of inner ones by the fast path. Returns the number
+/// The normals of all nodes that are not glued; inner nodes use the fast path. Returns the number
 /// of nodes without a normal for each block.
 fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
@@ -199,10 +201,10 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
             return;
         }
         let normal = corners.unit(corners.sum(i, j)).to_array();
-        (0..3).for_each(|axis| out[axis][j] = T::of(normal[axis]));
+        (0..3).for_each(|axis| out[axis][j] = T::from_f64(normal[axis]));
         without += u64::from(normal == [0.0; 3]);
     };
-    // With three columns no difference reads the middle node, which may be missing.
+    // With three columns none of the differences reads the middle node, which may be missing.
     if i == 0 || i + 1 == h || w < 4 {
         (0..w).for_each(|j| exact(j, &mut out));
         return without;
@@ -211,11 +213,11 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
     exact(w - 1, &mut out);
     let rows = [i - 1, i, i + 1].map(|i| corners.planes.row(i));
     let [x, y, z] = &mut out;
-    let all_in_range = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
+    let all_in_range = simd::run(Differences { rows, sign: T::from_f64(corners.sign), x, y, z });
     let mut ends = [i - 1, i, i + 1].into_iter().flat_map(|i| [corners.point(i, 0), corners.point(i, w - 1)]);
     if !all_in_range || !ends.all(DVec3::is_finite) || !corners.hidden.is_empty() {
         for j in 1..w - 1 {
-            // Where the squared length left the range, the length is not 1.
+            // If the squared length overflowed or underflowed, the length is not 1.
             let square = DVec3::from_array([0, 1, 2].map(|axis| out[axis][j].into())).length_squared();
             let is_unit = (square - 1.0).abs() < 1e-5;
             if !is_unit || corners.is_near_missing(i, j) || corners.is_near_hidden(i, j) {
@@ -226,8 +228,8 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
     without
 }
 
-/// The normals of glued nodes: of each class the sum over its nodes. Returns the number of nodes
-/// without a normal.
+/// The normals of glued nodes, from the sum over all nodes of each class. Returns the number of
+/// nodes without a normal.
 fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
@@ -242,15 +244,15 @@ fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Jo
     let (stride, mut matrices) = (out.stride(), out.matrices_mut());
     for (k, normal) in normals.into_iter().enumerate() {
         for (i, j) in places(k) {
-            (0..3).for_each(|axis| matrices[axis][i * stride + j] = T::of(normal[axis]));
+            (0..3).for_each(|axis| matrices[axis][i * stride + j] = T::from_f64(normal[axis]));
             without += u64::from(normal == [0.0; 3]);
         }
     }
     Ok(without)
 }
 
-/// Central differences for the middle one of three rows, without its first and last node. True if
-/// every squared length was within the range in which it keeps its digits.
+/// Central differences for the middle one of three rows, without its first and last node. Returns
+/// true if every squared length was in the range that keeps its digits.
 struct Differences<'a, T> {
     rows: [[&'a [T]; 3]; 3],
     sign: T,
@@ -268,7 +270,7 @@ impl<T: Real> Kernel for Differences<'_, T> {
     }
 }
 
-/// A separate function, as only arguments are known not to alias.
+/// A separate function, because only arguments are known not to alias.
 #[inline(always)]
 fn differences<T: Real>(
     [north, middle, south]: [[&[T]; 3]; 3],
@@ -277,7 +279,7 @@ fn differences<T: Real>(
     y: &mut [T],
     z: &mut [T],
 ) -> bool {
-    let (min, max) = (T::of(1e-30), T::of(1e30));
+    let (min, max) = (T::from_f64(1e-30), T::from_f64(1e30));
     let inner = x.len() - 2;
     let [west_x, west_y, west_z] = middle.map(|row| &row[..inner]);
     let [east_x, east_y, east_z] = middle.map(|row| &row[2..][..inner]);
@@ -304,7 +306,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+    fn results_are_equal_for_any_vector_width() {
         let numbers = |k: usize| (0..61).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
         let rows: [Vec<f32>; 9] = std::array::from_fn(|k| numbers(2 * k + 3));
         let rows = [0, 3, 6].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);

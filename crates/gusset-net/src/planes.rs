@@ -15,7 +15,7 @@ use std::ops::Range;
 /// Numbers in the buffer of [`Planes::from_rows`].
 const BUFFER_LENGTH: usize = 1 << 13;
 
-/// The unit of storage. Memory of this alignment comes zeroed from the system and untouched; at the
+/// The unit of storage. The system returns memory of this alignment zeroed and untouched. At the
 /// alignment of a cache line the allocator would clear it itself.
 #[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C, align(16))]
@@ -38,7 +38,7 @@ pub struct Planes<'a, T> {
 enum Store<'a, T> {
     /// One allocation: X starts at chunk `start`, a cache line, and X, Y and Z take `each` chunks.
     Own { chunks: Vec<AlignedChunk>, start: usize, each: usize },
-    /// The host's.
+    /// The host's memory.
     Borrowed([&'a mut [T]; 3]),
 }
 
@@ -48,7 +48,7 @@ fn first_aligned(chunks: &[AlignedChunk]) -> usize {
 }
 
 impl<'a, T: Real> Planes<'a, T> {
-    /// Owned zeros, without gaps between rows.
+    /// Creates owned matrices of zeros, without gaps between rows.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -60,11 +60,11 @@ impl<'a, T: Real> Planes<'a, T> {
         Ok(Planes { shape, stride: shape.columns(), store: Store::Own { chunks, start, each } })
     }
 
-    /// Owned matrices, written once: `write` fills X, Y and Z (0, 1, 2) in order, some rows at a
-    /// time.
+    /// Creates owned matrices in a single write: `write` fills X, Y and Z (0, 1, 2) in order, some
+    /// rows at a time.
     ///
-    /// Recycled memory would have to be cleared for [`Planes::zeroed`], which takes as long as
-    /// copying to it. Here rows pass through a buffer that stays in the cache.
+    /// [`Planes::zeroed`] would have to clear recycled memory, which takes as long as copying to
+    /// it. Here rows pass through a buffer that stays in the cache.
     pub(crate) fn from_rows(shape: Shape, mut write: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
         let (rows, columns, per_chunk) = (shape.rows(), shape.columns(), size_of::<AlignedChunk>() / size_of::<T>());
         let each = shape.node_count().div_ceil(CHUNKS_PER_LINE * per_chunk) * CHUNKS_PER_LINE;
@@ -95,8 +95,8 @@ impl<'a, T: Real> Planes<'a, T> {
         Ok(Planes { shape, stride: columns, store: Store::Own { chunks, start, each } })
     }
 
-    /// Borrowed matrices, read and written in place. `stride`: numbers from row to row, 0 for rows
-    /// without gaps. The last row needs only its own numbers.
+    /// Creates borrowed matrices, which are read and written in place. `stride` is the distance
+    /// between rows in numbers; 0 means rows without gaps. The last row needs only its own numbers.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
@@ -139,7 +139,7 @@ impl<'a, T: Real> Planes<'a, T> {
         self.stride
     }
 
-    /// True for borrowed memory.
+    /// Returns true for borrowed memory.
     #[inline]
     pub fn is_borrowed(&self) -> bool {
         matches!(self.store, Store::Borrowed(_))
@@ -202,7 +202,7 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn set(&mut self, i: usize, j: usize, position: DVec3) {
         let at = i * self.stride + j;
         for (matrix, value) in self.matrices_mut().into_iter().zip(position.to_array()) {
-            matrix[at] = T::of(value);
+            matrix[at] = T::from_f64(value);
         }
     }
 
@@ -230,7 +230,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn own_matrices_begin_on_lines() {
+    fn owned_matrices_start_at_cache_lines() {
         for (rows, columns) in [(2, 2), (3, 5), (17, 33), (300, 301)] {
             let shape = Shape::new(rows, columns).unwrap();
             let number = |axis: usize, at: usize| (100_000 * axis + at) as f32;

@@ -6,8 +6,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `f32` or `f64`.
 ///
-/// Computations on single nodes are in the nodes' own type, by IEEE 754 operations without
-/// contraction: the same bits on every machine, whatever its vector width.
+/// Computations on single nodes use the nodes' own type, by IEEE 754 operations without
+/// contraction. They give the same bits on every machine, for any vector width.
 pub trait Real:
     bytemuck::Pod
     + Debug
@@ -29,7 +29,7 @@ pub trait Real:
     const MAX: f64;
 
     /// Rounds to this type.
-    fn of(value: f64) -> Self;
+    fn from_f64(value: f64) -> Self;
 
     /// The square root, correctly rounded.
     #[must_use]
@@ -49,7 +49,7 @@ macro_rules! real {
             const MAX: f64 = $scalar::MAX as f64;
 
             #[inline(always)]
-            fn of(value: f64) -> Self {
+            fn from_f64(value: f64) -> Self {
                 value as $scalar
             }
 

@@ -1,9 +1,9 @@
-//! Reformatting: rows and columns are replicated, which changes the size of a net and not its
-//! surface (Deryagin, "Reformatting", Fig. 7; the paper leaves open which row is repeated).
+//! Reformatting: replicates rows and columns, which changes the size of a net but not its surface
+//! (Deryagin, "Reformatting", Fig. 7; the paper leaves open which row is repeated).
 //!
-//! Copies follow their original; the links between them are contracted; the links along a copy are
-//! those of the original, and a closing link of the last row starts at its last copy.
-//! Invariant: classes, faces and volume stay what they were. O(nodes).
+//! Copies follow their original, and the links between them are contracted. The links along a copy
+//! equal the original's, and a closing link of the last row starts at its last copy. Invariant:
+//! classes, faces and volume stay the same. O(nodes).
 
 use super::arrange::{Rearrangement, map_seam, merge_seams};
 use super::topology::{Links, Matrix, Run, Seam};
@@ -25,16 +25,17 @@ pub enum Replication {
     Last,
     /// The one with this index.
     At(u32),
-    /// The poles among the first and the last one, in equal shares; without a pole as `Uniform`.
+    /// Poles among the first and the last line, in equal shares; without a pole like `Uniform`.
     AtPoles,
 }
 
 impl Net<'_> {
-    /// A net of `rows` and `columns`, no fewer than there are, that is the same surface. O(nodes).
+    /// Enlarges the net to `rows` and `columns`, at least the current numbers. The surface stays
+    /// the same. O(nodes).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for fewer rows or columns than there are, or for the index of
-    /// one that is not there, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for fewer rows or columns than now, or for the index of a line
+    /// that does not exist, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn reformatted(
         &self,
         rows: usize,
@@ -42,13 +43,13 @@ impl Net<'_> {
         replication: [Replication; 2],
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        // An error names both numbers.
+        // The error then names both numbers.
         Shape::new(rows, columns)?;
         let row_starts = starts(self.topology(), Direction::Down, rows, replication[0], "rows")?;
         let column_starts = starts(self.topology(), Direction::Right, columns, replication[1], "columns")?;
         let mut topology = self.topology().rows_replicated(&row_starts)?;
         if columns > self.shape().columns() {
-            topology = topology.along(Direction::Right, |topology| topology.rows_replicated(&column_starts))?;
+            topology = topology.map_lines(Direction::Right, |topology| topology.rows_replicated(&column_starts))?;
         }
         let map = Rearrangement::Selection { rows: &old_indices(&row_starts)?, columns: &old_indices(&column_starts)? };
         let mut net = self.rearranged(&map, topology, job)?;
@@ -59,10 +60,11 @@ impl Net<'_> {
         Ok(net)
     }
 
-    /// The net without the rows and columns that duplicate the one before: all links between the
-    /// two are contracted, and links and coordinates along them are equal bit for bit. At least two
-    /// of each are left, and those that a bridge ends on. The inverse of [`Net::reformatted`] for
-    /// nets without such rows and columns; seams that continue each other are merged. O(nodes).
+    /// Removes rows and columns that duplicate the previous one. In a duplicate, all links to the
+    /// previous line are contracted, and links and coordinates along both lines are equal bit for
+    /// bit. At least two rows and columns are left, and lines where a bridge ends are kept. It is
+    /// the inverse of [`Net::reformatted`] for nets without duplicates; seams that continue each
+    /// other are merged. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -73,7 +75,7 @@ impl Net<'_> {
         net.without_lines(Direction::Right, &columns, &job.part(0.5, 1.0))
     }
 
-    /// The rows (`Down`) or columns that duplicate the one before.
+    /// The rows (`Down`) or columns that duplicate the previous one.
     fn duplicate_lines(&self, axis: Direction) -> Result<Vec<u32>> {
         let count = axis.extent(self.shape()).0;
         let mut needed = alloc::filled(false, count)?;
@@ -94,14 +96,14 @@ impl Net<'_> {
         Ok(found)
     }
 
-    /// The net without some of its rows (`Down`) or columns, whose indices are in order; at least
+    /// The net without some of its rows (`Down`) or columns, given by ascending indices; at least
     /// two are left.
     pub(crate) fn without_lines(&self, axis: Direction, removed: &[u32], job: &Job<'_>) -> Result<Net<'static>> {
         if removed.is_empty() {
             return self.copied();
         }
         let kept = complement(axis.extent(self.shape()).0, removed)?;
-        let topology = self.topology().along(axis, |topology| topology.rows_kept(&kept))?;
+        let topology = self.topology().map_lines(axis, |topology| topology.rows_kept(&kept))?;
         let mut net = self.with_lines(axis, &kept, topology, job)?;
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
@@ -116,7 +118,7 @@ impl Net<'_> {
         Ok(net)
     }
 
-    /// The nodes of a list of rows (`Down`) or columns with a topology of theirs; no bridges.
+    /// The nodes of a list of rows (`Down`) or columns under a new topology; without bridges.
     pub(crate) fn with_lines(
         &self,
         axis: Direction,
@@ -131,8 +133,8 @@ impl Net<'_> {
 }
 
 impl Bridge {
-    /// The bridge in a net whose rows and columns are moved; ends are moved as the line they
-    /// exclude.
+    /// The bridge in a net whose rows and columns move. An end moves like the line that it
+    /// excludes.
     fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
         let inner = self.at - self.rows;
         let (at, inner, start, end) = match self.direction {
@@ -143,8 +145,8 @@ impl Bridge {
     }
 }
 
-/// Where each row (`Down`) or column starts once there are `count` of them; one entry more than
-/// there are now. `option`: the name of the count in an error.
+/// The start of each row (`Down`) or column after enlarging to `count`; one entry more than there
+/// are now. `option` names the count in an error.
 pub(crate) fn starts(
     topology: &Topology,
     axis: Direction,
@@ -181,7 +183,7 @@ pub(crate) fn starts(
     sums(times.into_iter())
 }
 
-/// 0, and the sums of the first numbers of a list.
+/// The prefix sums of a list, starting with 0.
 pub(crate) fn sums<T: Copy + Default + Add<Output = T>>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
     let mut sums = alloc::filled(T::default(), items.len() + 1)?;
     for (k, item) in items.enumerate() {
@@ -195,7 +197,7 @@ fn old_indices(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather((0..).zip(starts.windows(2)).flat_map(|(i, ends)| (ends[0]..ends[1]).map(move |_| i)))
 }
 
-/// The new rows that are copies of the one before.
+/// The new rows that are copies of the previous one.
 pub(crate) fn copies(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather(starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]))
 }
@@ -207,21 +209,21 @@ pub(crate) fn starts_of_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>>
     Ok(starts)
 }
 
-/// The numbers of 0..count that are not in a list in order.
+/// The numbers of 0..count that an ascending list does not contain.
 fn complement(count: usize, removed: &[u32]) -> Result<Vec<u32>> {
     let mut removed = removed.iter().peekable();
     alloc::gather((0..count as u32).filter(|i| removed.next_if_eq(&i).is_none()))
 }
 
 impl Topology {
-    /// True if all links along row i (`Down`) or column i are contracted by name.
+    /// Returns true if all links along row i (`Down`) or column i are contracted by name.
     pub(crate) fn is_point(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
         (0..axis.extent(shape).1 - 1).all(|k| self.contracts(axis.link_along(shape, i, k)))
     }
 
-    /// True if row i (`Down`) or column i, not the first, is glued to the one before link by link,
-    /// and within itself as that is.
+    /// Returns true if row or column i, not the first, is glued to the previous one link by link,
+    /// and both are glued within themselves in the same way.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
         let along = |i: usize, k: usize| self.contracts(axis.link_along(shape, i, k));

@@ -1,6 +1,6 @@
-//! Ungluing with a gap: the components of a vertex that falls apart retreat from each other.
+//! Ungluing with a gap: when a vertex falls apart, its components move away from each other.
 //!
-//! All nodes of a component move to one place. O(nodes), and a sort of the unglued nodes.
+//! All nodes of a component move to one place. O(nodes), plus a sort of the unglued nodes.
 
 use super::topology::{Classes, Gluing};
 use super::{Net, Shape};
@@ -12,31 +12,32 @@ impl Net<'_> {
     /// Glues nodes; see [`Topology::glued`](super::Topology::glued). Positions stay.
     ///
     /// # Errors
-    /// As there; the net is then unchanged.
+    /// The errors of [`Topology::glued`](super::Topology::glued); the net is then unchanged.
     pub fn glue(&mut self, gluings: &[Gluing]) -> Result<()> {
         let topology = self.topology().glued(gluings)?;
         self.set_topology(topology);
         Ok(())
     }
 
-    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: the gap
+    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation` is the gap
     /// between the components of a vertex; 0 leaves positions unchanged.
     ///
-    /// Each component moves by half the separation, all its nodes to one place, towards the mean of
-    /// its neighbours: the other ends of its links that exist and did not belong to the vertex.
-    /// Neighbours that do not fall apart themselves take precedence, so that the rims of a cut move
-    /// away from the cut and not along it. A component without neighbours, or at their mean, stays.
-    /// Returns the number of components that moved. O(nodes).
+    /// All nodes of a component move to one place, by half the separation, towards the mean of its
+    /// neighbours. Neighbours are the other ends of its links that exist and did not belong to the
+    /// vertex. Neighbours that do not fall apart themselves take precedence, so that the rims of a
+    /// cut move away from the cut instead of along it. A component without neighbours, or at their
+    /// mean, stays. Returns the number of components that moved. O(nodes).
     ///
     /// # Errors
-    /// As there, and [`Error::OptionOutOfRange`] for a separation that is negative or not finite;
-    /// the net is then unchanged.
+    /// The errors of [`Topology::unglued`](super::Topology::unglued), and
+    /// [`Error::OptionOutOfRange`] for a separation that is negative or not finite; the net is then
+    /// unchanged.
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
         Error::require(separation.is_finite() && separation >= 0.0, "separation", separation)?;
         let topology = self.topology().unglued(gluings)?;
         let mut moves = Vec::new();
         if separation > 0.0 {
-            let (before, after) = (Classes::of(self.topology())?, Classes::of(&topology)?);
+            let (before, after) = (Classes::new(self.topology())?, Classes::new(&topology)?);
             moves = SplitVertices::new(&before, &after)?.moves(self, &before, separation / 2.0)?;
         }
         let shape = self.shape();
@@ -87,8 +88,8 @@ impl SplitVertices {
         Ok(moves)
     }
 
-    /// The sum of the links that lead out of the vertex of a component; `whole`: only those to
-    /// vertices that stay whole.
+    /// The sum of the links that lead out of the vertex of a component. If `whole`, only links to
+    /// vertices that stay whole count.
     fn sum_of_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)

@@ -11,11 +11,11 @@ pub const MAX_NODES: u64 = (1 << 31) - 1;
 
 /// `rows` x `columns` nodes (the paper's H and W), joined by links to cells.
 ///
-/// Numbers start at 0, row by row: node (i, j) is `i * columns + j`; cell (i, j), whose corners are
-/// the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j), is `i * (columns - 1) + j`. Every node
-/// has two links, one to the next node of its row and one to the next of its column: link `2 *
-/// node` is horizontal, `2 * node + 1` vertical. Those of the last column and row lead back to the
-/// first; these closing links exist only where they are contracted.
+/// Indices start at 0, row by row. Node (i, j) is `i * columns + j`. Cell (i, j) is
+/// `i * (columns - 1) + j` and has the corners (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j).
+/// Every node has two links: link `2 * node` is horizontal and leads to the next node of its row,
+/// `2 * node + 1` is vertical and leads to the next node of its column. Links of the last column
+/// and row lead back to the first. These closing links exist only where they are contracted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Shape {
     rows: u32,
@@ -23,6 +23,8 @@ pub struct Shape {
 }
 
 impl Shape {
+    /// Creates a size of `rows` x `columns` nodes.
+    ///
     /// # Errors
     /// [`Error::NetTooSmall`] below 2 x 2, [`Error::TooLarge`] above [`MAX_NODES`].
     pub fn new(rows: usize, columns: usize) -> Result<Self> {
@@ -47,13 +49,13 @@ impl Shape {
         self.columns as usize
     }
 
-    /// H x W.
+    /// The number of nodes, H x W.
     #[inline]
     pub fn node_count(self) -> usize {
         self.rows() * self.columns()
     }
 
-    /// (H - 1) x (W - 1).
+    /// The number of cells, (H - 1) x (W - 1).
     #[inline]
     pub fn cell_count(self) -> usize {
         (self.rows() - 1) * (self.columns() - 1)
@@ -124,21 +126,21 @@ impl Shape {
         })
     }
 
-    /// True for a link between neighbours, false for a closing link.
+    /// Returns true for a link between neighbours, false for a closing link.
     #[inline]
     pub fn is_inner(self, link: u32) -> bool {
         let (i, j) = self.place(link / 2);
         if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
     }
 
-    /// Rows and columns exchanged.
+    /// The size with rows and columns exchanged.
     #[must_use]
     #[inline]
     pub fn transposed(self) -> Self {
         Shape { rows: self.columns, columns: self.rows }
     }
 
-    /// [`Error::NoSuch`] unless the node exists.
+    /// Returns [`Error::NoSuch`] unless the node exists.
     pub(crate) fn check_node(self, node: u32) -> Result<()> {
         let exists = (node as usize) < self.node_count();
         exists.then_some(()).ok_or(Error::NoSuch { element: Element::Node, index: node.into() })

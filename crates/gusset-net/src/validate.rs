@@ -1,6 +1,6 @@
 //! Validation: whether glued nodes coincide (Deryagin: "the correctness of a topology must be
-//! checked by the coincidence of the coordinates of glued nodes"), and warnings on what is allowed
-//! but suspicious. O(nodes), and a sort of the findings.
+//! checked by the coincidence of the coordinates of glued nodes"), and warnings about legal but
+//! suspicious gluings. O(nodes), plus a sort of the findings.
 
 use super::coincidence::{coincide, coincident_links};
 use super::topology::star_links;
@@ -18,8 +18,8 @@ pub enum FindingKind {
     LinkApart,
     /// A violation: two nodes that a seam glues are apart, or one of them is missing.
     SeamApart,
-    /// A warning: the two ends of a link between neighbours are one vertex by way of others, so
-    /// that the link is a loop unless it is contracted, as [`Topology::saturated`] does.
+    /// A warning: other gluings identify the two ends of a link between neighbours, so that the
+    /// link is a loop unless it is contracted, as [`Topology::saturated`] does.
     Loop,
     /// A warning: the two ends of a link coincide and are not glued.
     ZeroLength,
@@ -28,7 +28,7 @@ pub enum FindingKind {
 }
 
 impl FindingKind {
-    /// True for an error of the gluing, false for a warning.
+    /// Returns true for an error of the gluing, false for a warning.
     pub fn is_violation(self) -> bool {
         matches!(self, FindingKind::LinkApart | FindingKind::SeamApart)
     }
@@ -48,19 +48,19 @@ pub struct Finding {
 }
 
 impl Net<'_> {
-    /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which
-    /// with tolerance 0 means equal coordinates (0 and -0 are equal), or both be missing. Warnings
-    /// follow. Violations come first, each kind in the order of its elements. O(nodes), and a sort
-    /// of the findings.
+    /// Checks each contracted link and each pair of each seam. The two nodes must coincide, or both
+    /// be missing. With tolerance 0 they must have equal coordinates (0 and -0 are equal).
+    /// Violations come first, then warnings, each kind in the order of its elements. O(nodes), plus
+    /// a sort of the findings.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is negative
-    /// or not finite, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
+    /// negative or not finite, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<Finding>> {
         Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
         let (topology, shape) = (self.topology(), self.shape());
-        let classes = Classes::of(topology)?;
+        let classes = Classes::new(topology)?;
         let mut findings = Vec::new();
         let ends = |nodes: [u32; 2]| nodes.map(|node| self.position(node));
         let mut add = |kind, element, nodes| {
@@ -94,7 +94,7 @@ impl Net<'_> {
     }
 }
 
-/// The links between neighbours that are one vertex and not contracted by name.
+/// The links between neighbours that belong to one class but are not contracted by name.
 fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
     let shape = topology.shape();
     let mut loops = Vec::new();

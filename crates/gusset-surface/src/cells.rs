@@ -106,7 +106,7 @@ impl<const N: usize> Patch<N> {
 
     /// A box of the differences from the bilinear patch through the corners, at equal parameters.
     pub(crate) fn displacements(&self) -> Aabb {
-        Aabb::of(self.bilinear_differences())
+        Aabb::from_points(self.bilinear_differences())
     }
 
     /// The control points of the difference from the bilinear patch through the corners: those of

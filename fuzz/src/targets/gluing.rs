@@ -17,14 +17,14 @@ pub(crate) fn run(bytes: &[u8]) {
     let shape = Shape::new(rows, columns).expect("a small shape");
     let sides = [Sides::SHEET, Sides::TORUS, Sides::ONE_POLE, Sides::TWO_POLES][usize::from(sides % 4)];
     let gluings: Vec<Gluing> = requests.iter().take(12).map(|&request| gluing(request)).collect();
-    let plain = Topology::of_sides(shape, sides);
+    let plain = Topology::from_sides(shape, sides);
     let Ok(glued) = plain.glued(&gluings) else { return };
-    let (classes, truth) = (Classes::of(&glued).expect("few nodes"), united(&glued));
+    let (classes, truth) = (Classes::new(&glued).expect("few nodes"), united(&glued));
     for (a, b) in (0..truth.len()).flat_map(|a| (0..a).map(move |b| (a, b))) {
         let same = classes.representative(a as u32) == classes.representative(b as u32);
         assert_eq!(same, truth[a] == truth[b], "{a} {b} {gluings:?}");
     }
-    let complex = agreed(choice, |job| Complex::of_topology(&glued, job)).expect("few nodes");
+    let complex = agreed(choice, |job| Complex::from_topology(&glued, job)).expect("few nodes");
     let euler = complex.vertices as i64 - complex.edges as i64 + complex.faces() as i64;
     assert_eq!(euler, complex.euler_characteristic());
     // Excludes a net glued to a point, and a net with a separate point.

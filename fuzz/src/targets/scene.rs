@@ -15,7 +15,7 @@ type Model = Vec<Option<Option<Vec<u32>>>>;
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
     let Some((edits, choice)) = input::taken::<(Vec<[u8; 3]>, u8)>(bytes) else { return };
-    let topology = Topology::of_sides(Shape::new(2, 2).expect("a small shape"), Sides::SHEET);
+    let topology = Topology::from_sides(Shape::new(2, 2).expect("a small shape"), Sides::SHEET);
     let place = |i: usize, j: usize| DVec3::new(i as f64, j as f64, 0.0);
     let net = Arc::new(Net::from_fn(topology, Scalar::F64, place).expect("a small net"));
     let (mut scene, mut model) = (Scene::new(), Model::new());

@@ -181,7 +181,7 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
         let job = job.part(0.5, 1.0);
         for (k, (to, &place)) in out.iter_mut().zip(places).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "lengths at places")?;
-            *to = lengths.up_to(place)?;
+            *to = lengths.length_to(place)?;
         }
         Ok(())
     })

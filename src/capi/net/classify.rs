@@ -36,7 +36,7 @@ pub unsafe extern "C" fn gusset_net_classes(
     guard_change(context, |job| {
         let net = read(net)?;
         fill((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
-            let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
+            let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
             Ok(classes.table_cancellable(&job.part(0.8, 1.0), "classes")?)
         })
     })
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     groups: *mut *mut gusset_net_groups,
 ) -> gusset_status {
     create(context, groups, "groups", |job| {
-        Ok(gusset_net_groups(Classes::of_cancellable(read(net)?.topology(), job, "groups")?.groups()?))
+        Ok(gusset_net_groups(Classes::new_cancellable(read(net)?.topology(), job, "groups")?.groups()?))
     })
 }
 
@@ -89,7 +89,7 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
     lend!(groups, view, |gusset_net_groups(groups)| gusset_net_groups_view {
         struct_size: 0,
         offsets: gusset_indices::lend(groups.offsets()),
-        members: gusset_indices::lend(groups.members()),
+        members: gusset_indices::lend(groups.nodes()),
     })
 }
 

@@ -99,8 +99,8 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     create(context, quotient, "quotient", |job| {
         let net = read(net)?;
         Ok(gusset_net_complex(match cells {
-            GUSSET_NET_CELLS_ALL => Complex::of_topology(net.topology(), job)?,
-            GUSSET_NET_CELLS_PRESENT => Complex::of(net, job)?,
+            GUSSET_NET_CELLS_ALL => Complex::from_topology(net.topology(), job)?,
+            GUSSET_NET_CELLS_PRESENT => Complex::from_net(net, job)?,
             other => return Err(Failure::unknown("cells", other.into())),
         }))
     })

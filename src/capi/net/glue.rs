@@ -108,7 +108,7 @@ impl gusset_gluing {
             }
             GUSSET_GLUING_SEAM => Gluing::Seam(seam(&self.seam)?),
             GUSSET_GLUING_TYPE => {
-                Gluing::of_type(GluingType::from_number(self.mask).ok_or_else(unknown)?, self.element)
+                Gluing::from_type(GluingType::from_number(self.mask).ok_or_else(unknown)?, self.element)
             }
             other => return Err(Failure::unknown("kind", other.into())),
         })

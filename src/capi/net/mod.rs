@@ -184,7 +184,7 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
     if size_of_val(&value) == size_of::<T>() {
         to.copy_from_slice(bytemuck::bytes_of(&value));
     } else {
-        to.copy_from_slice(bytemuck::bytes_of(&T::of(value.into())));
+        to.copy_from_slice(bytemuck::bytes_of(&T::from_f64(value.into())));
     }
 }
 

@@ -102,5 +102,5 @@ pub unsafe extern "C" fn gusset_scene_unflatten_create(
     direction: gusset_direction,
     scene: *mut *mut gusset_scene,
 ) -> gusset_status {
-    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::of_flat(read(net)?, choice(direction)?, job)?)))
+    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::from_flat_net(read(net)?, choice(direction)?, job)?)))
 }

@@ -1,12 +1,12 @@
 //! Axis-aligned bounding boxes, and ranges of numbers.
 //!
-//! The empty box has its low end at +infinity and its high end at -infinity, so that it is neutral
-//! in unions and infinitely far from every point.
+//! The low corner of the empty box is +infinity and its high corner -infinity. It is therefore
+//! neutral in unions and infinitely far from every point.
 
 use glam::DVec3;
 use std::borrow::Borrow;
 
-/// A box with sides along the axes.
+/// An axis-aligned box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aabb {
     pub low: DVec3,
@@ -16,21 +16,21 @@ pub struct Aabb {
 impl Aabb {
     pub const EMPTY: Aabb = Aabb { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    /// The box of some points, taken in their order: a point that is no number replaces what came
-    /// before it.
+    /// Returns the bounding box of points, which are added in order. A NaN coordinate discards the
+    /// extent found so far along its axis.
     #[inline]
-    pub fn of(points: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |whole, point| whole.with(*point.borrow()))
+    pub fn from_points(points: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |whole, point| whole.extended_to(*point.borrow()))
     }
 
     #[inline]
-    fn with(self, point: DVec3) -> Self {
+    fn extended_to(self, point: DVec3) -> Self {
         Aabb { low: self.low.min(point), high: self.high.max(point) }
     }
 
     #[inline]
     pub fn add(&mut self, point: DVec3) {
-        *self = self.with(point);
+        *self = self.extended_to(point);
     }
 
     #[inline]
@@ -38,19 +38,19 @@ impl Aabb {
         Aabb { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// The box with every side moved outwards.
+    /// Moves every side outwards by the given distance.
     #[inline]
     pub fn inflated(self, by: f64) -> Aabb {
         Aabb { low: self.low - by, high: self.high + by }
     }
 
-    /// The Minkowski sum: all sums of a point of each.
+    /// The Minkowski sum: all sums of a point of each box.
     #[inline]
     pub fn sum(self, other: Aabb) -> Aabb {
         Aabb { low: self.low + other.low, high: self.high + other.high }
     }
 
-    /// True for the box of no points.
+    /// Returns true for the empty box.
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.low.x > self.high.x
@@ -61,7 +61,7 @@ impl Aabb {
         self.high - self.low
     }
 
-    /// The length from corner to corner.
+    /// The distance between opposite corners.
     #[inline]
     pub fn diagonal(&self) -> f64 {
         self.low.distance(self.high)
@@ -72,25 +72,26 @@ impl Aabb {
         self.low.midpoint(self.high)
     }
 
-    /// The greatest length of a vector of the box, or more.
+    /// An upper bound of the length of every vector in the box.
     #[inline]
     pub fn max_norm(&self) -> f64 {
         self.low.abs().max(self.high.abs()).length()
     }
 
-    /// True if the boxes have a point in common.
+    /// Returns true if the boxes have a point in common.
     #[inline]
     pub fn overlaps(&self, other: &Aabb) -> bool {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
-    /// How far a point lies outside along each axis, 0 where it lies within.
+    /// The distance of a point from the box along each axis, 0 where the point is within the box's
+    /// range.
     #[inline]
     pub fn outside(&self, point: DVec3) -> DVec3 {
         (self.low - point).max(point - self.high).max(DVec3::ZERO)
     }
 
-    /// The square of the distance to a point; infinite for the empty box.
+    /// The squared distance to a point; infinite for the empty box.
     #[inline]
     pub fn distance_squared(&self, point: DVec3) -> f64 {
         self.outside(point).length_squared()
@@ -102,7 +103,7 @@ impl Aabb {
         (self.low - other.high).max(other.low - self.high)
     }
 
-    /// True if the boxes come within `slack` of each other along every axis.
+    /// Returns true if the gap between the boxes is at most `slack` along every axis.
     #[inline]
     pub fn is_within(&self, other: &Aabb, slack: f64) -> bool {
         self.separation(other).max_element() <= slack
@@ -115,7 +116,7 @@ impl Aabb {
     }
 }
 
-/// The least and the greatest of some numbers; [infinity, -infinity] for none. NaN is passed over.
+/// The minimum and maximum of some numbers; [infinity, -infinity] if there are none. Skips NaN.
 #[inline(always)]
 pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
@@ -136,12 +137,12 @@ mod tests {
     }
 
     proptest! {
-        /// On a lattice, against a search through all lattice points of the boxes.
+        /// Compares with brute force over all points of small boxes on a lattice.
         #[test]
-        fn distances_are_those_of_the_nearest_points(
+        fn distances_agree_with_brute_force(
             p in prop::collection::vec(point(), 1..4), q in prop::collection::vec(point(), 1..4), query in point(),
         ) {
-            let (a, b) = (Aabb::of(&p), Aabb::of(&q));
+            let (a, b) = (Aabb::from_points(&p), Aabb::from_points(&q));
             let (of_a, of_b) = (cells(&a), cells(&b));
             let least = |squares: &mut dyn Iterator<Item = f64>| squares.fold(f64::INFINITY, f64::min);
             let to_point = least(&mut of_a.iter().map(|x| x.distance_squared(query)));
@@ -150,8 +151,8 @@ mod tests {
             prop_assert_eq!(a.distance(&b), between.sqrt());
             prop_assert_eq!(a.overlaps(&b), between == 0.0);
             prop_assert_eq!(a.separation(&b).max_element() <= 0.0, between == 0.0);
-            prop_assert_eq!(a.union(b), Aabb::of(p.iter().chain(&q)));
-            prop_assert_eq!(a.sum(b), Aabb::of(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
+            prop_assert_eq!(a.union(b), Aabb::from_points(p.iter().chain(&q)));
+            prop_assert_eq!(a.sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
             prop_assert_eq!(a.max_norm(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
             prop_assert_eq!(cells(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
         }
@@ -159,7 +160,7 @@ mod tests {
 
     #[test]
     fn the_empty_box_is_neutral() {
-        let one = Aabb::of([DVec3::X]);
+        let one = Aabb::from_points([DVec3::X]);
         assert!(Aabb::EMPTY.is_empty() && !one.is_empty() && !one.overlaps(&Aabb::EMPTY));
         assert_eq!(Aabb::EMPTY.union(one), one);
         assert_eq!(Aabb::EMPTY.distance_squared(DVec3::ONE), f64::INFINITY);

@@ -1,16 +1,16 @@
-//! A set of small numbers, one bit each.
+//! A set of small numbers, stored as one bit each.
 
 use crate::alloc;
 use crate::error::Result;
 
-/// A set of numbers below a limit; 1 bit for each number below it.
+/// A set of numbers below a limit; takes 1 bit for each number below it.
 #[derive(Debug, PartialEq)]
 pub struct BitSet {
     words: Vec<u64>,
 }
 
 impl BitSet {
-    /// The empty set of numbers below `limit`.
+    /// Creates the empty set of numbers below `limit`.
     #[inline]
     pub fn new(limit: usize) -> Result<Self> {
         Ok(BitSet { words: alloc::zeroed(limit.div_ceil(64))? })
@@ -21,13 +21,13 @@ impl BitSet {
         self.words[i as usize / 64] |= 1 << (i % 64);
     }
 
-    /// Takes a number out if it is in the set, else puts it in.
+    /// Removes the number if the set contains it; otherwise inserts it.
     #[inline]
     pub fn toggle(&mut self, i: u32) {
         self.words[i as usize / 64] ^= 1 << (i % 64);
     }
 
-    /// True if the number is in the set.
+    /// Returns true if the set contains the number.
     #[inline]
     pub fn contains(&self, i: u32) -> bool {
         self.words[i as usize / 64] >> (i % 64) & 1 == 1
@@ -42,7 +42,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_same_as_a_tree(numbers in prop::collection::btree_set(0u32..200, 0..60)) {
+        fn agrees_with_a_tree_set(numbers in prop::collection::btree_set(0u32..200, 0..60)) {
             let mut set = BitSet::new(200).unwrap();
             numbers.iter().for_each(|&i| set.insert(i));
             prop_assert_eq!((0..200).filter(|&i| set.contains(i)).collect::<BTreeSet<_>>(), numbers);

@@ -1,9 +1,9 @@
-//! Bounding volume hierarchy over boxes in an order in which neighbours are near each other.
+//! A bounding volume hierarchy over a list of boxes in which neighbours are close together.
 //!
-//! The tree is the complete binary one over the order, without pointers: node k has the children 2
-//! k and 2 k + 1, and the leaves are the last nodes, padded by empty boxes to a power of two.
-//! Consecutive parts of a curve are neighbours as they come; boxes without an order get one from
-//! [`spatial_order`].
+//! The tree is a complete binary tree over the list, without pointers. Node k has the children 2 k
+//! and 2 k + 1. The leaves are the last nodes, padded with empty boxes to a power of two.
+//! Consecutive parts of a curve are already in a suitable order; [`spatial_order`] orders other
+//! boxes.
 
 use super::Aabb;
 use crate::alloc;
@@ -12,19 +12,19 @@ use crate::job::Job;
 use crate::sort::{select, select_reported};
 use glam::DVec3;
 
-/// The tree; 48 bytes a node, and at most four nodes for each leaf.
+/// The tree. Takes 48 bytes a node, with at most four nodes for each leaf.
 pub struct BoxTree {
     nodes: Vec<Aabb>,
     leaves: usize,
 }
 
 impl BoxTree {
-    /// O(n).
+    /// Builds the tree. O(n).
     pub fn new(boxes: impl ExactSizeIterator<Item = Aabb>) -> Result<Self> {
         Self::new_cancellable(boxes, &Job::default(), "")
     }
 
-    /// The same of so many that a host would wait.
+    /// [`new`](Self::new) for many boxes: the host can cancel.
     pub fn new_cancellable(
         mut boxes: impl ExactSizeIterator<Item = Aabb>,
         job: &Job<'_>,
@@ -53,10 +53,10 @@ impl BoxTree {
         Ok(BoxTree { nodes, leaves })
     }
 
-    /// Descends to the leaves whose boxes are nearer to `p` than the best so far, the nearer child
-    /// first. `leaf` is given the leaf, and returns the square of the best distance.
+    /// Visits the leaves whose boxes are closer to `p` than the best distance so far, the nearer
+    /// child first. `leaf` receives the index of a leaf and returns the new best squared distance.
     pub fn nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
-        // At most one node of each level is on the stack, beside the one at work.
+        // The stack holds at most one node of each level besides the current one.
         let mut stack = [(0usize, 0.0); 64];
         let mut len = 1;
         stack[0] = (1, self.nodes[1].distance_squared(p));
@@ -78,14 +78,14 @@ impl BoxTree {
         }
     }
 
-    /// Calls `leaf` for the leaves whose boxes come within `slack` of `b` along every axis, in
+    /// Calls `leaf` for the leaves whose boxes are within `slack` of `b` along every axis, in
     /// ascending order.
     pub fn overlapping(&self, b: &Aabb, slack: f64, leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
         self.descend(|_, node| node.is_within(b, slack), leaf)
     }
 
-    /// Calls `leaf` for the leaves that `enter` takes, given a node's number and box, as it takes
-    /// all nodes above them; in ascending order.
+    /// Calls `leaf` in ascending order for each leaf that `enter` accepts, together with all nodes
+    /// above it. `enter` receives the index and box of a node.
     #[inline]
     pub fn descend(
         &self,
@@ -113,11 +113,13 @@ impl BoxTree {
     }
 }
 
-/// An order of boxes in which consecutive runs of `group`, of twice as many and so on lie close
-/// together: each part is split by its boxes' lower or upper corners along the axis where those are
-/// spread widest, at a multiple of what makes the tree over the groups complete. So long boxes that
-/// have an end in common stay together, as the needles of a fan do, which others lie across.
-/// O(n log n). Reports before each part of many boxes.
+/// Returns an order of boxes in which runs of `group`, 2 `group`, 4 `group`, ... consecutive boxes
+/// are compact.
+///
+/// Each part is split along one axis by the lower or the upper corners of its boxes, whichever are
+/// spread more. Long boxes with a common end therefore stay together, like the needles of a fan,
+/// even if other boxes lie across them. The split position makes the tree over the groups complete.
+/// Reports progress before each large part. O(n log n).
 pub fn spatial_order(boxes: &[Aabb], group: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
     let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
     let mut done = 0;
@@ -130,10 +132,11 @@ pub fn spatial_order(boxes: &[Aabb], group: usize, job: &Job<'_>, stage: &'stati
     Ok(order)
 }
 
-/// Parts of at most so many boxes are split between two progress reports.
+/// The largest part that is split without a progress report.
 const MAX_UNREPORTED: usize = 1 << 14;
 
-/// `report` is told of each part of at most [`MAX_UNREPORTED`] boxes, and of larger ones with 0.
+/// Splits a part recursively. Calls `report` with the number of boxes for each part of at most
+/// [`MAX_UNREPORTED`] boxes, and with 0 during larger ones.
 fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
     if order.len() <= MAX_UNREPORTED {
         report(order.len())?;
@@ -142,9 +145,9 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut
         report(0)?;
         let (end, axis) = longest_axis(boxes, order);
         report(0)?;
-        let middle = middle(order, group);
-        select_reported(order, middle, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
-        let (first, second) = order.split_at_mut(middle);
+        let split_position = split_position(order, group);
+        select_reported(order, split_position, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
+        let (first, second) = order.split_at_mut(split_position);
         split(boxes, first, group, report)?;
         split(boxes, second, group, report)?;
     }
@@ -154,27 +157,27 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut
 fn split_small(boxes: &[Aabb], order: &mut [u32], group: usize) {
     if order.len() > group {
         let (end, axis) = longest_axis(boxes, order);
-        let middle = middle(order, group);
-        select(order, middle, |i| end(&boxes[i as usize])[axis]);
-        let (first, second) = order.split_at_mut(middle);
+        let split_position = split_position(order, group);
+        select(order, split_position, |i| end(&boxes[i as usize])[axis]);
+        let (first, second) = order.split_at_mut(split_position);
         split_small(boxes, first, group);
         split_small(boxes, second, group);
     }
 }
 
-/// An end of boxes and an axis along which these ends are spread most.
-type Along = (fn(&Aabb) -> DVec3, usize);
+/// One end of the boxes, and the axis along which these ends are spread most.
+type SplitRule = (fn(&Aabb) -> DVec3, usize);
 
-fn longest_axis(boxes: &[Aabb], order: &[u32]) -> Along {
-    let spread = |end: fn(&Aabb) -> DVec3| Aabb::of(order.iter().map(|&i| end(&boxes[i as usize]))).size();
+fn longest_axis(boxes: &[Aabb], order: &[u32]) -> SplitRule {
+    let spread = |end: fn(&Aabb) -> DVec3| Aabb::from_points(order.iter().map(|&i| end(&boxes[i as usize]))).size();
     let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
     let [low, high] = ends.map(spread);
     let (end, spread) = if low.max_element() > high.max_element() { (ends[0], low) } else { (ends[1], high) };
     (end, spread.max_position())
 }
 
-/// How many come before where a part is split, so that groups stay whole.
-fn middle(order: &[u32], group: usize) -> usize {
+/// The position at which a part is split, a whole number of groups.
+fn split_position(order: &[u32], group: usize) -> usize {
     group * (order.len().div_ceil(group).next_power_of_two() / 2)
 }
 

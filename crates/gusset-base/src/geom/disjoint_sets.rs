@@ -1,23 +1,22 @@
-//! Disjoint sets of numbered elements: the union-find structure, plain and with a parity for every
-//! element.
+//! Disjoint sets of numbered elements: the union-find structure, plain and with parities.
 //!
-//! The root of a set is its smallest element whatever the order of the unions, so that results
-//! depend on the sets alone: a parent never exceeds its child. Paths are halved while they are
-//! climbed (Tarjan and van Leeuwen 1984), which makes m operations on n elements O(m log n) at
-//! worst, and nearly linear in practice. 4 bytes an element.
+//! The root of a set is its smallest element, because a parent never exceeds its child. Results
+//! therefore depend on the sets alone and not on the order of the unions. `find` halves the paths
+//! that it climbs (Tarjan and van Leeuwen 1984). m operations on n elements take O(m log n) in the
+//! worst case and nearly linear time in practice. 4 bytes an element.
 
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 
-/// Disjoint sets of the elements 0, 1, ....
+/// Disjoint sets of the elements 0, 1, ...
 #[derive(Debug, Default)]
 pub struct DisjointSets {
     parents: Vec<u32>,
 }
 
 impl DisjointSets {
-    /// `count` sets of one element each.
+    /// Creates `count` sets of one element each.
     #[inline]
     pub fn new(count: usize) -> Result<Self> {
         let mut sets = DisjointSets::default();
@@ -25,14 +24,15 @@ impl DisjointSets {
         Ok(sets)
     }
 
-    /// Sets in which every element is a child of its entry, which is not greater, or a root.
+    /// Creates sets from a parent for every element. A parent must not exceed its element; a root
+    /// is its own parent.
     #[inline]
     pub fn from_parents(parents: Vec<u32>) -> Self {
         debug_assert!(parents.iter().zip(0..).all(|(&parent, child)| parent <= child));
         DisjointSets { parents }
     }
 
-    /// Starts again with `count` sets of one element each, in the same memory.
+    /// Resets to `count` sets of one element each, reusing the memory.
     #[inline]
     pub fn reset(&mut self, count: usize) -> Result<()> {
         self.parents.clear();
@@ -41,19 +41,19 @@ impl DisjointSets {
         Ok(())
     }
 
-    /// The parent of an element, itself if it is a root.
+    /// The parent of an element; a root is its own parent.
     #[inline]
     pub fn parent(&self, i: u32) -> u32 {
         self.parents[i as usize]
     }
 
-    /// Makes an element that is alone in its set a child of a smaller one.
+    /// Makes an element that is alone in its set a child of a smaller element.
     #[inline]
     pub fn attach(&mut self, i: u32, parent: u32) {
         self.parents[i as usize] = parent;
     }
 
-    /// The root of the set of `i`: its smallest element.
+    /// Returns the root of the set of `i`, which is the set's smallest element.
     #[inline]
     pub fn find(&mut self, mut i: u32) -> u32 {
         while self.parents[i as usize] != i {
@@ -64,7 +64,7 @@ impl DisjointSets {
         i
     }
 
-    /// Makes one set of two; false if it was one already.
+    /// Merges two sets. Returns false if the elements already were in one set.
     #[inline]
     pub fn union(&mut self, i: u32, j: u32) -> bool {
         let (i, j) = (self.find(i), self.find(j));
@@ -72,13 +72,13 @@ impl DisjointSets {
         i != j
     }
 
-    /// The roots, ascending.
+    /// The roots, in ascending order.
     pub fn roots(&self) -> impl Iterator<Item = u32> + '_ {
         (0..).zip(&self.parents).filter(|&(i, &parent)| i == parent).map(|(i, _)| i)
     }
 
-    /// The root of every element, found in one pass since parents come before their children; the
-    /// host can cancel.
+    /// Returns the root of every element in a single pass, because parents precede their children.
+    /// The host can cancel.
     pub fn into_roots(mut self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         job.ranges(stage, self.parents.len(), |range| {
             for i in range {
@@ -90,21 +90,21 @@ impl DisjointSets {
     }
 }
 
-/// Disjoint sets of elements that are each equal or opposed to the root of their set, such as
-/// orientations that are bound to each other.
+/// Disjoint sets whose elements are each equal or opposed to their root. They model constraints
+/// such as orientations that depend on each other.
 pub struct ParitySets {
     /// Twice the parent, plus 1 if the element is opposed to it.
     parents: Vec<u32>,
 }
 
 impl ParitySets {
-    /// `count` sets of one element each, fewer than 2^31.
+    /// Creates `count` sets of one element each; `count` is below 2^31.
     #[inline]
     pub fn new(count: usize) -> Result<Self> {
         Ok(ParitySets { parents: alloc::collect((0..count).map(|i| 2 * i as u32))? })
     }
 
-    /// Twice the root of the set of `i`, plus 1 if `i` is opposed to it.
+    /// Returns twice the root of the set of `i`, plus 1 if `i` is opposed to the root.
     #[inline]
     fn signed_root(&mut self, i: u32) -> u32 {
         let mut at = 2 * i;
@@ -119,14 +119,15 @@ impl ParitySets {
         }
     }
 
-    /// The root of the set of `i`, which is its smallest element, and whether `i` is opposed to it.
+    /// Returns the root of the set of `i`, which is its smallest element, and whether `i` is
+    /// opposed to it.
     #[inline]
     pub fn find(&mut self, i: u32) -> (u32, bool) {
         let root = self.signed_root(i);
         (root / 2, root & 1 == 1)
     }
 
-    /// Binds `i` to `j`, opposed or equal; false if the contrary holds already.
+    /// Constrains `i` to be equal or opposed to `j`. Returns false if the opposite already holds.
     pub fn union(&mut self, i: u32, j: u32, opposed: bool) -> bool {
         let (i, j) = (self.signed_root(i), self.signed_root(j));
         if i / 2 == j / 2 {
@@ -144,9 +145,9 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Against labels that are changed one by one.
+        /// Compares with labels that are rewritten one by one.
         #[test]
-        fn the_same_as_relabelling(pairs in prop::collection::vec((0u32..20, 0u32..20), 0..30)) {
+        fn agrees_with_relabelling(pairs in prop::collection::vec((0u32..20, 0u32..20), 0..30)) {
             let mut sets = DisjointSets::new(20).unwrap();
             let mut labels: Vec<u32> = (0..20).collect();
             for &(i, j) in &pairs {
@@ -163,7 +164,7 @@ mod tests {
             prop_assert_eq!(sets.into_roots(&Job::default(), "").unwrap(), labels);
         }
 
-        /// Against all assignments of signs to few elements.
+        /// Compares with all assignments of signs to a few elements.
         #[test]
         fn parities_hold_in_every_assignment(
             bonds in prop::collection::vec((0u32..6, 0u32..6, any::<bool>()), 0..9),

@@ -1,24 +1,27 @@
-//! A proven lower bound of the distance of two convex hulls, by the algorithm of Gilbert, Johnson
-//! and Keerthi (1988, "A fast procedure for computing the distance between complex objects").
+//! A proven lower bound of the distance between two convex hulls, by the algorithm of Gilbert,
+//! Johnson and Keerthi (1988, "A fast procedure for computing the distance between complex
+//! objects").
 //!
-//! The differences a - b of points of both have a hull whose point v nearest to the origin is
-//! sought: in each round the point farthest against v joins a simplex, of which the part nearest to
-//! the origin is kept. Invariant: for any v, min a . v - max b . v over |v| is a lower bound of the
-//! distance, however inexact v is. O(points) a round, at most `MAX_ROUNDS`.
+//! The algorithm looks for the point v nearest to the origin in the hull of all differences a - b.
+//! Each round adds the extreme point in the direction of -v to a simplex, and keeps the face of the
+//! simplex nearest to the origin. Invariant: for every v, however inexact, (min a . v - max b .
+//! v) / |v| is a lower bound of the distance. Each round is O(points), and there are at most
+//! `MAX_ROUNDS`.
 
 use glam::{DMat3, DVec3};
 
-/// Rounds before the bound is taken as it is.
+/// The number of rounds after which the current bound is returned.
 const MAX_ROUNDS: usize = 24;
-/// Part of the distance by which the bound may fall short of it.
+/// The relative gap between bound and distance at which the search ends.
 const RELATIVE_GAP: f64 = 1e-13;
 
-/// What is known of the distance of two hulls.
+/// A lower bound of the distance between two hulls, and a nearest pair of points.
 #[derive(Debug, Clone, Copy)]
 pub struct HullDistance {
-    /// No two points of the hulls are nearer to each other, but for rounding; at least 0.
+    /// A lower bound of the distance, up to rounding; at least 0.
     pub bound: f64,
-    /// The first `count` make up the pair of points that is nearest, or nearly.
+    /// The corners whose weighted sums form the nearest pair of points, or nearly. Only the first
+    /// `count` are valid.
     pub corners: [Corner; 4],
     pub count: usize,
 }
@@ -32,8 +35,8 @@ pub struct Corner {
     difference: DVec3,
 }
 
-/// The distance of the hulls of points, none of which is empty. The search ends as soon as the
-/// bound is above `limit`, or within `tolerance` of the distance.
+/// Bounds the distance between the convex hulls of two non-empty sets of points. The search ends as
+/// soon as the bound exceeds `limit` or is within `tolerance` of the distance.
 pub fn hull_distance(a: &[DVec3], b: &[DVec3], limit: f64, tolerance: f64) -> HullDistance {
     let (mut simplex, mut count) = ([Corner::default(); 4], 1);
     simplex[0] = Corner { a: 0, b: 0, weight: 1.0, difference: a[0] - b[0] };
@@ -60,7 +63,7 @@ pub fn hull_distance(a: &[DVec3], b: &[DVec3], limit: f64, tolerance: f64) -> Hu
     HullDistance { bound, corners: simplex, count }
 }
 
-/// The first point of the least product with a direction, and that product.
+/// The first point with the smallest product with a direction, and the product.
 fn least(points: &[DVec3], direction: DVec3) -> (usize, f64) {
     let mut found = (0, f64::INFINITY);
     for (k, point) in points.iter().enumerate() {
@@ -72,9 +75,9 @@ fn least(points: &[DVec3], direction: DVec3) -> (usize, f64) {
     found
 }
 
-/// Keeps the face of a simplex that is nearest to the origin, with the weights of its nearest
-/// point, which is returned: among the faces of the last corner, as those of the others have been
-/// seen. `None` if all of these are degenerate.
+/// Reduces a simplex to its face nearest to the origin, and returns that face's nearest point. It
+/// sets the weights of the face's corners. It tests only faces with the last corner, because
+/// earlier rounds have tested the others. Returns `None` if all of them are degenerate.
 fn reduce(simplex: &mut [Corner; 4], count: &mut usize) -> Option<DVec3> {
     let last = *count - 1;
     let mut best: Option<(f64, DVec3, usize, [f64; 4])> = None;
@@ -95,16 +98,18 @@ fn reduce(simplex: &mut [Corner; 4], count: &mut usize) -> Option<DVec3> {
     Some(point)
 }
 
-/// The point nearest to the origin of the flat through some corners, if it is among them.
+/// Projects the origin onto the affine hull of a face's corners. Returns the projection and its
+/// weights if it lies within the face.
 fn nearest_of_face(simplex: &[Corner; 4], face: usize) -> Option<(DVec3, [f64; 4])> {
-    let (mut members, mut size) = ([0; 4], 0);
+    let (mut corners, mut size) = ([0; 4], 0);
     for k in (0..4).filter(|k| face >> k & 1 == 1) {
-        members[size] = k;
+        corners[size] = k;
         size += 1;
     }
-    let base = simplex[members[0]].difference;
-    let edge = |k: usize| simplex[members[k]].difference - base;
-    // base + sum of shares times edges, across all edges.
+    let base = simplex[corners[0]].difference;
+    let edge = |k: usize| simplex[corners[k]].difference - base;
+    // Solves for the shares in base + sum of share times edge that make the sum perpendicular to
+    // all edges.
     let mut shares = [0.0; 3];
     match size {
         1 => {}
@@ -121,10 +126,10 @@ fn nearest_of_face(simplex: &[Corner; 4], face: usize) -> Option<(DVec3, [f64; 4
     let inside = rest >= 0.0 && shares.iter().all(|&share| share >= 0.0 && share.is_finite());
     inside.then(|| {
         let mut weights = [0.0; 4];
-        weights[members[0]] = rest;
+        weights[corners[0]] = rest;
         let mut point = base;
         for k in 1..size {
-            weights[members[k]] = shares[k - 1];
+            weights[corners[k]] = shares[k - 1];
             point += shares[k - 1] * edge(k);
         }
         (point, weights)
@@ -141,10 +146,10 @@ mod tests {
         (0..count).map(|_| centre + axes[..flat].iter().map(|&axis| number() * axis).sum::<DVec3>()).collect()
     }
 
-    /// Of hulls of all dimensions: no pair of combinations of points is nearer than the bound, and
-    /// the pair that the weights give is as near as the bound says.
+    /// For hulls of every dimension: no pair of convex combinations is closer than the bound, and
+    /// the pair given by the weights attains it.
     #[test]
-    fn bounds_hold_and_are_sharp() {
+    fn bounds_are_valid_and_sharp() {
         let mut random = fastrand::Rng::with_seed(7);
         let mut apart = 0;
         for k in 0..4000 {

@@ -1,10 +1,9 @@
-//! Nearest point of a set, and all points within a distance: a balanced k-d tree without pointers.
+//! Nearest-point and range queries on a set of points: a balanced k-d tree without pointers.
 //!
-//! The points' indices are permuted so that the middle element of every range splits it by the
-//! range's widest axis, and the two halves are trees in turn (Friedman, Bentley and Finkel 1977).
-//! No point of a half is nearer than its cell, so that a half whose cell is farther than the best
-//! point so far is left out. Building takes O(n log n), a query O(log n) for points that are not
-//! all equidistant.
+//! The points' indices are permuted so that the middle element of every range splits it along the
+//! range's widest axis, and both halves are trees in turn (Friedman, Bentley and Finkel 1977). A
+//! query skips a half if the half's cell is farther away than the best point so far. Building takes
+//! O(n log n). A query takes O(log n) unless many points are equally far away.
 
 use crate::alloc;
 use crate::error::Result;
@@ -15,39 +14,40 @@ use crate::sort::{select, select_reported};
 use glam::DVec3;
 use std::ops::{ControlFlow, Range};
 
-/// Ranges of at most this many points are searched one by one.
+/// Ranges of at most this many points are searched linearly.
 const MAX_LEAF_POINTS: usize = 8;
 
 /// Ranges of at most this many points are split between two progress reports.
 const MAX_UNREPORTED: usize = 1 << 15;
 
-/// The middles of ranges that are not searched one by one are this far from each other at least:
-/// the smaller range, of 9 points or more, has 4 on either side of its own, and ends beside the
-/// other.
+/// The smallest distance in `order` between the middles of two ranges that are not searched
+/// linearly. The smaller such range has at least 9 points, so at least 4 on either side of its
+/// middle.
 const MIN_MIDDLE_DISTANCE: usize = 5;
 
-/// Points of several groups.
+/// Marks a range whose points belong to several groups.
 const MIXED: u32 = u32::MAX;
 
-/// A set of points that answers nearest-point queries.
+/// A set of points prepared for nearest-point queries.
 pub struct KdTree<'a> {
     points: &'a [DVec3],
     order: Vec<u32>,
-    /// The splitting axis of the range whose middle is at this place of `order`.
+    /// The splitting axis of the range whose middle is at this position of `order`.
     axis: Vec<u8>,
-    /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if
-    /// there are no groups.
+    /// The common group of the range whose middle is at this position, or [`MIXED`]. Empty for a
+    /// tree without groups.
     group: Vec<u32>,
-    /// The smallest index of the range whose middle is at this place; empty if there are no groups.
+    /// The smallest index in the range whose middle is at this position. Empty for a tree without
+    /// groups.
     least: Vec<u32>,
-    /// The box round all points of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this
-    /// place, or up to 4 beyond; empty if there are none.
+    /// The bounding box of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this
+    /// position, or up to 4 beyond. Empty for a tree without boxes.
     boxes: Vec<Aabb>,
     whole: Aabb,
 }
 
 impl<'a> KdTree<'a> {
-    /// Extra memory: 5 bytes a point. O(n log n).
+    /// Builds the tree. O(n log n); extra memory: 5 bytes a point.
     pub fn new(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = KdTree {
             points,
@@ -56,7 +56,7 @@ impl<'a> KdTree<'a> {
             group: Vec::new(),
             least: Vec::new(),
             boxes: Vec::new(),
-            whole: Aabb::of(points),
+            whole: Aabb::from_points(points),
         };
         let mut done = 0;
         let mut report = |count: usize| {
@@ -68,10 +68,11 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
-    /// A tree for queries that are far away from points which are close together, such as those of
-    /// a curve: what cells do not tell apart, boxes that fit do. 10 bytes a point more.
+    /// Builds a tree with bounding boxes. It suits queries far away from points that are close
+    /// together, such as samples of a curve: bounding boxes discriminate where the cells do not.
+    /// Takes 10 bytes a point more.
     #[inline]
-    pub fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub fn with_boxes(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
         let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_MIDDLE_DISTANCE))?;
         tree.find_boxes(0..points.len(), &mut boxes);
@@ -79,16 +80,16 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
-    /// The points' indices in the order of the tree: neighbours are near each other.
+    /// The points' indices in the order of the tree, in which neighbours are close together.
     #[inline]
     pub fn order(&self) -> &[u32] {
         &self.order
     }
 
-    /// Enters and returns the box of a range.
+    /// Stores and returns the bounding box of a range.
     fn find_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
         if range.len() <= MAX_LEAF_POINTS {
-            return Aabb::of(self.order[range].iter().map(|&index| self.points[index as usize]));
+            return Aabb::from_points(self.order[range].iter().map(|&index| self.points[index as usize]));
         }
         let middle = usize::midpoint(range.start, range.end);
         let low = self.find_boxes(range.start..middle, out);
@@ -99,9 +100,9 @@ impl<'a> KdTree<'a> {
         whole
     }
 
-    /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of
-    /// one of the `groups`, all below 2^32 - 1.
-    pub fn grouped(points: &'a [DVec3], groups: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    /// Builds a tree that also answers [`nearest_in_other_groups`](Self::nearest_in_other_groups).
+    /// `groups` has the group of each point, below 2^32 - 1.
+    pub fn with_groups(points: &'a [DVec3], groups: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
         let mut group = alloc::filled(MIXED, points.len())?;
         tree.find_groups(0..points.len(), groups, &mut group);
@@ -112,7 +113,7 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
-    /// Enters and returns the smallest index of a range; [`u32::MAX`] of none.
+    /// Stores and returns the smallest index of a range; [`u32::MAX`] if the range is empty.
     fn find_least(&self, range: Range<usize>, out: &mut [u32]) -> u32 {
         if range.is_empty() {
             return u32::MAX;
@@ -124,7 +125,7 @@ impl<'a> KdTree<'a> {
         out[middle]
     }
 
-    /// Enters and returns the group that all of a range is of.
+    /// Stores and returns the common group of a range.
     fn find_groups(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
         let of = |place: usize| groups[self.order[place] as usize];
         let middle = usize::midpoint(range.start, range.end);
@@ -142,9 +143,9 @@ impl<'a> KdTree<'a> {
         whole
     }
 
-    /// As [`nearest`](Self::nearest), among the points that are of another group than `own`; parts
-    /// of the tree that are all of it are passed over.
-    pub fn nearest_elsewhere(
+    /// [`nearest`](Self::nearest) restricted to points outside the group `own`. Skips subtrees
+    /// whose points all belong to `own`.
+    pub fn nearest_in_other_groups(
         &self,
         query: DVec3,
         limit: f64,
@@ -156,15 +157,15 @@ impl<'a> KdTree<'a> {
         (best.1 != u32::MAX).then_some(best)
     }
 
-    /// The nearest point that `accept`s, as (squared distance, index), among those not farther than
-    /// `limit` (squared); of equally near ones the smallest index.
+    /// Returns the nearest point that satisfies `accept` and is not farther than `limit` (squared),
+    /// as (squared distance, index). Breaks ties by the smallest index.
     pub fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
-        self.nearest_elsewhere(query, limit, MIXED, accept)
+        self.nearest_in_other_groups(query, limit, MIXED, accept)
     }
 
-    /// Searches a range of `order`. `off` is how far the query lies outside the range's cell along
-    /// each axis: no point of the range is nearer than its length. Ranges of group `own` are passed
-    /// over.
+    /// Searches a range of `order`. `off` is the vector from the range's cell to the query, whose
+    /// length bounds the distance of every point of the range from below. Skips ranges of group
+    /// `own`.
     fn search(
         &self,
         range: Range<usize>,
@@ -178,11 +179,11 @@ impl<'a> KdTree<'a> {
         if own != MIXED && self.group.get(middle) == Some(&own) {
             return;
         }
-        // Of points that lie in one, the smallest index is looked for among those with smaller ones.
+        // If the points coincide, skip ranges that cannot improve the index.
         if self.least.get(middle).is_some_and(|&least| least >= best.1) && off.length_squared() >= best.0 {
             return;
         }
-        // The points of a leaf are no more work than its box.
+        // Testing the points of a leaf costs no more than testing its box.
         if !self.boxes.is_empty()
             && range.len() > MAX_LEAF_POINTS
             && let Some(around) = self.boxes.get(middle / MIN_MIDDLE_DISTANCE)
@@ -216,8 +217,8 @@ impl<'a> KdTree<'a> {
 }
 
 impl KdTree<'_> {
-    /// Calls `visit` with (squared distance in units of the reach, index) of every point within
-    /// `reach` of the query, in no particular order. O(log n) for each point found.
+    /// Calls `visit` with (squared distance in units of the reach, index) for every point within
+    /// `reach` of the query, in unspecified order. O(log n) for each point found.
     pub fn for_each_within(&self, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
         let _ = self.visit_within(query, reach, &mut |squared, index| {
             visit(squared, index);
@@ -225,7 +226,7 @@ impl KdTree<'_> {
         });
     }
 
-    /// The same, until `visit` breaks off.
+    /// [`for_each_within`](Self::for_each_within), until `visit` breaks.
     pub fn visit_within(
         &self,
         query: DVec3,
@@ -264,8 +265,8 @@ impl KdTree<'_> {
     }
 }
 
-/// A distance, held so that its square neither overflows nor vanishes: in a power-of-two unit of
-/// its own size.
+/// A distance scaled by a power of two close to its own size, so that its square neither overflows
+/// nor underflows.
 #[derive(Clone, Copy)]
 pub struct Radius {
     unit: f64,
@@ -273,27 +274,27 @@ pub struct Radius {
 }
 
 impl Radius {
-    /// `distance` is finite and positive.
+    /// `distance` must be finite and positive.
     #[inline]
     pub fn new(distance: f64) -> Self {
         let unit = common_unit(&[DVec3::splat(distance)]);
         Radius { unit, limit: (distance / unit) * (distance / unit) }
     }
 
-    /// True if a difference of points is no longer.
+    /// Returns true if the vector is at most as long as the radius.
     #[inline]
     pub fn contains(self, difference: DVec3) -> bool {
         self.squared(difference) <= self.limit
     }
 
-    /// The squared length of a difference of points; infinite if it is that much longer.
+    /// The scaled squared length of a vector; infinite if it overflows.
     fn squared(self, difference: DVec3) -> f64 {
         (difference / self.unit).length_squared()
     }
 }
 
-/// Splits a range and its halves; `report` is called for every large one, with the number of points
-/// that it sees to alone.
+/// Splits a range recursively. Calls `report` for every large range, with the number of points that
+/// are split without further reports.
 fn split_reported(
     points: &[DVec3],
     order: &mut [u32],
@@ -325,10 +326,10 @@ fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
 
 /// The axis along which the points of a range are spread most.
 fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
-    Aabb::of(order.iter().map(|&i| points[i as usize])).size().max_position()
+    Aabb::from_points(order.iter().map(|&i| points[i as usize])).size().max_position()
 }
 
-/// The halves on either side of the middle of a range, which is at its place along an axis.
+/// The halves on either side of the middle of a range. Stores `axis` as the axis of the middle.
 fn halves<'a>(order: &'a mut [u32], axes: &'a mut [u8], axis: usize) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let middle = order.len() / 2;
     axes[middle] = axis as u8;
@@ -344,8 +345,8 @@ mod tests {
 
     proptest! {
         #[test]
-        fn equals_brute_force(
-            // A coarse lattice, so that equal distances are common and the tie rule is tested.
+        fn nearest_agrees_with_brute_force(
+            // A coarse lattice makes equal distances common and so tests the tie rule.
             cells in prop::collection::vec((0u8..6, 0u8..6, 0u8..6), 1..200),
             query in (0u8..13, 0u8..13, 0u8..13),
             skip in 1u32..5,
@@ -362,14 +363,14 @@ mod tests {
             let expected = nearest(&accept);
             let tree = KdTree::new(&points, &Job::default(), "").unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
-            let boxed = KdTree::boxed(&points, &Job::default(), "").unwrap();
-            prop_assert_eq!(boxed.nearest(query, f64::INFINITY, accept), expected);
-            // Groups of neighbours, so that whole parts of the tree are of one.
+            let with_boxes = KdTree::with_boxes(&points, &Job::default(), "").unwrap();
+            prop_assert_eq!(with_boxes.nearest(query, f64::INFINITY, accept), expected);
+            // Groups of neighbours, so that whole subtrees belong to one group.
             let groups: Vec<u32> = points.iter().map(|p| p.x as u32 / 2).collect();
-            let tree = KdTree::grouped(&points, &groups, &Job::default(), "").unwrap();
+            let tree = KdTree::with_groups(&points, &groups, &Job::default(), "").unwrap();
             for own in 0..4 {
                 let accept = |i: u32| accept(i) && groups[i as usize] != own;
-                prop_assert_eq!(tree.nearest_elsewhere(query, f64::INFINITY, own, accept), nearest(&accept));
+                prop_assert_eq!(tree.nearest_in_other_groups(query, f64::INFINITY, own, accept), nearest(&accept));
             }
             for (reach, unit) in [(0.5, 1.0), (1.0, 2f64.powi(-980)), (1.5, 2f64.powi(900)), (3.0, 1.0)] {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
@@ -377,7 +378,7 @@ mod tests {
                 let tree = KdTree::new(&scaled, &Job::default(), "").unwrap();
                 tree.for_each_within(query * unit, Radius::new(reach * unit), &mut |_, i| found.push(i));
                 found.sort_unstable();
-                // On a lattice, in a power of two: nothing is rounded.
+                // Lattice points in a unit that is a power of two: nothing is rounded.
                 let close = |&i: &u32| points[i as usize].distance(query) <= reach;
                 prop_assert_eq!(found, (0..points.len() as u32).filter(close).collect::<Vec<_>>());
             }

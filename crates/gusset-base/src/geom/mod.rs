@@ -1,21 +1,21 @@
-//! Small geometry shared by all modules, over [`glam`]'s double-precision vectors.
+//! Geometry that all crates share, over [`glam`]'s double-precision vectors.
 //!
-//! * [`aabb`]: axis-aligned boxes.
-//! * [`bernstein`]: polynomials in Bernstein form, scalar, vectorial and tensor.
-//! * [`linear`]: systems of linear equations.
-//! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
-//! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
-//! * [`hull_distance`]: how far two convex hulls are apart.
-//! * [`node_normals`]: normals of a surface at a grid of nodes.
-//! * [`oriented_box`]: boxes turned with what they hold.
-//! * [`rotation`]: the rotation that brings points nearest to others.
-//! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
-//!   what is left.
-//! * [`strided`]: elements of a host, at any stride and alignment.
-//! * [`triangle`], [`triangle_places`]: area, angles and aspect ratio of one triangle; the nearest
-//!   places on a set of them.
-//! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow
-//!   nor vanish whatever the host's units are.
+//! - [`aabb`]: axis-aligned boxes.
+//! - [`bernstein`]: polynomials in Bernstein form, scalar, vectorial and tensor.
+//! - [`linear`]: systems of linear equations.
+//! - [`disjoint_sets`], [`bit_set`]: sets of numbered elements.
+//! - [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
+//! - [`hull_distance`]: a lower bound of the distance between two convex hulls.
+//! - [`node_normals`]: normals of a surface at a grid of nodes.
+//! - [`oriented_box`]: boxes aligned with the triangles inside.
+//! - [`rotation`]: the rotation that best maps points to other points.
+//! - [`subdivision`]: all solutions of equations over a box of parameters, with proofs, and
+//!   clusters of the undecided boxes.
+//! - [`strided`]: elements of a host, at any stride and alignment.
+//! - [`triangle`], [`triangle_places`]: area, angles and aspect ratio of one triangle; nearest
+//!   places on a set of triangles.
+//! - [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow
+//!   nor underflow in any unit of the host.
 
 pub mod aabb;
 pub mod bernstein;

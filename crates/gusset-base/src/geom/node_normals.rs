@@ -1,18 +1,19 @@
 //! Normals of a surface at a grid of nodes.
 //!
-//! The tangent of a line of nodes at one of them is that of the circle through it and its
-//! neighbours; the normal is square to those of the row and of the column. So normals are exact on
-//! planes and spheres, however the nodes lie on them, and on cylinders whose rulings are lines of
-//! the grid: three points of a sphere lie on a circle of it.
+//! The tangent of a row or column at a node is the tangent of the circle through the node and its
+//! two neighbours. The normal is perpendicular to the tangents of the row and the column. It is
+//! exact on planes and spheres for any distribution of nodes, because three points of a sphere lie
+//! on a circle of the sphere. It is also exact on cylinders whose rulings are rows or columns.
 
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// The unit normals of nodes, row by row: along the derivative from row to row, crossed with that
-/// from column to column. `closed`: whether the first row follows on the last, and the first column.
-/// Zero where nothing tells. Lines of nodes that are one point are poles: their normal is square to
-/// all lines that end there. O(nodes) if no long runs of nodes are equal.
+/// Computes the unit normals of nodes, row by row: the derivative across the rows times the
+/// derivative across the columns. `closed` tells whether the first row follows the last, and
+/// whether the first column follows the last. A normal is zero where the nodes do not determine it.
+/// A row or column that is a single point is a pole; its normal is perpendicular to all lines that
+/// end there. O(nodes), unless long runs of nodes coincide.
 pub fn node_normals(nodes: &[DVec3], [rows, columns]: [usize; 2], closed: [bool; 2]) -> Result<Vec<DVec3>> {
     let at = |i: usize, j: usize| nodes[i * columns + j];
     let along = |i: usize, j: usize| tangent(rows, closed[0], i, |i| at(i, j));
@@ -23,25 +24,26 @@ pub fn node_normals(nodes: &[DVec3], [rows, columns]: [usize; 2], closed: [bool;
     }))?;
     for (i, sign) in [(0, 1.0), (rows - 1, -1.0)] {
         if !closed[0] && (1..columns).all(|j| at(i, j) == at(i, 0)) {
-            let normal = sign * fan(columns, closed[1], |j| along(i, j));
+            let normal = sign * turning_axis(columns, closed[1], |j| along(i, j));
             normals[i * columns..(i + 1) * columns].fill(normal);
         }
     }
     for (j, sign) in [(0, -1.0), (columns - 1, 1.0)] {
         if !closed[1] && (1..rows).all(|i| at(i, j) == at(0, j)) {
-            let normal = sign * fan(rows, closed[0], |i| across(i, j));
+            let normal = sign * turning_axis(rows, closed[0], |i| across(i, j));
             (0..rows).for_each(|i| normals[i * columns + j] = normal);
         }
     }
     Ok(normals)
 }
 
-/// The direction at point `k` of the circle through it and those beside it, repeated ones passed
-/// over; at the ends of an open line that through the next two.
+/// The tangent direction, at point `k`, of the circle through the point and its nearest distinct
+/// neighbours on either side. At an end of an open line the circle passes through the next two
+/// points.
 pub fn tangent(count: usize, closed: bool, k: usize, at: impl Fn(usize) -> DVec3) -> DVec3 {
     let p = at(k);
-    // The distinct points on one side, the nearest first, as inverted about p: the circle becomes a
-    // line along the tangent.
+    // The distinct points on one side, the nearest first, inverted about p. Inversion maps the
+    // circle to a line along the tangent.
     let side = |step: usize, end: usize| {
         let places = (1..=end).map(move |m| (k + m * step) % count);
         places.map(&at).map(|q| q - p).filter(|d| *d != DVec3::ZERO).map(|d| d / d.length_squared())
@@ -58,8 +60,8 @@ pub fn tangent(count: usize, closed: bool, k: usize, at: impl Fn(usize) -> DVec3
     direction.normalize_or_zero()
 }
 
-/// The direction about which vectors turn.
-fn fan(count: usize, closed: bool, direction: impl Fn(usize) -> DVec3) -> DVec3 {
+/// The axis about which successive vectors turn.
+fn turning_axis(count: usize, closed: bool, direction: impl Fn(usize) -> DVec3) -> DVec3 {
     let end = if closed { count } else { count - 1 };
     (0..end).map(|k| direction(k).cross(direction((k + 1) % count))).sum::<DVec3>().normalize_or_zero()
 }
@@ -85,7 +87,7 @@ mod tests {
             for (n, p) in normals.iter().zip(&nodes) {
                 assert!((*n - *p).length() < 1e-12, "{n} {p}");
             }
-            // The same with rows and columns exchanged faces inwards.
+            // Transposed nodes face inwards.
             let turned: Vec<DVec3> = (0..rows * columns).map(|k| nodes[(k % rows) * columns + k / rows]).collect();
             let normals = node_normals(&turned, [columns, rows], [closed, false]).unwrap();
             for (n, p) in normals.iter().zip(&turned) {

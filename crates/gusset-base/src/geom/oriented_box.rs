@@ -1,16 +1,16 @@
-//! Boxes turned with what they hold: tight where triangles are long and thin and lie across the
-//! axes, as boxes along the axes are not.
+//! Boxes oriented along the triangles that they contain. For long, thin triangles that lie across
+//! the axes they are much tighter than axis-aligned boxes.
 //!
 //! Source: S. Gottschalk, M. C. Lin, D. Manocha, *OBBTree: a hierarchical structure for rapid
-//! interference detection* (1996). The axes are those of one triangle inside, not of the whole: the
-//! triangles of a strip lie side by side.
+//! interference detection* (1996). The axes follow a single triangle of the box, because the
+//! triangles of a strip are nearly parallel.
 
 use glam::DVec3;
 
-/// What round-off may do to a projection, as part of the coordinates.
+/// The largest relative round-off of a projection.
 const ROUND_OFF: f64 = 1.0 / (1u64 << 46) as f64;
 
-/// A box along three axes square to each other.
+/// A box along three perpendicular axes.
 #[derive(Debug, Clone, Copy)]
 pub struct OrientedBox {
     axes: [DVec3; 3],
@@ -21,8 +21,9 @@ pub struct OrientedBox {
 impl OrientedBox {
     pub const EMPTY: OrientedBox = OrientedBox { axes: DVec3::AXES, low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    /// The box of some triangles, along the longest side of all and square to that triangle.
-    pub fn of(triangles: impl Iterator<Item = [DVec3; 3]> + Clone) -> Self {
+    /// Returns the box of some triangles. Its axes follow the longest side of all, and the triangle
+    /// of that side.
+    pub fn from_triangles(triangles: impl Iterator<Item = [DVec3; 3]> + Clone) -> Self {
         let mut longest = (-1.0, DVec3::X, DVec3::Y);
         for [p, q, r] in triangles.clone() {
             for (side, other) in [(q - p, r - p), (r - q, p - q), (p - r, q - r)] {
@@ -40,7 +41,7 @@ impl OrientedBox {
         whole
     }
 
-    /// The box of both along the axes of `self`, or of `other` if `self` is empty.
+    /// Returns the box of both along the axes of `self`, or of `other` if `self` is empty.
     pub fn union(&self, other: &OrientedBox) -> OrientedBox {
         if self.is_empty() || other.is_empty() {
             return if self.is_empty() { *other } else { *self };
@@ -53,8 +54,8 @@ impl OrientedBox {
         OrientedBox { axes: self.axes, low: self.low.min(centre - reach), high: self.high.max(centre + reach) }
     }
 
-    /// True if all points lie beyond one side of the box, so that nothing between them meets what
-    /// is in it.
+    /// Returns true if all points lie beyond one side of the box. Their hull then does not meet the
+    /// content of the box.
     #[inline]
     pub fn is_beside(&self, points: &[DVec3; 3]) -> bool {
         let slack = ROUND_OFF * points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
@@ -72,11 +73,12 @@ impl OrientedBox {
     }
 }
 
-/// Three unit vectors square to each other: along `side`, and the third one square to `other`.
+/// Three perpendicular unit vectors: the first along `side`, the third perpendicular to both `side`
+/// and `other`.
 fn frame(side: DVec3, other: DVec3) -> [DVec3; 3] {
     let along = side.normalize_or(DVec3::X);
-    // Of a needle the cross product is mostly round-off, which may lie any way: what is left of it
-    // square to the side must be most of it, or round-off is all that there is.
+    // The cross product of a needle's sides is mostly round-off and may point anywhere. Use it only
+    // if most of it is perpendicular to the side.
     let square = along.cross(other).normalize_or_zero().reject_from_normalized(along);
     let normal = if square.length_squared() > 0.25 { square.normalize() } else { along.any_orthonormal_vector() };
     [along, normal.cross(along), normal]
@@ -91,9 +93,9 @@ mod tests {
         (-1.0..1.0, -1.0..1.0, -1.0..1.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
     }
 
-    /// Sides of triangles whose corners are in line but for round-off.
+    /// Sides of triangles whose corners are collinear up to round-off.
     #[test]
-    fn frames_are_square_whatever_the_cross_product_is() {
+    fn frames_are_orthonormal_for_degenerate_cross_products() {
         let mut random = fastrand::Rng::with_seed(1);
         let assert_square = |side: DVec3, other: DVec3| {
             let axes = frame(side, other);
@@ -117,13 +119,14 @@ mod tests {
     }
 
     proptest! {
-        /// A point inside a triangle of the box is never beside it, whatever the triangles' shape.
+        /// Points inside a triangle of the box are never beside the box, for triangles of any
+        /// shape.
         #[test]
-        fn what_is_inside_is_not_beside(
+        fn points_inside_are_not_beside(
             base in point(), way in point(), width in 0u32..18, shift in 0u32..12,
             weights in prop::collection::vec((0.0..1.0, 0.0..1.0, 0usize..8), 1..9),
         ) {
-            // A fan of needles, far from the origin; of width 0 at last.
+            // A fan of needles far from the origin; the last has width 0.
             let width = if width == 17 { 0.0 } else { 10f64.powi(-(width as i32)) };
             let base = base * 10f64.powi(shift as i32);
             let across = way.any_orthogonal_vector() * width;
@@ -131,7 +134,7 @@ mod tests {
                 [base + across * f64::from(k), base + across * f64::from(k + 1), base + way + across * f64::from(2 * k)]
             }).collect();
             let pairs = triangles.chunks(2);
-            let leaves: Vec<OrientedBox> = pairs.map(|pair| OrientedBox::of(pair.iter().copied())).collect();
+            let leaves: Vec<OrientedBox> = pairs.map(|pair| OrientedBox::from_triangles(pair.iter().copied())).collect();
             let whole = leaves.iter().rev().fold(OrientedBox::EMPTY, |whole, leaf| whole.union(leaf));
             for (u, v, k) in weights {
                 let [p, q, r] = triangles[k];
@@ -144,13 +147,13 @@ mod tests {
     }
 
     #[test]
-    fn a_needle_across_the_axes_is_beside_its_neighbours() {
+    fn a_diagonal_needle_is_beside_its_neighbours() {
         let way = DVec3::new(1.0, 1.0, 1.0);
         let needle = |k: f64| {
             let at = DVec3::new(1e-4, -1e-4, 0.0) * k;
             [at, at + way, at + DVec3::new(1e-5, -1e-5, 0.0)]
         };
-        let held = OrientedBox::of([needle(0.0), needle(1.0)].into_iter());
+        let held = OrientedBox::from_triangles([needle(0.0), needle(1.0)].into_iter());
         assert!(held.is_beside(&needle(2.0)) && held.is_beside(&needle(-1.0)));
         assert!(!held.is_beside(&needle(0.5)) && !held.is_beside(&needle(1.0)));
         assert!(!OrientedBox::EMPTY.union(&held).is_beside(&needle(1.0)));

@@ -1,11 +1,11 @@
-//! The rotation that brings points nearest to others.
+//! The rotation that best maps points to other points.
 
 use super::linear::eigen::eigen;
 use glam::{DMat3, DQuat, DVec3};
 
-/// The rotation R for which the trace of R^T M is greatest: B. K. P. Horn, *Closed-form solution of
-/// absolute orientation using unit quaternions* (1987). It is the eigenvector of the greatest
-/// eigenvalue of a symmetric matrix of four rows.
+/// Returns the rotation R that maximises the trace of R^T M (B. K. P. Horn, *Closed-form solution
+/// of absolute orientation using unit quaternions*, 1987). Its quaternion is the eigenvector of the
+/// largest eigenvalue of a symmetric 4 x 4 matrix.
 pub fn best_rotation(m: DMat3) -> DQuat {
     let at = |row: usize, column: usize| m.col(column)[row];
     let (x, y, z) = (at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1));
@@ -16,14 +16,14 @@ pub fn best_rotation(m: DMat3) -> DQuat {
     let greatest = (1..4).fold(0, |best, i| if values[i] > values[best] { i } else { best });
     let [w, x, y, z] = vectors.map(|row| row[greatest]);
     let turn = DQuat::from_xyzw(x, y, z, w).normalize();
-    // Of the two quaternions of a rotation, that of the shorter way.
+    // Of the two quaternions of the rotation, return the one with the smaller angle.
     if turn.w < 0.0 { -turn } else { turn }
 }
 
-/// The part `t` of a rotation about its axis, of length 1: glam's own would take the functions of
-/// the system.
+/// Returns the fraction `t` of a rotation about its axis, as a unit quaternion. Uses `libm`,
+/// because glam calls the system's sine.
 #[inline]
-pub fn part_of(turn: DQuat, t: f64) -> DQuat {
+pub fn fraction_of_rotation(turn: DQuat, t: f64) -> DQuat {
     let axis = DVec3::new(turn.x, turn.y, turn.z);
     let length = axis.length();
     let (sine, cosine) = libm::sincos(t * libm::atan2(length, turn.w));

@@ -1,12 +1,12 @@
-//! A change of unit that loses nothing: multiplication by a power of two.
+//! An exact change of unit: multiplication by a power of two.
 
 use glam::DVec3;
 
-/// The largest power of two that does not exceed the largest coordinate's magnitude, kept within
-/// 2^-900 .. 2^900; 1 if all coordinates are 0 or there are none.
+/// Returns the largest power of two that does not exceed the largest absolute coordinate, clamped
+/// to 2^-900 .. 2^900. Returns 1 if all coordinates are 0 or there are none.
 ///
-/// Dividing points by it is exact, so lengths and areas compare as before, while products of a few
-/// coordinates neither overflow nor vanish whatever unit the host uses.
+/// Division by it is exact, so comparisons of lengths and areas keep their results. Products of a
+/// few coordinates neither overflow nor underflow in any unit of the host.
 pub fn common_unit<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f64 {
     let largest = points.into_iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
     if largest == 0.0 {
@@ -15,14 +15,14 @@ pub fn common_unit<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f64 {
     floor_to_power_of_two(largest)
 }
 
-/// The largest power of two that does not exceed a number above 0, kept within 2^-900 .. 2^900.
+/// The largest power of two that does not exceed a positive number, clamped to 2^-900 .. 2^900.
 #[inline]
 pub fn floor_to_power_of_two(x: f64) -> f64 {
     let exponent = ((x.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
     f64::from_bits(exponent << 52)
 }
 
-/// The distance of two points, whatever their magnitude.
+/// The distance between two points of any magnitude.
 #[inline]
 pub fn distance(p: DVec3, q: DVec3) -> f64 {
     let unit = common_unit(&[p, q]);
@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_power_of_two_that_brings_points_to_unit_size() {
+    fn common_unit_is_a_power_of_two_near_the_size_of_the_points() {
         for size in [1e-250, 1e-3, 1.0, 3.7, 1e12, 1.7e250] {
             let unit = common_unit(&[DVec3::new(0.0, -size, size / 2.0)]);
             assert!((1.0..2.0).contains(&(size / unit)), "{size}");

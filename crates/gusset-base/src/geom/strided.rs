@@ -1,4 +1,4 @@
-//! Elements as they lie in a host's memory: some bytes at the start of every stride, at any
+//! Elements in a host's memory: each occupies some bytes at the start of a stride, at any
 //! alignment.
 
 use crate::error::{Error, Result};
@@ -14,11 +14,11 @@ pub struct Strided<'a> {
 }
 
 impl<'a> Strided<'a> {
-    /// `bytes` begins with the first element; a stride of 0 stands for elements without gaps.
-    /// `what` names them in errors.
+    /// `bytes` begins with the first element. A stride of 0 means elements without gaps. `what`
+    /// names the elements in errors.
     ///
     /// # Errors
-    /// Those of [`Strided::span`], [`Error::ArrayTooShort`].
+    /// [`Error::ArrayTooShort`], and the errors of [`Strided::span`].
     pub fn new(bytes: &'a [u8], count: usize, stride: usize, size: usize, what: &'static str) -> Result<Self> {
         let needed = Self::span(count, stride, size, what)?;
         let stride = if stride == 0 { size } else { stride };
@@ -33,8 +33,8 @@ impl<'a> Strided<'a> {
         Strided { bytes: bytemuck::cast_slice(elements), stride: size, size, count: elements.len() }
     }
 
-    /// The bytes from the start of the first element to the end of the last, which needs no whole
-    /// stride.
+    /// The number of bytes from the start of the first element to the end of the last, which need
+    /// not fill its stride.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
@@ -60,14 +60,14 @@ impl<'a> Strided<'a> {
         &self.bytes[k * self.stride..][..self.size]
     }
 
-    /// Element `k`, whose type has the size of all elements.
+    /// Reads element `k`. The type must have the size of the elements.
     #[inline]
     pub fn get<T: AnyBitPattern>(&self, k: usize) -> T {
         let at = k * self.stride;
         bytemuck::pod_read_unaligned(&self.bytes[at..at + size_of::<T>()])
     }
 
-    /// All bytes, if there are no gaps.
+    /// All bytes, if the elements are contiguous.
     #[inline]
     pub fn without_gaps(&self) -> Option<&'a [u8]> {
         (self.stride == self.size).then_some(self.bytes)
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn elements_are_found_at_any_stride_and_alignment() {
+    fn elements_are_read_at_any_stride_and_alignment() {
         for (stride, offset) in [(0, 0), (4, 1), (5, 2), (11, 3)] {
             let step = if stride == 0 { 4 } else { stride };
             let mut memory = vec![0xff; offset + 3 * step + 4];
@@ -91,7 +91,7 @@ mod tests {
             assert_eq!((all.count(), all.bytes(2)), (4, &1002u32.to_ne_bytes()[..]));
             assert_eq!(all.without_gaps().is_some(), step == 4);
             assert_eq!(Strided::span(4, stride, 4, "numbers"), Ok(3 * step + 4));
-            // One byte less is too few.
+            // One byte too few.
             let short = Strided::new(&memory[offset + 1..], 4, stride, 4, "numbers");
             assert_eq!(
                 short.err(),

@@ -1,20 +1,22 @@
-//! Adaptive subdivision with proofs: all solutions of a system of equations over a box of
-//! parameters, none missed.
+//! Adaptive subdivision with proofs: finds all solutions of a system of equations over a box of
+//! parameters.
 //!
-//! A box is classified by tests on the control points of the equations over it. Bernstein
-//! coefficients bound the polynomial, so a test that excludes solutions is a proof of their
-//! absence; a Jacobian whose diagonal dominates all over the box proves that there is one solution
-//! at most, which Newton's method then finds. A box without either proof is split by de Casteljau's
-//! algorithm, which is the scheme of Sherbrooke and Patrikalakis (1993, "Computation of the
-//! solutions of nonlinear polynomial systems"), of Mourrain and Pavone (2009, "Subdivision methods
-//! for solving polynomial equations"), who precondition by the inverse of the middle Jacobian, and
-//! of Hanniel and Elber (2007, "Subdivision termination criteria in subdivision multivariate
-//! solvers"), who end it where a box holds one root at most. Boxes that stay undecided when they
-//! are too small, too deep or too many are clustered and reported.
+//! Each box is classified by the control points of the equations over it. Bernstein coefficients
+//! bound a polynomial, so a test that excludes solutions proves their absence. If a Jacobian is
+//! diagonally dominant over the whole box, the box has at most one solution, and Newton's method
+//! finds it. A box without either proof is split by de Casteljau's algorithm. Boxes that remain
+//! undecided when they are too small, too deep or too many are clustered and reported.
 //!
-//! Invariant: the boxes on the stack, those given up and those decided cover the first one. Cost:
-//! one classification a box; boxes examined number at most `max_boxes` and those still on the stack
-//! then; the stack, depth first, holds at most (K - 1) `max_depth` + 1.
+//! The scheme is due to Sherbrooke and Patrikalakis (1993, "Computation of the solutions of
+//! nonlinear polynomial systems"). Mourrain and Pavone (2009, "Subdivision methods for solving
+//! polynomial equations") precondition it by the inverse of the middle Jacobian. Hanniel and Elber
+//! (2007, "Subdivision termination criteria in subdivision multivariate solvers") stop at boxes
+//! that hold at most one root.
+//!
+//! Invariant: the boxes on the stack, the abandoned ones and the decided ones together cover the
+//! first box. Cost: one classification a box. At most `max_boxes` boxes are examined, plus those
+//! that are on the stack at that time. The stack is depth first and holds at most (K - 1)
+//! `max_depth` + 1 boxes.
 
 use crate::alloc;
 use crate::error::Result;
@@ -22,60 +24,63 @@ use crate::geom::disjoint_sets::DisjointSets;
 use crate::sort;
 use glam::DVec3;
 
-/// What is proved of a box.
+/// The result of classifying a box.
 pub enum BoxTest<U, S> {
-    /// It holds no solution.
+    /// The box contains no solution.
     Empty,
-    /// It holds this solution, or part of one, and no other.
+    /// The box contains this solution, or a part of it, and no other.
     Unique(U),
-    /// Nothing: it is to be split in this way.
+    /// Undecided: split the box in this way.
     Undecided(S),
-    /// Nothing, and its parts would not differ beyond the tolerance.
+    /// Undecided, and the parts would not differ beyond the tolerance.
     Unresolved,
 }
 
-/// When splitting ends.
+/// The limits of the search.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// Splits between the first box and the least.
+    /// The maximum number of splits between the first box and the smallest.
     pub max_depth: u32,
-    /// Boxes examined: that of this number, and those after it, are not split.
+    /// The maximum number of boxes to split. The box of this number and later ones are examined but
+    /// not split.
     pub max_boxes: usize,
 }
 
-/// A system of equations, with what was found of its solutions.
+/// A system of equations, and the receiver of its solutions.
 ///
-/// `P`: a box of parameters with the control points over it; K: the parts it is split into.
+/// `P` is a box of parameters with the control points over it; K is the number of parts into which
+/// it splits.
 pub trait Subdivision<P, const K: usize> {
     /// A solution that is alone in its box.
     type Solution;
-    /// How a box is split: a direction, or nothing.
+    /// The way to split a box, such as a direction.
     type Split;
-    /// Why the whole search ends early.
+    /// The reason for stopping the search early.
     type Stop;
 
     fn classify(&mut self, part: &P) -> Result<BoxTest<Self::Solution, Self::Split>, Self::Stop>;
 
-    /// Takes the only solution of a box.
+    /// Receives the only solution of a box.
     fn accept(&mut self, part: P, solution: Self::Solution) -> Result<(), Self::Stop>;
 
-    /// Takes a box that is not split any more. `exhausted`: `max_boxes` have been examined.
+    /// Receives a box that will not be split further. `exhausted` tells whether `max_boxes` boxes
+    /// have been examined.
     fn give_up(&mut self, part: P, exhausted: bool) -> Result<(), Self::Stop>;
 
-    /// Splits a box; the last part is examined first.
+    /// Splits a box. The last part is examined first.
     fn split(&mut self, part: P, split: Self::Split) -> [P; K];
 
-    /// Makes room for K parts, where lack of memory is to be an error.
+    /// Makes room for K parts. Override it to report a lack of memory as an error.
     #[inline(always)]
     fn reserve(_stack: &mut Stack<P>) -> Result<(), Self::Stop> {
         Ok(())
     }
 }
 
-/// Boxes that wait, each with its depth.
+/// The waiting boxes, each with its depth.
 pub type Stack<P> = Vec<(P, u32)>;
 
-/// Examines a box, those on the stack, and the parts of all of them, depth first.
+/// Examines a box, the boxes on the stack, and all their parts, depth first.
 #[inline]
 pub fn subdivide<P, const K: usize, S: Subdivision<P, K>>(
     system: &mut S,
@@ -101,30 +106,30 @@ pub fn subdivide<P, const K: usize, S: Subdivision<P, K>>(
     Ok(())
 }
 
-/// A box that was given up. In fewer than three parameters the others are 0.
+/// A box that remained undecided. With fewer than three parameters the other coordinates are 0.
 #[derive(Debug, Clone, Copy)]
 pub struct UnresolvedBox {
     pub middle: DVec3,
-    /// Half its sides.
+    /// Half the lengths of the box's sides.
     pub half: DVec3,
-    /// The absolute value in the middle of the function whose zero is sought.
+    /// The absolute value, at the centre of the box, of the function whose zero is sought.
     pub residual: f64,
 }
 
-/// Unresolved boxes that touch each other.
+/// Undecided boxes that touch each other.
 #[derive(Debug, Clone, Copy)]
 pub struct UnresolvedCluster {
-    /// The first box of the least residual.
+    /// The first box with the smallest residual.
     pub best: UnresolvedBox,
-    /// The corners of the box round all of them.
+    /// The corners of the bounding box.
     pub low: DVec3,
     pub high: DVec3,
 }
 
-/// Boxes looked at before a host is asked again.
+/// Boxes examined between two progress reports.
 const BOXES_PER_REPORT: usize = 1 << 11;
 
-/// How much larger than they are boxes count: those that touch do so but for rounding.
+/// The growth of boxes in tests of contact, which absorbs rounding.
 const GROWTH: f64 = 1.000_001;
 
 impl UnresolvedBox {
@@ -135,16 +140,16 @@ impl UnresolvedBox {
     }
 }
 
-/// Adds the clusters of boxes, by their first box, and returns the place of each box's cluster
-/// among them; `ask` is called now and then, and what it returns as an error ends the work.
-/// O(n log n + pairs that overlap along the first parameter).
+/// Appends the clusters of boxes in the order of their first boxes, and returns the index of each
+/// box's cluster. Calls `ask` regularly and returns its error. O(n log n + pairs that overlap along
+/// the first parameter).
 pub fn cluster(
     boxes: &[UnresolvedBox],
     clusters: &mut Vec<UnresolvedCluster>,
     mut ask: impl FnMut() -> Result<()>,
 ) -> Result<Vec<u32>> {
-    // A sweep along the first parameter finds the pairs; each tree of the forest has its first box
-    // as its root.
+    // A sweep along the first parameter finds the pairs. The root of each tree in the forest is its
+    // first box.
     let ends = |k: u32| {
         let UnresolvedBox { middle, half, .. } = boxes[k as usize];
         [middle.x - GROWTH * half.x, middle.x + GROWTH * half.x]
@@ -157,7 +162,7 @@ pub fn cluster(
         if place.is_multiple_of(BOXES_PER_REPORT) {
             ask()?;
         }
-        // Ends are rounded, so those that just touch are kept.
+        // The ends are rounded, so keep boxes that just touch.
         let low = ends(k)[0] - f64::EPSILON * ends(k)[0].abs();
         active.retain(|&other| ends(other)[1] >= low);
         for &other in &active {
@@ -192,7 +197,7 @@ mod tests {
     use super::*;
     use glam::DVec2;
 
-    /// The places where x^2 = 2 over an interval, by its values at the ends of parts.
+    /// Solves x^2 = 2 over an interval, from the values at the ends of its parts.
     struct SquareRoots {
         found: Vec<f64>,
         given_up: Vec<[f64; 2]>,
@@ -248,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_hold_and_nothing_is_dropped() {
+    fn limits_hold_and_no_box_is_dropped() {
         let (problem, done) = square_roots(0, 1000);
         assert_eq!((problem.given_up.as_slice(), done), ([[-3.0, 9.0]].as_slice(), Ok(())));
         let (problem, done) = square_roots(40, 1);
@@ -256,13 +261,13 @@ mod tests {
     }
 
     #[test]
-    fn boxes_that_touch_are_one_cluster() {
+    fn touching_boxes_form_one_cluster() {
         let part = |x: f64, y: f64, residual: f64| UnresolvedBox {
             middle: DVec2::new(x, y).extend(0.0),
             half: DVec2::splat(0.5).extend(0.0),
             residual,
         };
-        // Two rows that a box between joins at last, and one by itself.
+        // Two rows that a later box connects, and an isolated box.
         let boxes = [
             part(0.0, 0.0, 3.0),
             part(9.0, 9.0, 0.0),

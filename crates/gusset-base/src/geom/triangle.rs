@@ -10,8 +10,8 @@ pub fn double_area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 
 /// The smallest interior angle, in radians; 0 for a degenerate triangle.
 ///
-/// The smallest angle lies opposite the shortest side; the arc tangent of (cross, dot) is accurate
-/// for any angle, and `libm`'s gives the same bits on every machine.
+/// The smallest angle is opposite the shortest side. The arc tangent of (cross, dot) is accurate
+/// for any angle, and `libm`'s version returns the same bits on every machine.
 pub fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let corner = |p: DVec3, q: DVec3, r: DVec3| {
         let (u, v) = (q - p, r - p);
@@ -29,8 +29,8 @@ pub fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     }
 }
 
-/// The longest side over 2 sqrt(3) times the radius of the inscribed circle: 1 for the equilateral
-/// triangle, infinite for a degenerate one.
+/// The aspect ratio: the longest side over 2 sqrt(3) times the inradius. It is 1 for the
+/// equilateral triangle and infinite for a degenerate one.
 pub fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
     let longest = sides[0].max(sides[1]).max(sides[2]);
@@ -41,11 +41,11 @@ pub fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     if area2 == 0.0 { f64::INFINITY } else { longest * perimeter / (2.0 * 3f64.sqrt() * area2) }
 }
 
-/// The barycentric coordinates of the point of a triangle that is nearest to `p`: at least 0, with
-/// sum 1 up to round-off.
+/// The barycentric coordinates of the triangle's point nearest to `p`. They are at least 0 and
+/// their sum is 1 up to round-off.
 ///
-/// Source: C. Ericson, *Real-time collision detection* (2005), section 5.1.5: the corner, side or
-/// face whose Voronoi region holds the point, told by the signs of products.
+/// Source: C. Ericson, *Real-time collision detection* (2005), section 5.1.5. The signs of products
+/// tell which corner, side or face has `p` in its Voronoi region.
 pub fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));
@@ -63,7 +63,7 @@ pub fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
         return [0.0, 0.0, 1.0];
     }
     let (of_a, of_b, of_c) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
-    // From 0 to 1, also where round-off is all that there is.
+    // Keep the share from 0 to 1 even if both numbers are round-off.
     let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
     if of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
         let t = share(d1, d1 - d3);
@@ -116,7 +116,7 @@ mod tests {
             assert!((min_angle(a, b, c) - PI / 3.0).abs() < 1e-15);
             assert!((aspect(a, b, c) - 1.0).abs() < 1e-14);
         }
-        // A needle: the angle at the far end is about 1e-9, which an arc cosine would lose.
+        // A needle: the far angle is about 1e-9, which an arc cosine would lose.
         assert!((min_angle(DVec3::X * 1e9, o, y) - 1e-9).abs() < 1e-20);
         assert_eq!(min_angle(o, o, x), 0.0);
         assert_eq!(aspect(o, x, 2.0 * x), f64::INFINITY);

@@ -1,4 +1,4 @@
-//! The nearest places on a set of triangles, in barycentric coordinates.
+//! Nearest places on a set of triangles, in barycentric coordinates.
 
 use super::Aabb;
 use super::box_tree::{BoxTree, spatial_order};
@@ -8,20 +8,20 @@ use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
-/// Places between two progress reports.
+/// Queries between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
 /// A place on a set of triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrianglePlace {
     pub triangle: u32,
-    /// At least 0, with sum 1.
+    /// The barycentric coordinates: at least 0, with sum 1.
     pub weights: [f64; 3],
-    /// The square of the distance from what was looked for.
+    /// The squared distance to the query point.
     pub squared: f64,
 }
 
-/// Triangles that answer which of their places is nearest.
+/// A set of triangles prepared for nearest-place queries.
 pub struct TriangleTree<'a> {
     points: &'a [DVec3],
     triangles: &'a [[u32; 3]],
@@ -30,24 +30,25 @@ pub struct TriangleTree<'a> {
 }
 
 impl<'a> TriangleTree<'a> {
-    /// O(n log n).
+    /// Builds the tree. O(n log n).
     #[inline]
     pub fn new(points: &'a [DVec3], triangles: &'a [[u32; 3]], stage: &'static str, job: &Job<'_>) -> Result<Self> {
-        let boxes = triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize])));
+        let boxes = triangles.iter().map(|t| Aabb::from_points(t.map(|v| points[v as usize])));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), stage)?;
         let order = spatial_order(&boxes, 1, job, stage)?;
         let tree = BoxTree::new_cancellable(order.iter().map(|&t| boxes[t as usize]), &job.part(1.0, 1.0), stage)?;
         Ok(TriangleTree { points, triangles, order, tree })
     }
 
-    /// The place nearest to a point, among those nearer than `limit` (squared); of equally near
-    /// ones that which is met first.
+    /// Returns the place nearest to a point, if it is nearer than `limit` (squared). Of equally
+    /// near places it returns the first in the order of the tree.
     #[inline]
     pub fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
         self.nearest_beside(p, limit, None)
     }
 
-    /// The same, faster where `guess` is a triangle near to it, as that of a point beside it.
+    /// [`nearest`](Self::nearest), accelerated by `guess`, a triangle near the point such as the
+    /// result of a neighbouring query.
     pub fn nearest_beside(&self, p: DVec3, limit: f64, guess: Option<u32>) -> Option<TrianglePlace> {
         let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared: limit };
         let mut look = |triangle: u32| {
@@ -66,9 +67,9 @@ impl<'a> TriangleTree<'a> {
     }
 }
 
-/// For each of `places` the corners of the triangle nearest to it and the barycentric coordinates
-/// of its nearest point: at least 0, with sum 1. There must be a triangle if there are places.
-/// O(n log n).
+/// Finds, for each of `places`, the nearest triangle's corners and the barycentric coordinates of
+/// its nearest point. The coordinates are at least 0 with sum 1. If there are places, there must be
+/// a triangle. O(n log n).
 pub fn nearest_places(
     points: &[DVec3],
     triangles: &[[u32; 3]],

@@ -1,10 +1,10 @@
-//! The factor L D L^T of a sparse symmetric matrix that is positive definite but for some of its
-//! unknowns, by the multifrontal method.
+//! The factor L D L^T of a sparse symmetric matrix by the multifrontal method. The matrix must be
+//! positive definite, apart from unknowns that the factorisation leaves out.
 //!
 //! Source: I. S. Duff, J. K. Reid, *The multifrontal solution of indefinite sparse symmetric linear
-//! equations* (1983). Each [supernode](super::supernodes) gathers its columns of the matrix and
-//! what its children left in one dense [front](super::front), eliminates its columns, and leaves
-//! the rest on a stack for its parent. All sums run in one fixed order, on any machine.
+//! equations* (1983). Each [supernode](super::supernodes) assembles its columns of the matrix and
+//! its children's updates in one dense [front](super::front). It eliminates its columns and pushes
+//! the remaining update on a stack for its parent. All sums have one fixed order on every machine.
 
 use super::front::{Front, LANES, Lanes};
 use super::supernodes::Supernodes;
@@ -14,15 +14,15 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::sort::Buckets;
 
-/// Multiplications between two progress reports, a few milliseconds.
+/// Multiplications between two progress reports, which take a few milliseconds.
 const REPORT_INTERVAL: f64 = 16e6;
-/// An entry that is moved counts as so many multiplications.
+/// The cost of moving an entry, in multiplications.
 const MOVE_COST: usize = 8;
 
 /// The factor: for each supernode its columns of L below the diagonal, in blocks of rows.
 pub struct Factor {
     pub supernodes: Supernodes,
-    /// Block after block the columns that it has; what is not below the diagonal is 0.
+    /// The columns of each block in turn. Entries not below the diagonal are 0.
     pub entries: Vec<Lanes>,
     /// The inverse of D; 0 for unknowns that are left out.
     pub inverse: Vec<f64>,
@@ -31,22 +31,22 @@ pub struct Factor {
 const STAGE: &str = "solving";
 
 impl Symmetric {
-    /// The factor. An unknown whose pivot is not positive is left out: its solution will be 0, and
-    /// the others are found as if its row and column did not exist.
+    /// Factors the matrix. An unknown whose pivot is not positive is left out: its solution will be
+    /// 0, and the other unknowns solve the system without its row and column.
     ///
-    /// O(sum of the squares of the columns' lengths); memory: some 10 bytes an entry of L, less
-    /// than that on the stack, and 100 a row.
+    /// O(sum of the squares of the columns' lengths). Memory: about 10 bytes an entry of L, less
+    /// than that on the stack, and 100 bytes a row.
     pub fn factor(&self, job: &Job<'_>) -> Result<Factor> {
         job.step(0.0, STAGE)?;
         let below = self.below(&job.part(0.0, 0.0))?;
         let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;
         job.step(0.1, STAGE)?;
-        let costs = Costs::of(&supernodes);
+        let costs = Costs::predict(&supernodes);
         let mut elimination = Elimination {
             matrix: self,
             below: &below,
             front: Front::default(),
-            waiting: alloc::with_capacity(costs.stack)?,
+            updates: alloc::with_capacity(costs.stack)?,
             local: alloc::filled(0, self.row_count())?,
             places: Vec::new(),
             diagonal: Vec::new(),
@@ -63,23 +63,24 @@ impl Symmetric {
 }
 
 impl Factor {
-    /// The blocks of rows of a supernode: the columns that each has.
+    /// The number of columns in each block of rows of a supernode.
     pub fn blocks(&self, s: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator + use<> {
         blocks(self.supernodes.columns(s).len(), self.supernodes.rows(s).len())
     }
 }
 
-/// Of so many columns and rows below them.
+/// The number of columns in each block of rows, of a supernode with the given numbers of columns
+/// and of rows below them.
 fn blocks(columns: usize, rows: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator {
     (0..(columns + rows).div_ceil(LANES)).map(move |b| columns.min(LANES * (b + 1)))
 }
 
-/// The entries of a triangle with its diagonal.
+/// The number of entries in a triangle with its diagonal.
 fn triangle(rows: usize) -> usize {
     rows * (rows + 1) / 2
 }
 
-/// What elimination will need.
+/// The predicted cost of the elimination.
 struct Costs {
     /// Blocks of entries in the factor.
     entries: usize,
@@ -90,14 +91,15 @@ struct Costs {
 }
 
 impl Costs {
-    fn of(supernodes: &Supernodes) -> Self {
+    fn predict(supernodes: &Supernodes) -> Self {
         let mut costs = Costs { entries: 0, stack: 0, work: 0.0 };
         let mut height = 0;
         for s in 0..supernodes.len() {
             let (columns, rows) = (supernodes.columns(s).len(), supernodes.rows(s).len());
             costs.entries += blocks(columns, rows).sum::<usize>();
             let [size, rest] = [columns + rows, rows].map(|rows| rows as f64);
-            // All are set, those of the columns come out, and the rest goes to the stack and back.
+            // All entries are set, the columns' entries are copied out, and the rest is pushed to
+            // the stack and popped.
             let moved = size * size + rest * rest / 2.0;
             costs.work += (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST as f64 * moved;
             height -= supernodes.children(s).map(|child| triangle(supernodes.rows(child).len())).sum::<usize>();
@@ -108,7 +110,7 @@ impl Costs {
     }
 }
 
-/// The progress of elimination.
+/// The progress of the elimination.
 struct Work<'a> {
     job: Job<'a>,
     whole: f64,
@@ -128,19 +130,19 @@ impl Work<'_> {
     }
 
     #[inline]
-    fn moved(&mut self, entries: usize) -> Result<()> {
+    fn spend_moves(&mut self, entries: usize) -> Result<()> {
         self.spend(MOVE_COST * entries)
     }
 }
 
-/// Elimination, supernode after supernode.
+/// Eliminates the supernodes in order.
 struct Elimination<'a> {
     matrix: &'a Symmetric,
     below: &'a Buckets<(u32, f64)>,
     front: Front,
-    /// What supernodes left to parents that have not had their turn: lower triangles, row by row.
-    waiting: Vec<f64>,
-    /// Of each row of the front below its columns the place there.
+    /// The stack: updates for parents that are not yet eliminated, as lower triangles, row by row.
+    updates: Vec<f64>,
+    /// The position in the front of each row below the front's columns.
     local: Vec<u32>,
     places: Vec<u32>,
     diagonal: Vec<f64>,
@@ -153,7 +155,7 @@ impl Elimination<'_> {
         let (columns, rows) = (supernodes.columns(s), supernodes.rows(s));
         let (first, width) = (columns.start, columns.len());
         let work = &mut self.work;
-        self.front.reset(width + rows.len(), |count| work.moved(count))?;
+        self.front.reset(width + rows.len(), |count| work.spend_moves(count))?;
         rows.iter().zip(width as u32..).for_each(|(&row, to)| self.local[row as usize] = to);
         let local = &self.local;
         let place = |row: u32| if (row as usize) < columns.end { row - first as u32 } else { local[row as usize] };
@@ -172,9 +174,9 @@ impl Elimination<'_> {
             let rows = supernodes.rows(child);
             self.places.clear();
             alloc::extend(&mut self.places, rows.iter().map(|&row| place(row)))?;
-            let left = self.waiting.len() - triangle(rows.len());
-            self.front.add(&self.places, &self.waiting[left..], |count| work.moved(count))?;
-            self.waiting.truncate(left);
+            let left = self.updates.len() - triangle(rows.len());
+            self.front.add(&self.places, &self.updates[left..], |count| work.spend_moves(count))?;
+            self.updates.truncate(left);
         }
         let inverse = &mut factor.inverse[columns];
         self.front.eliminate(&self.diagonal, inverse, |count| work.spend(count))?;
@@ -184,8 +186,8 @@ impl Elimination<'_> {
                 std::array::from_fn(|i| if i < above { 0.0 } else { lanes[i] })
             };
             factor.entries.extend(self.front.block(b)[..columns].iter().enumerate().map(below_diagonal));
-            work.moved(LANES * columns)?;
+            work.spend_moves(LANES * columns)?;
         }
-        self.front.rest(width, &mut self.waiting, |count| work.moved(count))
+        self.front.append_rest(width, &mut self.updates, |count| work.spend_moves(count))
     }
 }

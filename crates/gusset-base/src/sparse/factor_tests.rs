@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 type Dense = Vec<Vec<f64>>;
 
-/// The sparse form of a dense symmetric matrix: all entries that are not 0.
+/// The sparse form of a dense symmetric matrix: all its non-zero entries.
 fn sparse(a: &Dense) -> Symmetric {
     let mut matrix = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, row) in a.iter().enumerate() {
@@ -28,8 +28,8 @@ fn zeros(n: usize) -> Dense {
     vec![vec![0.0; n]; n]
 }
 
-/// B^T B of a random B with about so many entries a row, and a little on the diagonal: as the
-/// squares of a plate's Laplacians.
+/// B^T B for a random B with about `entries` entries a row, plus a small diagonal. It resembles the
+/// squared Laplacian of a plate.
 fn random_definite(n: usize, entries: usize, random: &mut fastrand::Rng) -> Dense {
     let mut a = zeros(n);
     for _ in 0..n {
@@ -42,8 +42,8 @@ fn random_definite(n: usize, entries: usize, random: &mut fastrand::Rng) -> Dens
     a
 }
 
-/// Squared second differences on a grid, row by row: long separators, and fronts of several panels.
-/// As (row, column, value), some of them more than once.
+/// Squared second differences on a grid, row by row, as (row, column, value) with repetitions. They
+/// give long separators and fronts of several panels.
 fn grid_terms(width: usize, height: usize) -> Vec<(usize, usize, f64)> {
     let at = |x: usize, y: usize| y * width + x;
     let mut terms = Vec::new();
@@ -74,7 +74,7 @@ fn shuffled(n: usize, random: &mut fastrand::Rng) -> Vec<usize> {
     order
 }
 
-/// By Gaussian elimination without pivoting, of the rows and columns that are kept; 0 elsewhere.
+/// Solves by Gaussian elimination without pivoting, on the kept rows and columns; 0 elsewhere.
 fn solved(a: &Dense, b: &[DVec3], kept: &[usize]) -> Vec<DVec3> {
     let mut a = permuted(a, kept);
     let mut x: Vec<_> = kept.iter().map(|&k| b[k]).collect();
@@ -152,7 +152,7 @@ fn cases() -> Vec<(String, Dense)> {
         cases.push((format!("shuffled grid {width} {height}"), permuted(&a, &order)));
         cases.push((format!("grid {width} {height}"), a));
     }
-    // An arrow either way: the factor has no more entries, or all.
+    // An arrow matrix in either order: the factor has no fill-in, or is full.
     let mut arrow = zeros(70);
     for (k, row) in arrow.iter_mut().enumerate() {
         (row[k], row[69]) = (2.0, -1.0 / 9.0);
@@ -166,7 +166,7 @@ fn cases() -> Vec<(String, Dense)> {
 }
 
 #[test]
-fn the_factor_times_its_transpose_is_the_matrix() {
+fn factors_reproduce_the_matrix() {
     for (name, a) in cases() {
         let factor = factor(&a);
         let lower = unpacked(&factor);
@@ -183,7 +183,7 @@ fn the_factor_times_its_transpose_is_the_matrix() {
 }
 
 #[test]
-fn solutions_are_those_of_dense_elimination() {
+fn solutions_agree_with_dense_elimination() {
     let mut random = fastrand::Rng::with_seed(8);
     for (name, a) in cases() {
         let n = a.len();
@@ -191,7 +191,7 @@ fn solutions_are_those_of_dense_elimination() {
         let all: Vec<_> = (0..n).collect();
         let expected = solved(&a, &b, &all);
         assert_close(&solve(&a, &b), &expected, 1e-9, &name);
-        // Numbered in another way, the same.
+        // A different numbering gives the same solution.
         let order = shuffled(n, &mut random);
         let right: Vec<_> = order.iter().map(|&k| b[k]).collect();
         let expected: Vec<_> = order.iter().map(|&k| expected[k]).collect();
@@ -200,13 +200,13 @@ fn solutions_are_those_of_dense_elimination() {
     assert!(solve(&zeros(0), &[]).is_empty());
 }
 
-/// As an unknown that is left out has no pivot, its place in the order says which of several that
-/// depend on each other it is; whichever it is, the others solve their own equations.
+/// Of several dependent unknowns, the order decides which one lacks a pivot. In every case the
+/// others solve their own equations.
 #[test]
 fn unknowns_without_a_positive_pivot_are_left_out() {
     let mut random = fastrand::Rng::with_seed(9);
     for n in [2, 5, 20, 30, 60, 120] {
-        // Integer Laplacians of random graphs: exactly one too many unknowns in each component.
+        // Integer Laplacians of random graphs: each component has exactly one unknown too many.
         let mut a = zeros(n);
         for _ in 0..3 * n / 2 {
             let (i, j) = (random.usize(..n), random.usize(..n));
@@ -224,7 +224,7 @@ fn unknowns_without_a_positive_pivot_are_left_out() {
             }
         }
         let components = (0..n).filter(|&k| component[k] == k).count();
-        // And some that are coupled, but not positive.
+        // Some unknowns are also coupled but not positive.
         let spoilt = [f64::NAN, -3.0, 0.0].map(|value| (random.usize(..n), value));
         for spoils in [&spoilt[..0], &spoilt] {
             let mut a = a.clone();
@@ -250,9 +250,9 @@ fn unknowns_without_a_positive_pivot_are_left_out() {
     assert_eq!(solve(&vec![vec![4.0]], &[DVec3::ONE]), [DVec3::ONE / 4.0]);
 }
 
-/// Where a naive elimination of the pattern finds entries.
+/// The entries of the factor according to a naive elimination of the pattern.
 #[test]
-fn counts_and_groups_are_those_of_the_pattern() {
+fn counts_and_groups_agree_with_the_pattern() {
     for (name, a) in cases() {
         let n = a.len();
         let mut pattern: Vec<Vec<bool>> = a.iter().map(|row| row.iter().map(|&entry| entry != 0.0).collect()).collect();
@@ -293,7 +293,7 @@ fn counts_and_groups_are_those_of_the_pattern() {
     }
 }
 
-/// Stops after so many reports, and holds them to the order of time.
+/// Cancels after a number of reports, and checks that fractions never decrease.
 struct Patience {
     left: Cell<usize>,
     fraction: Cell<f64>,
@@ -309,7 +309,7 @@ impl Progress for Patience {
 }
 
 #[test]
-fn the_host_is_asked_as_work_goes_on() {
+fn progress_is_reported_regularly() {
     let n = if cfg!(debug_assertions) { 72 } else { 120 };
     let mut columns = vec![BTreeMap::<usize, f64>::new(); n * n];
     grid_terms(n, n).into_iter().for_each(|(i, j, value)| *columns[j].entry(i).or_default() += value);

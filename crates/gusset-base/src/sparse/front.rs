@@ -1,11 +1,10 @@
-//! Dense fronts: the first columns of a symmetric matrix are eliminated, and what is left is
-//! updated.
+//! Dense fronts: eliminate the first columns of a symmetric matrix and update the rest.
 //!
-//! The lower triangle is stored in blocks of [`LANES`] rows, column after column within a block, so
-//! that products of two blocks read memory in order and fill vector registers. Columns are
-//! eliminated in panels of [`PANEL`]: first within the panel, then in the rest at once, which is
-//! where the operations are. Every entry gets its products in the order of the columns, whatever
-//! the vectors.
+//! The lower triangle is stored in blocks of [`LANES`] rows, column after column within a block.
+//! Products of two blocks then read memory in order and fill vector registers. Columns are
+//! eliminated in panels of [`PANEL`], first within the panel, then in all remaining columns at
+//! once, where most operations are. Every entry receives its products in the order of the columns,
+//! for any vector width.
 
 use crate::alloc;
 use crate::error::Result;
@@ -19,30 +18,29 @@ pub(super) type Lanes = [f64; LANES];
 const PANEL: usize = 32;
 /// Columns whose sums are in registers together.
 const SUMS: usize = 4;
-/// Pivots up to this share of their diagonal entries are rounding.
+/// A pivot up to this fraction of its diagonal entry counts as rounding.
 const MIN_RELATIVE_PIVOT: f64 = 4.0 * f64::EPSILON;
 const ZEROS: Lanes = [0.0; LANES];
 
-/// The lower triangle of a symmetric matrix, and memory to eliminate columns in.
+/// The lower triangle of a symmetric matrix, and workspace for the elimination of columns.
 #[derive(Default)]
 pub(super) struct Front {
     size: usize,
-    /// Of rows `8 b` to `8 b + 7` the columns up to `8 b + 7`, block by block. Above the diagonal
-    /// and below the last row is nothing of use.
+    /// Block `b` has rows `8 b` to `8 b + 7` and columns up to `8 b + 7`. Entries above the
+    /// diagonal and below the last row are unused.
     entries: Vec<Lanes>,
-    /// Of a panel's columns before they are divided by their pivots: block by block, and row by row
-    /// those of the panel's own rows.
+    /// The columns of a panel before division by their pivots, block by block.
     undivided: Vec<Lanes>,
     own: Vec<f64>,
 }
 
-/// Where block `b` starts.
+/// The start of block `b`.
 fn start(b: usize) -> usize {
     LANES * b * (b + 1) / 2
 }
 
 impl Front {
-    /// Zeros in `size` rows. `spend` hears of entries that are set.
+    /// Resets to `size` rows of zeros. Calls `spend` with the number of entries set.
     pub(super) fn reset(&mut self, size: usize, mut spend: impl FnMut(usize) -> Result<()>) -> Result<()> {
         self.size = size;
         let blocks = size.div_ceil(LANES);
@@ -63,8 +61,8 @@ impl Front {
         &mut self.entries[start(row / LANES) + column][row % LANES]
     }
 
-    /// Adds a lower triangle, given row by row, whose rows have these places, ascending. `spend`
-    /// hears of entries added.
+    /// Adds a lower triangle, given row by row. `places` has the positions of its rows, ascending.
+    /// Calls `spend` with the number of entries added.
     pub(super) fn add(
         &mut self,
         places: &[u32],
@@ -85,9 +83,9 @@ impl Front {
         Ok(())
     }
 
-    /// Appends the lower triangle of the rows from `first` on, row by row. `spend` hears of entries
-    /// appended.
-    pub(super) fn rest(
+    /// Appends the lower triangle of the rows from `first` on, row by row, to `triangle`. Calls
+    /// `spend` with the number of entries appended.
+    pub(super) fn append_rest(
         &self,
         first: usize,
         triangle: &mut Vec<f64>,
@@ -103,7 +101,7 @@ impl Front {
         Ok(())
     }
 
-    /// The blocks of rows.
+    /// The number of blocks of rows.
     fn blocks(&self) -> usize {
         self.size.div_ceil(LANES)
     }
@@ -113,10 +111,10 @@ impl Front {
         &self.entries[start(b)..start(b + 1)]
     }
 
-    /// Eliminates the first columns, one for each of `inverse`, which becomes the inverses of their
-    /// pivots; they become those of L. A pivot that is not positive, next to the entry that was on
-    /// the `diagonal`, counts as infinite: its row and column have no part in what comes after.
-    /// `spend` hears of multiplications done.
+    /// Eliminates as many columns as `inverse` has entries. The columns become columns of L, and
+    /// `inverse` receives the inverses of their pivots. A pivot that is not positive relative to
+    /// the original entry on the `diagonal` counts as infinite, which removes its row and column.
+    /// Calls `spend` with the number of multiplications.
     pub(super) fn eliminate(
         &mut self,
         diagonal: &[f64],
@@ -139,7 +137,7 @@ impl Front {
                 });
                 spend(width * width * LANES / 2)?;
             }
-            // The block in which the panel ends: its columns of the panel stay.
+            // The panel ends in this block, whose panel columns must stay.
             let next = panel.end / LANES;
             if panel.end % LANES > 0 {
                 let own = &mut self.undivided[PANEL * next..][..width];
@@ -179,15 +177,14 @@ impl Kernel for Divide<'_> {
     fn run(self) {
         let Divide { row, first, block, own, undivided, diagonal, inverse } = self;
         let width = undivided.len();
-        // The panel's columns that the block has, and the first of its rows among them.
+        // The number of panel columns that the block has, and the first of its rows among them.
         let columns = width.min(row + LANES - first);
         let block = &mut block[first..first + columns];
         let row = row - first;
         for group in (0..columns).step_by(SUMS) {
             let (known, rest) = block.split_at_mut(group);
             let rest = &mut rest[..SUMS.min(columns - group)];
-            // A copy of known size, padded with columns that count for nothing: loops over it become
-            // vectors.
+            // A fixed-size copy, padded with unused columns, lets the loops over it become vectors.
             let mut column = [ZEROS; SUMS];
             column[..rest.len()].copy_from_slice(rest);
             subtract(&mut column, known.iter().zip(own.chunks_exact(PANEL).map(|own| &own[group..group + SUMS])));
@@ -199,7 +196,7 @@ impl Kernel for Divide<'_> {
                 if k >= row {
                     let pivot = column[j][k - row];
                     let divided = 1.0 / pivot;
-                    // Not `<=`: a pivot that is no number is left out as well.
+                    // Not `<=`, so that a NaN pivot is left out too.
                     let is_positive = pivot > MIN_RELATIVE_PIVOT * diagonal[k] && divided.is_finite();
                     inverse[k] = if is_positive { divided } else { 0.0 };
                 }
@@ -256,7 +253,7 @@ impl Kernel for Subtract<'_> {
     }
 }
 
-/// Subtracts from columns the products of other columns with a factor for each.
+/// Subtracts the products of other columns, each with its factors, from these columns.
 #[inline(always)]
 fn subtract<'a>(columns: &mut [Lanes; SUMS], products: impl Iterator<Item = (&'a Lanes, &'a [f64])>) {
     let mut sums = [ZEROS; SUMS];
@@ -271,8 +268,8 @@ fn subtract<'a>(columns: &mut [Lanes; SUMS], products: impl Iterator<Item = (&'a
     }
 }
 
-/// Adds the products of a column with each factor. The arguments do not overlap, which lets the
-/// compiler use vectors wherever it inlines this.
+/// Adds the products of a column with each factor. The arguments do not overlap, so the compiler
+/// can use vectors wherever it inlines this function.
 #[inline(always)]
 fn add_products(sums: &mut [Lanes; SUMS], lanes: &Lanes, factors: &[f64; SUMS]) {
     for (sum, factor) in sums.iter_mut().zip(factors) {

@@ -3,7 +3,7 @@
 //! The factor L D L^T is computed by a multifrontal method (see `factor`), in an order of the
 //! unknowns found by nested dissection (see `order`).
 //!
-//! | file | what it does |
+//! | file | content |
 //! |---|---|
 //! | `symmetric` | a sparse symmetric matrix |
 //! | `order` | an order of the unknowns that keeps the factor sparse |

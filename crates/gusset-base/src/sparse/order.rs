@@ -1,12 +1,13 @@
 //! An order of the unknowns that keeps the factor sparse: nested dissection.
 //!
-//! Source: A. George, *Nested dissection of a regular finite element mesh* (1973). The unknowns are
-//! halved by a plane; those of one half that the equations couple with the other half are the
-//! separator and come last, and the halves, which have nothing to do with each other any more, are
-//! halved in turn. The plane is across the longest side of their box, or, where it meets too many
-//! there, across the side where it meets the fewest: cells may be long the other way. On a surface
-//! the factor of n unknowns gets O(n log n) entries and costs O(n^1.5) operations; on a strip, whose
-//! separators are short, both are linear but for the logarithm of its width.
+//! Source: A. George, *Nested dissection of a regular finite element mesh* (1973). A plane halves
+//! the unknowns. The unknowns of one half that the equations couple with the other half form the
+//! separator, which comes last. The remaining halves are no longer coupled, and are halved in turn.
+//! The plane is perpendicular to the longest side of the bounding box. If its separator is too
+//! long, the axis with the shortest separator is used instead, because cells may be elongated.
+//!
+//! On a surface, the factor of n unknowns has O(n log n) entries and costs O(n^1.5) operations. On
+//! a strip, whose separators are short, both are linear up to the logarithm of its width.
 
 use crate::alloc;
 use crate::error::Result;
@@ -15,17 +16,16 @@ use crate::job::Job;
 use crate::sort::select;
 use glam::DVec3;
 
-/// A separator is too long if it is more than so many times that of as many unknowns in a square.
-const LONG: usize = 2;
+/// A separator is too long above this multiple of the separator of a square with the same number of
+/// unknowns.
+const MAX_RELATIVE_SEPARATOR: usize = 2;
 /// Parts of at most this many unknowns are not halved.
 const MAX_LEAF_UNKNOWNS: usize = 24;
-/// Vertices halved between two progress reports.
+/// Unknowns halved between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
-/// Puts the vertices in `order`, all of them unknowns, into the order of elimination. Two are
-/// coupled if a row of the Laplacian that the energy has holds both, or, if the gradient of the
-/// Laplacian is least, if two neighbouring rows do. O(n log n); extra memory: 5 bytes a vertex
-/// of the patch.
+/// Sorts the unknowns in `order` into the order of elimination. `couplings` tells which unknowns
+/// share an equation. O(n log n); extra memory: 5 bytes a point.
 pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl Coupling, job: &Job<'_>) -> Result<()> {
     let n = order.len();
     let stamp = alloc::filled(0u32, points.len())?;
@@ -33,26 +33,28 @@ pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl Coupling, jo
     Dissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve(order)
 }
 
-/// Which unknowns the equations couple: those with a row in common.
+/// The couplings between unknowns. Two unknowns are coupled if a row of the equations has both.
 pub trait Coupling {
-    /// Visits the rows with an entry of an unknown.
+    /// Visits the rows that have an entry of an unknown.
     fn each_row(&self, v: u32, visit: impl FnMut(usize));
 
-    /// How far an unknown is coupled with others, in edges.
+    /// The distance over which unknowns are coupled, in edges.
     fn reach(&self) -> usize;
 
-    /// True if an unknown is coupled with one that has an entry in a row of which `found` is true.
-    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool;
+    /// Returns true if an unknown is coupled with one that has an entry in a row accepted by
+    /// `is_marked`.
+    fn touches(&self, v: u32, is_marked: impl Fn(usize) -> bool) -> bool;
 }
 
 struct Dissection<'a, C> {
     points: &'a [DVec3],
     couplings: C,
-    /// The last part whose first half the row of this vertex touches.
+    /// The last part whose first half touches the row of this vertex.
     stamp: Vec<u32>,
     part: u32,
     job: Job<'a>,
-    /// Vertices that have been halved, each as often as it was, and will have been about.
+    /// The number of unknowns halved so far, counted once for each halving, and its estimated final
+    /// value.
     done: usize,
     whole: usize,
     reported: usize,
@@ -68,10 +70,10 @@ impl<C: Coupling> Dissection<'_, C> {
             self.job.step(self.done as f64 / self.whole as f64, "solving")?;
             self.reported = self.done;
         }
-        let size = Aabb::of(order.iter().map(|&v| self.points[v as usize])).size();
+        let size = Aabb::from_points(order.iter().map(|&v| self.points[v as usize])).size();
         let longest = size.max_position();
         let mut separator = self.cut(order, longest);
-        let most = LONG * self.couplings.reach();
+        let most = MAX_RELATIVE_SEPARATOR * self.couplings.reach();
         if (order.len() - separator).pow(2) > most * most * order.len() {
             let mut best = (separator, longest);
             for axis in (0..3).filter(|&axis| axis != longest && size[axis] > 0.0) {
@@ -88,7 +90,8 @@ impl<C: Coupling> Dissection<'_, C> {
         self.halve(second)
     }
 
-    /// Halves by a plane across an axis, and puts the separator last: where it starts.
+    /// Halves the unknowns by a plane across an axis and moves the separator to the end. Returns
+    /// the start of the separator.
     fn cut(&mut self, order: &mut [u32], axis: usize) -> usize {
         let middle = order.len() / 2;
         let points = self.points;
@@ -115,7 +118,8 @@ impl<C: Coupling> Dissection<'_, C> {
 mod tests {
     use super::*;
 
-    /// A grid with so many columns, each unknown coupled with its eight neighbours.
+    /// A grid with the given number of columns, in which each unknown is coupled with its eight
+    /// neighbours.
     struct Grid(usize);
 
     impl Coupling for Grid {
@@ -137,14 +141,14 @@ mod tests {
     const ROWS: usize = 12;
 
     #[test]
-    fn separators_are_short_whatever_the_shape_of_cells() {
+    fn separators_are_short_for_cells_of_any_shape() {
         for (columns, width) in [(60, 1.0), (60, 0.01), (1200, 1.0), (1200, 0.015), (1200, 0.005)] {
             let points: Vec<DVec3> = (0..ROWS * columns)
                 .map(|v| DVec3::new((v % columns) as f64 * width, (v / columns) as f64, 0.0))
                 .collect();
             let mut order: Vec<u32> = (0..points.len() as u32).collect();
             dissect(&mut order, &points, Grid(columns), &Job::default()).unwrap();
-            // One column of the grid.
+            // The separator is one column of the grid.
             let last = &order[order.len() - ROWS..];
             assert!(last.iter().all(|&v| v as usize % columns == last[0] as usize % columns), "{columns} {width}");
             order.sort_unstable();

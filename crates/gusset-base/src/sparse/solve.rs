@@ -1,4 +1,4 @@
-//! Solutions by the factor L D L^T, for three right-hand sides at once.
+//! Solutions by the factor L D L^T, for three right sides at once.
 
 use super::factor::Factor;
 use super::front::{LANES, Lanes};
@@ -10,11 +10,11 @@ use std::ops::Range;
 
 /// Blocks of entries between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 17;
-/// What a block of rows has of three right-hand sides.
+/// The entries of three right sides in a block of rows.
 type Sides = [Lanes; 3];
 
 impl Factor {
-    /// Solves in place: the solution of L D L^T x = b takes the place of b.
+    /// Solves L D L^T x = b in place: `x` holds b before the call and the solution after it.
     ///
     /// O(entries of L); extra memory: 24 bytes a row.
     pub fn solve(&self, x: &mut [DVec3], job: &Job<'_>) -> Result<()> {
@@ -59,7 +59,7 @@ impl Factor {
         columns.chain(self.supernodes.rows(s).iter().map(|&row| row as usize))
     }
 
-    /// What the rows of a supernode have of `y`.
+    /// Copies the entries of `y` in the rows of a supernode to `local`.
     fn gather(&self, s: usize, y: &[DVec3], local: &mut Vec<Sides>) -> Result<()> {
         alloc::reset(local, self.blocks(s).count(), [[0.0; LANES]; 3])?;
         for (i, place) in self.places(s).enumerate() {
@@ -74,7 +74,7 @@ impl Factor {
         }
     }
 
-    /// Of L y = b the rows of a supernode, whose entries begin at `used`.
+    /// Solves L y = b for the columns of a supernode, whose entries begin at `used`.
     fn forward(&self, s: usize, mut used: usize, local: &mut [Sides]) {
         for (b, columns) in self.blocks(s).enumerate() {
             for (k, lanes) in self.entries[used..used + columns].iter().enumerate() {
@@ -89,8 +89,8 @@ impl Factor {
         }
     }
 
-    /// Of L^T x = y the columns of a supernode, whose entries end at `used`. Blocks from the last
-    /// one on, and columns too, so that a row is known before it is used.
+    /// Solves L^T x = y for the columns of a supernode, whose entries end at `used`. Blocks and
+    /// columns run backwards, so that a row is known before it is used.
     fn backward(&self, s: usize, mut used: usize, local: &mut [Sides]) {
         for (b, columns) in self.blocks(s).enumerate().rev() {
             used -= columns;
@@ -114,7 +114,7 @@ fn put(local: &mut [Sides], i: usize, value: DVec3) {
     }
 }
 
-/// The sum of eight numbers, by halves.
+/// Sums eight numbers pairwise.
 fn sum([a, b, c, d, e, f, g, h]: Lanes) -> f64 {
     ((a + e) + (c + g)) + ((b + f) + (d + h))
 }

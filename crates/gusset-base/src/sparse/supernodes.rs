@@ -1,10 +1,10 @@
 //! Supernodes: groups of columns of the factor that are stored and computed as one dense block.
 //!
-//! Columns whose rows are nearly the same, one an ancestor of the other, form a group, with some
-//! zeros stored among its entries. The groups form a tree; their columns are numbered anew in its
-//! postorder, which changes nothing of the factor but the order of rows and columns. Sources: C.
-//! Ashcraft, R. Grimes, *The influence of relaxed supernode partitions on the multifrontal method*
-//! (1989); J. W. H. Liu, *The multifrontal method for sparse matrix solution* (1992).
+//! A group joins columns with nearly equal row patterns, one an ancestor of the other, and stores
+//! some zeros among its entries. The groups form a tree, and their columns are renumbered in its
+//! postorder. Renumbering only permutes the factor's rows and columns. Sources: C. Ashcraft, R.
+//! Grimes, *The influence of relaxed supernode partitions on the multifrontal method* (1989); J. W.
+//! H. Liu, *The multifrontal method for sparse matrix solution* (1992).
 
 use super::symmetric::Symmetric;
 use super::tree::{column_counts, parents, postorder};
@@ -15,35 +15,36 @@ use crate::job::Job;
 use crate::sort::Buckets;
 use std::ops::Range;
 
-/// Groups of up to so many columns may hold this share of zeros; wider ones the last.
+/// The share of zeros that groups may hold, by their number of columns: each pair is the largest
+/// number of columns and its share.
 const MAX_ZEROS: [(u64, f64); 3] = [(16, 0.6), (48, 0.15), (u64::MAX, 0.05)];
-/// Groups of up to so many columns may hold any number of zeros.
+/// Groups of at most this many columns may hold any number of zeros.
 const MIN_COLUMNS: u64 = 4;
-/// So many columns are one group.
+/// A matrix of at most this many columns is a single group.
 const MAX_SINGLE: usize = 24;
-/// Entries looked at between two progress reports.
+/// Entries examined between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
 
 /// The groups in the order of elimination.
 pub struct Supernodes {
-    /// The columns as the matrix numbers them, in their new order.
+    /// The matrix's column numbers, in the new order.
     pub order: Vec<u32>,
-    /// The new number of each.
+    /// The new number of each column.
     pub place: Vec<u32>,
-    /// The first column of each group, and the number of columns.
+    /// The first column of each group, then the number of columns.
     first: Vec<u32>,
     /// The rows of each group below its columns, ascending.
     rows: Vec<u32>,
     rows_start: Vec<usize>,
-    /// The group that has the first of these rows as a column; `NONE` of a root.
+    /// The group whose columns include the first of these rows; `NONE` for a root.
     parent: Vec<u32>,
-    /// The first group of the subtree below each.
+    /// The first group of the subtree below each group.
     subtree: Vec<u32>,
 }
 
 impl Supernodes {
-    /// The groups of a matrix; `below`: what it has below its diagonal. O(e log n) for the e rows
-    /// of all groups.
+    /// Finds the groups of a matrix. `below` has the matrix's entries below the diagonal. O(e log
+    /// n), where e is the total number of rows of all groups.
     pub fn new(matrix: &Symmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
         let n = matrix.row_count();
         if n <= MAX_SINGLE {
@@ -55,7 +56,7 @@ impl Supernodes {
         let group = groups(&parent, &count)?;
         job.step(0.6, "solving")?;
 
-        // A group has the number of its last column until it is numbered in postorder.
+        // Until the postorder numbers it, a group is identified by its last column.
         let (mut last, mut number) = (Vec::new(), alloc::filled(NONE, n)?);
         for k in (0..n).filter(|&k| group[k] as usize == k) {
             number[k] = last.len() as u32;
@@ -93,14 +94,14 @@ impl Supernodes {
         Ok(supernodes)
     }
 
-    /// One group of all columns.
+    /// Returns a single group of all columns.
     fn single(n: usize) -> Result<Self> {
         let numbers = alloc::collect(0..n as u32)?;
         let [place, first, parent, subtree] = [numbers.clone(), vec![0, n as u32], vec![NONE], vec![0]];
         Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
     }
 
-    /// How many groups there are.
+    /// The number of groups.
     pub fn len(&self) -> usize {
         self.parent.len()
     }
@@ -110,7 +111,7 @@ impl Supernodes {
         self.first[s] as usize..self.first[s + 1] as usize
     }
 
-    /// The rows below them in which they have entries.
+    /// The rows below the columns in which the group has entries.
     pub fn rows(&self, s: usize) -> &[u32] {
         &self.rows[self.rows_start[s]..self.rows_start[s + 1]]
     }
@@ -121,7 +122,8 @@ impl Supernodes {
         std::iter::successors(child(s), move |&c| child(self.subtree[c] as usize))
     }
 
-    /// The rows of a group are those of the matrix in its columns and those of its children.
+    /// Finds the rows of each group: the union of the matrix's rows in its columns and its
+    /// children's rows.
     fn find_rows(&mut self, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<()> {
         let mut seen = alloc::filled(NONE, self.order.len())?;
         let mut found = Vec::new();
@@ -160,24 +162,24 @@ impl Supernodes {
     }
 }
 
-/// What a group costs.
+/// The size of a group.
 #[derive(Clone, Copy)]
 struct Size {
     columns: u64,
-    /// Below its columns.
+    /// Rows below its columns.
     rows: u64,
-    /// Entries that the factor does not have.
+    /// Entries that are zero in the factor.
     zeros: u64,
 }
 
 impl Size {
-    /// The entries below the diagonal and on it.
+    /// The number of entries on and below the diagonal.
     fn entries(self) -> u64 {
         self.columns * (self.columns + 1) / 2 + self.columns * self.rows
     }
 
-    /// A group with its child.
-    fn with(self, child: Size) -> Size {
+    /// Merges a group with its child.
+    fn merged_with(self, child: Size) -> Size {
         let both = Size { columns: self.columns + child.columns, ..self };
         let stored = self.entries() - self.zeros + child.entries() - child.zeros;
         Size { zeros: both.entries() - stored, ..both }
@@ -190,8 +192,8 @@ impl Size {
     }
 }
 
-/// The last column of each column's group. From the leaves on, each column takes up the groups of
-/// its children, the last one first, as long as few zeros come in.
+/// The last column of each column's group. Proceeds from the leaves: each column absorbs the groups
+/// of its children, the last one first, while that adds few zeros.
 fn groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
     let n = parent.len();
     let mut last = alloc::collect(0..n as u32)?;
@@ -201,19 +203,19 @@ fn groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
     for k in 0..n {
         let mut next = child[k];
         while next != NONE {
-            let both = size[k].with(size[next as usize]);
+            let both = size[k].merged_with(size[next as usize]);
             if both.is_dense() {
                 size[k] = both;
                 last[next as usize] = k as u32;
             }
             next = sibling[next as usize];
         }
-        // The last one first.
+        // The last child first.
         if let Some(first) = child.get_mut(parent[k] as usize) {
             sibling[k] = std::mem::replace(first, k as u32);
         }
     }
-    // From the root on, so that each finds its group's last column.
+    // From the root, so that each column finds its group's last column.
     for k in (0..n).rev() {
         last[k] = last[last[k] as usize];
     }

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::sort::Buckets;
 
-/// A symmetric matrix: its diagonal, and what is above it, column by column as (row, value).
+/// A symmetric matrix: its diagonal, and the entries above it, column by column as (row, value).
 pub struct Symmetric {
     pub start: Vec<usize>,
     pub entries: Vec<(u32, f64)>,
@@ -18,13 +18,13 @@ impl Symmetric {
         self.diagonal.len()
     }
 
-    /// The entries of column `k` above the diagonal: those of row `k` before it.
+    /// The entries of column `k` above the diagonal, which are the entries of row `k` before it.
     #[inline]
     pub fn column(&self, k: usize) -> &[(u32, f64)] {
         &self.entries[self.start[k]..self.start[k + 1]]
     }
 
-    /// What is below the diagonal, column by column. 16 bytes an entry.
+    /// The entries below the diagonal, column by column. Takes 16 bytes an entry.
     #[inline]
     pub fn below(&self, job: &Job<'_>) -> Result<Buckets<(u32, f64)>> {
         let columns = (0..self.row_count()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));

@@ -1,10 +1,10 @@
-//! The elimination tree of a sparse symmetric matrix, and how many entries each column of its
-//! factor has.
+//! The elimination tree of a sparse symmetric matrix, and the number of entries in each column of
+//! its factor.
 //!
-//! The parent of column i is the first row below i in which the factor L has an entry; the rows of
-//! column i beyond are among the parent's. Sources: J. W. H. Liu, *The role of elimination trees in
-//! sparse factorization* (1990); J. R. Gilbert, E. G. Ng, B. W. Peyton, *An efficient algorithm to
-//! compute row and column counts for sparse Cholesky factorization* (1994), in the form of T. A.
+//! The parent of column i is the first row below i in which the factor L has an entry. The other
+//! rows of column i are among the parent's. Sources: J. W. H. Liu, *The role of elimination trees
+//! in sparse factorization* (1990); J. R. Gilbert, E. G. Ng, B. W. Peyton, *An efficient algorithm
+//! to compute row and column counts for sparse Cholesky factorization* (1994), in the form of T. A.
 //! Davis, *Direct methods for sparse linear systems* (2006), section 4.4. Nearly linear in the
 //! entries of the matrix.
 
@@ -18,11 +18,11 @@ use crate::sort::Buckets;
 /// Columns between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 
-/// The parents of all columns; `NONE` of a root.
+/// The parents of all columns; `NONE` for a root.
 pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
     let n = matrix.row_count();
     let mut parent = alloc::filled(NONE, n)?;
-    // The farthest ancestor known: paths are walked once.
+    // The farthest known ancestor of each column, so that paths are walked once.
     let mut ancestor = alloc::filled(NONE, n)?;
     for k in 0..n {
         job.step_every(REPORT_INTERVAL, k + 1, n, "solving")?;
@@ -40,7 +40,7 @@ pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
     Ok(parent)
 }
 
-/// The nodes of a forest, children before their parents and subtree after subtree.
+/// The nodes of a forest in postorder: children before parents, subtree after subtree.
 pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
     let (mut first_child, mut next_sibling) = (alloc::filled(NONE, n + 1)?, alloc::filled(NONE, n)?);
@@ -64,17 +64,17 @@ pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     }
 }
 
-/// The number of entries in each column of the factor, that on the diagonal included. `below`: the
-/// matrix below its diagonal, column by column.
+/// The number of entries in each column of the factor, including the diagonal. `below` has the
+/// matrix's entries below the diagonal, column by column.
 ///
-/// Row i of L has the columns of a subtree with root i, whose leaves are columns in which the
-/// matrix itself has an entry. Each leaf counts for itself and its ancestors; where it meets the
-/// leaf before it, in their least common ancestor, one too many have been counted.
+/// The columns of row i of L form a subtree with root i, and the matrix has an entry of row i in
+/// every leaf. Each leaf counts for itself and its ancestors. Where it meets the previous leaf, in
+/// their least common ancestor, one count is removed.
 pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
     let order = postorder(parent, &job.part(0.0, 0.0))?;
     job.step(0.0, "solving")?;
-    // The place in postorder of each column's first descendant.
+    // The position in postorder of each column's first descendant.
     let mut first = alloc::filled(NONE, n)?;
     let mut count = alloc::filled(0i64, n)?;
     for (place, &leaf) in order.iter().enumerate() {
@@ -120,19 +120,20 @@ pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &J
     alloc::collect(count.into_iter().map(|count| count as u32))
 }
 
-/// The subtrees of all rows, whose columns come in postorder.
+/// The subtrees of all rows. Their columns arrive in postorder.
 struct RowSubtrees {
-    /// One more than the largest place of a first descendant, of the columns of each row so far.
+    /// For each row, one more than the largest position of a first descendant among its columns so
+    /// far.
     latest_first: Vec<u32>,
     latest_leaf: Vec<u32>,
-    /// Towards the root of what has been visited.
+    /// A link towards the root of the visited columns.
     ancestor: Vec<u32>,
 }
 
 impl RowSubtrees {
-    /// Column `j` in row `i`; `first`: the place of its first descendant. `None` if it is no leaf
-    /// of the row's subtree; else the least common ancestor with the leaf before it, `NONE` for the
-    /// first.
+    /// Adds column `j` to row `i`; `first` is the position of its first descendant. Returns `None`
+    /// if the column is not a leaf of the row's subtree. Otherwise returns the least common
+    /// ancestor with the previous leaf, `NONE` for the first leaf.
     fn add(&mut self, i: usize, j: u32, first: u32) -> Option<u32> {
         if first < self.latest_first[i] {
             return None;

@@ -1,9 +1,9 @@
-//! Piecewise Bézier curves: the data that all of this module reads and makes.
+//! Piecewise Bézier curves: the data type of the whole crate.
 //!
-//! * here: [`CurveView`], borrowed control points, and [`Curve`], owned ones. Segments of any
-//!   degrees, one after another.
-//! * segment: one segment by its control points.
-//! * unit_frame: coordinates in which a curve is near the origin and of size about 1.
+//! - here: [`CurveView`], borrowed control points, and [`Curve`], owned ones. Consecutive segments
+//!   may have different degrees.
+//! - segment: one segment by its control points.
+//! - unit_frame: coordinates in which a curve is near the origin and has a size of about 1.
 
 pub(crate) mod segment;
 pub(crate) mod unit_frame;
@@ -15,8 +15,8 @@ use gusset_base::job::Job;
 
 pub use segment::MAX_DEGREE;
 
-/// A borrowed curve: segment k has the control points `ends[k]..=ends[k + 1]`, so that each begins
-/// with the last control point of the one before. A plane curve has z = 0 everywhere.
+/// A borrowed curve. Segment k has the control points `ends[k]..=ends[k + 1]`, so it starts with
+/// the last control point of the previous segment. A plane curve has z = 0 everywhere.
 #[derive(Debug, Clone, Copy)]
 pub struct CurveView<'a> {
     points: &'a [DVec3],
@@ -24,36 +24,35 @@ pub struct CurveView<'a> {
     closed: bool,
 }
 
-/// That a point is finite; `point`: its number, for the error.
+/// Checks that a point is finite; `point` is its index, for the error.
 pub(crate) fn check_finite(point: usize, p: DVec3) -> Result<()> {
     Error::check_finite(Element::Point, point as u64, p)
 }
 
-/// A place on a curve: a segment, and the parameter there, 0 to 1.
+/// A place on a curve: a segment and a parameter from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
-    /// Counted from 0.
+    /// The segment's index, from 0.
     pub segment: u32,
-    /// 0 at the segment's first control point, 1 at its last.
+    /// The parameter: 0 at the segment's first control point, 1 at its last.
     pub t: f64,
 }
 
 impl Place {
     pub(super) const START: Place = Place { segment: 0, t: 0.0 };
 
-    /// The place as one number: segment and parameter added.
-    pub(super) fn along(self) -> f64 {
+    /// The place as one number: the segment plus the parameter.
+    pub(super) fn position(self) -> f64 {
         f64::from(self.segment) + self.t
     }
 }
 
 impl<'a> CurveView<'a> {
-    /// `ends`: 0, then the place of the last control point of each segment, which is
-    /// `points.len() - 1` for the last one. `closed`: the last control point is the first one
-    /// again.
+    /// `ends` holds 0, then the index of the last control point of each segment, ending with
+    /// `points.len() - 1`. If `closed`, the last control point must equal the first.
     ///
     /// # Errors
-    /// [`Error::BadOffsets`] (they do not start at 0, do not rise, or end elsewhere),
+    /// [`Error::BadOffsets`] (`ends` does not start at 0, does not increase, or ends elsewhere),
     /// [`Error::OptionOutOfRange`] (a degree above [`MAX_DEGREE`]), [`Error::NotFinite`],
     /// [`Error::CurveNotClosed`].
     pub fn new(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Result<Self> {
@@ -79,32 +78,32 @@ impl<'a> CurveView<'a> {
         Ok(CurveView { points, ends, closed })
     }
 
-    /// A curve whose points and ends are known to be valid.
+    /// Creates a curve without checking its points and ends.
     pub(super) fn trusted(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Self {
         CurveView { points, ends, closed }
     }
 
-    /// All control points; a closed curve has its first one at the end once more.
+    /// All control points. A closed curve repeats its first one at the end.
     pub fn points(&self) -> &'a [DVec3] {
         self.points
     }
 
-    /// See [`CurveView::new`].
+    /// The offsets of the segments; see [`CurveView::new`].
     pub fn ends(&self) -> &'a [u32] {
         self.ends
     }
 
-    /// Whether the curve ends where it begins and goes on there.
+    /// Returns true if the curve is closed.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// The number of segments; 0 for a curve without any extent that was never identified.
+    /// The number of segments; 0 for the curve of an outline without extent.
     pub fn len(&self) -> usize {
         self.ends.len().saturating_sub(1)
     }
 
-    /// True if there are no segments.
+    /// Returns true if the curve lacks segments.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -112,7 +111,7 @@ impl<'a> CurveView<'a> {
     /// The control points of segment `k`: one more than its degree.
     ///
     /// # Panics
-    /// If there is no segment `k`.
+    /// If segment `k` does not exist.
     pub fn segment(&self, k: usize) -> &'a [DVec3] {
         &self.points[self.ends[k] as usize..=self.ends[k + 1] as usize]
     }
@@ -123,7 +122,7 @@ impl<'a> CurveView<'a> {
         self.ends.windows(2).map(move |pair| &points[pair[0] as usize..=pair[1] as usize])
     }
 
-    /// That a place lies on the curve; `index`: its number, for the error.
+    /// Checks that a place lies on the curve; `index` is its index, for the error.
     pub(super) fn check_place(&self, index: usize, place: Place) -> Result<()> {
         if (place.segment as usize) < self.len() && (0.0..=1.0).contains(&place.t) {
             return Ok(());
@@ -140,13 +139,13 @@ impl<'a> CurveView<'a> {
         if self.points.is_empty() { Err(Error::EmptyCurve) } else { Ok(()) }
     }
 
-    /// That the curve lies in the plane z = 0.
+    /// Checks that the curve lies in the plane z = 0.
     pub(super) fn check_plane(&self) -> Result<()> {
         let outside = self.points.iter().position(|p| p.z != 0.0);
         outside.map_or(Ok(()), |point| Err(Error::CurveNotPlane { point: point as u32 }))
     }
 
-    /// The number of segments after which a closed curve comes round; infinite for an open one.
+    /// The number of segments after which a closed curve repeats; infinite for an open one.
     pub(super) fn period(&self) -> f64 {
         if self.closed { self.len() as f64 } else { f64::INFINITY }
     }
@@ -162,7 +161,7 @@ impl<'a> CurveView<'a> {
         Ok(Curve { points, ends, closed: self.closed })
     }
 
-    /// A copy that owns its points.
+    /// Copies the curve with its points.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -180,7 +179,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// A curve without segments that begins at a point.
+    /// Creates a curve without segments, at a point.
     pub(super) fn from_point(start: DVec3) -> Result<Self> {
         let mut curve = Curve::default();
         alloc::push(&mut curve.points, start)?;
@@ -188,7 +187,8 @@ impl Curve {
         Ok(curve)
     }
 
-    /// Appends a segment by its control points but the first, which is where the curve ends so far.
+    /// Appends a segment. `rest` has its control points except the first, which is the current end
+    /// of the curve.
     ///
     /// # Errors
     /// [`Error::TooLarge`] (more control points than 32 bits can count), [`Error::OutOfMemory`].
@@ -198,7 +198,7 @@ impl Curve {
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
 
-    /// The curve, borrowed.
+    /// Borrows the curve.
     pub fn view(&self) -> CurveView<'_> {
         CurveView::trusted(&self.points, &self.ends, self.closed)
     }
@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn invalid_curves_are_refused() {
+    fn invalid_curves_are_rejected() {
         let points = [DVec3::ZERO, DVec3::X, DVec3::Y];
         assert_eq!(CurveView::new(&points, &[0, 2], false).unwrap().segment(0), points);
         assert_eq!(CurveView::new(&points, &[0, 1, 2], false).unwrap().len(), 2);

@@ -1,10 +1,10 @@
-//! One Bézier segment by its control points: points, derivatives, parts.
+//! One Bézier segment, given by its control points: points, derivatives, parts.
 
 use glam::DVec3;
 use gusset_base::geom::bernstein::{self, MAX_COEFFICIENTS, Roots, add_product, roots, value_and_slope};
 use std::ops::{Deref, DerefMut};
 
-/// Whether a segment is a point: all its control points are one.
+/// Returns true if all control points of a segment coincide.
 pub(crate) fn is_point(controls: &[DVec3]) -> bool {
     controls.iter().all(|&p| p == controls[0])
 }
@@ -12,7 +12,7 @@ pub(crate) fn is_point(controls: &[DVec3]) -> bool {
 /// The highest degree of a segment.
 pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
 
-/// The point at parameter `t`: de Casteljau's scheme, written out for the degrees that occur most.
+/// The point at parameter `t`, by de Casteljau's scheme, unrolled for the most common degrees.
 #[inline]
 pub(crate) fn point(controls: &[DVec3], t: f64) -> DVec3 {
     let s = 1.0 - t;
@@ -25,17 +25,17 @@ pub(crate) fn point(controls: &[DVec3], t: f64) -> DVec3 {
     }
 }
 
-/// A bound of the sum of all binomials of the highest degree, 2^64 in all.
+/// A bound of 2^64, the sum of all binomials of the highest degree.
 const MAX_BINOMIAL_SUM: f64 = (1u128 << 80) as f64;
 
-/// The sum of the Bernstein terms; control points so large that a term overflows are scaled first.
+/// The sum of the Bernstein terms. Control points so large that a term overflows are scaled first.
 fn horner(controls: &[DVec3], t: f64) -> DVec3 {
     let point = scaled_sum(controls, t, 1.0);
     if point.is_finite() { point } else { scaled_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
 }
 
-/// The sum of the terms times `unit`, by a scheme like Horner's from the nearer end, so that no
-/// power overflows its binomial.
+/// The sum of the terms times `unit`. A Horner-like scheme starts at the nearer end, so that powers
+/// do not underflow before the binomials scale them.
 fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     let n = controls.len() - 1;
     let backwards = t > 0.5;
@@ -55,24 +55,24 @@ fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     sum * scale
 }
 
-/// From the first control point to the next one that differs.
+/// The vector from the first control point to the next distinct one.
 pub(crate) fn first_leg(controls: &[DVec3]) -> DVec3 {
     let first = controls[0];
     controls.iter().find(|&&p| p != first).map_or(DVec3::ZERO, |&p| p - first)
 }
 
-/// To the last control point, from the one before that differs.
+/// The vector from the last distinct control point to the last one.
 pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
     let last = controls[controls.len() - 1];
     controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
 }
 
-/// (C - q) . C' / n of a segment C of degree n, half the derivative of the squared distance from
-/// `q` but for that factor: a polynomial of degree 2 n - 1.
+/// (C - q) . C' / n for a segment C of degree n: half the derivative of the squared distance from
+/// `q`, divided by n. It is a polynomial of degree 2 n - 1.
 pub(crate) struct DistanceSlope {
     coefficients: [f64; MAX_COEFFICIENTS],
     len: usize,
-    /// What rounding may have made of 0.
+    /// The largest value that rounding can make of 0.
     rounding_error: f64,
 }
 
@@ -99,15 +99,15 @@ impl DistanceSlope {
         &self.coefficients[..self.len]
     }
 
-    /// Where the distance is stationary; of an interval where that cannot be told from rounding,
-    /// one place.
+    /// The stationary points of the distance. An interval on which rounding hides the slope's sign
+    /// yields one root.
     pub(crate) fn roots(&self) -> Roots {
         roots(self.coefficients(), self.rounding_error)
     }
 
-    /// The interval round a root where the slope cannot be told from 0, or up to twice as much to
-    /// either side; `None` for a root that stands out. Near a singular point, where C' is small
-    /// too, it may be long and the distance least anywhere in it.
+    /// The interval around a root on which rounding hides the slope's sign, up to twice as long to
+    /// either side. Returns `None` for a root that is well defined. Near a singular point, where C'
+    /// is small too, the interval may be long and the minimum anywhere in it.
     pub(crate) fn flat_interval(&self, root: f64) -> Option<[f64; 2]> {
         let slope = |t: f64| value_and_slope(self.coefficients(), t);
         if slope(root).1.abs() * MAX_ROOT_ERROR > self.rounding_error {
@@ -124,10 +124,10 @@ impl DistanceSlope {
     }
 }
 
-/// Roots that rounding moves farther do not stand out.
+/// A root is well defined if rounding moves it by at most this much.
 const MAX_ROOT_ERROR: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// The control points of a segment of any degree, kept in place: no allocation.
+/// The control points of a segment of any degree, in a fixed-size buffer without allocation.
 #[derive(Clone, Copy)]
 pub(crate) struct SegmentBuffer {
     controls: [DVec3; MAX_DEGREE + 1],
@@ -145,28 +145,26 @@ impl SegmentBuffer {
         buffer
     }
 
-    /// Replaces the control points by those of the derivative, n (B_(i+1) - B_i); a constant leaves
-    /// none.
+    /// Replaces the control points by the derivative's, n (B_(i+1) - B_i). A constant leaves none.
     pub(crate) fn derive(&mut self) {
         self.len = bernstein::derive(&mut self.controls[..self.len]);
     }
 
-    /// Raises the degree to `degree`, if that is higher.
+    /// Elevates the degree to `degree`, if that is higher.
     pub(crate) fn elevate(&mut self, degree: usize) {
         let from = self.len - 1;
         self.len = self.len.max(degree + 1);
         bernstein::elevate(self, from);
     }
 
-    /// Keeps the part after `t`, and returns the part before it: de Casteljau's scheme.
+    /// Keeps the part after `t` and returns the part before it, by de Casteljau's scheme.
     pub(crate) fn split_off_front(&mut self, t: f64) -> Self {
         let mut front = *self;
         bernstein::split(self, t, &mut front);
         front
     }
 
-    /// The part between two parameters, `from < to`; ends that are ends of the segment stay as they
-    /// are.
+    /// The part between the parameters `from` < `to`. At 0 and 1 the end points keep their bits.
     pub(crate) fn part(mut self, from: f64, to: f64) -> Self {
         let mut end = to;
         if from > 0.0 {
@@ -191,7 +189,8 @@ impl DerefMut for SegmentBuffer {
     }
 }
 
-/// The point at `t` and its derivatives by the parameter, N values in all; 0 beyond the degree.
+/// The point at `t` and its derivatives with respect to the parameter, N values in all; 0 beyond
+/// the degree.
 pub(crate) fn jet<const N: usize>(controls: &[DVec3], t: f64) -> [DVec3; N] {
     let mut derived = SegmentBuffer::new(controls);
     [(); N].map(|()| {

@@ -1,7 +1,8 @@
-//! The unit frame of a curve: coordinates in which it is near the origin and of size about 1.
+//! The unit frame of a curve: coordinates in which it is near the origin and has a size of about 1.
 //!
-//! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the
-//! centre o cannot overflow, then the extent does. Powers of 2 change no digits.
+//! x' = (x 2^a - o) 2^b. The first scaling brings the coordinates below 1, so that the difference
+//! from the centre o cannot overflow. The second scaling normalises the extent. Powers of 2 do not
+//! change any digits.
 
 use super::segment::SegmentBuffer;
 use glam::DVec3;
@@ -17,29 +18,29 @@ pub(crate) struct UnitFrame {
     fine: f64,
 }
 
-/// The power of 2 that brings `x` to 1/2 or more but below 1, or as near to that as a normal number
-/// can.
+/// The power of 2 that scales `x` into 1/2 .. 1, or as close as a normal number can.
 pub(crate) fn power_to_one(x: f64) -> f64 {
     let (_, exponent) = libm::frexp(x);
     libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))
 }
 
 impl UnitFrame {
-    /// The frame of the box of some finite points.
-    pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
-        let whole = Aabb::of(points);
-        let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::of([DVec3::ZERO]) };
+    /// The frame of the bounding box of some finite points.
+    pub(crate) fn from_points<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
+        let whole = Aabb::from_points(points);
+        let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::from_points([DVec3::ZERO]) };
         let coarse = power_to_one(low.abs().max(high.abs()).max_element());
         let (low, high) = (low * coarse, high * coarse);
         UnitFrame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }
     }
 
-    /// A point in the frame; the components of those that the frame was made for are at most 1.
+    /// Transforms a point into the frame. The components of the points that define the frame become
+    /// at most 1.
     pub(crate) fn point(&self, p: DVec3) -> DVec3 {
         (p * self.coarse - self.origin) * self.fine
     }
 
-    /// A point in the frame as [`point`](Self::point) rounds it, and what rounding took off.
+    /// Transforms a point like [`point`](Self::point), and returns the rounding error as well.
     pub(crate) fn point_with_remainder(&self, p: DVec3) -> [DVec3; 2] {
         let (given, origin) = (p * self.coarse, self.origin);
         let rounded = given - origin;
@@ -53,12 +54,12 @@ impl UnitFrame {
         alloc::collect(points.iter().map(|&p| self.point(p)))
     }
 
-    /// The control points of a segment in the frame.
+    /// Transforms the control points of a segment into the frame.
     pub(crate) fn segment(&self, controls: &[DVec3]) -> SegmentBuffer {
         SegmentBuffer::mapped(controls, |p| self.point(p))
     }
 
-    /// A point of the frame in the host's coordinates.
+    /// Transforms a point from the frame into the host's coordinates.
     pub(crate) fn point_back(&self, p: DVec3) -> DVec3 {
         (p / self.fine + self.origin) / self.coarse
     }
@@ -67,7 +68,7 @@ impl UnitFrame {
         x * self.coarse * self.fine
     }
 
-    /// A length of the frame in the host's unit.
+    /// Converts a length from the frame into the host's unit.
     pub(crate) fn length_back(&self, x: f64) -> f64 {
         x / self.fine / self.coarse
     }
@@ -78,10 +79,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn any_size_becomes_one_and_comes_back() {
+    fn any_size_becomes_one_and_is_restored() {
         for scale in [1.0, 1e200, 1e-200, 1e308, 1e-310] {
             let points = [DVec3::new(1.0, -1.0, 0.5) * scale, DVec3::new(0.25, 1.5, 0.5) * scale];
-            let frame = UnitFrame::of(&points);
+            let frame = UnitFrame::from_points(&points);
             for p in points {
                 let local = frame.point(p);
                 assert!(local.abs().max_element() <= 1.0, "{scale}: {local}");
@@ -91,6 +92,6 @@ mod tests {
             assert!((scale < 1e-300 || (0.2..4.0).contains(&length)) && frame.length_back(length) == scale);
         }
         let same = [DVec3::splat(3.0); 2];
-        assert_eq!(UnitFrame::of(&same).point(same[0]), DVec3::ZERO);
+        assert_eq!(UnitFrame::from_points(&same).point(same[0]), DVec3::ZERO);
     }
 }

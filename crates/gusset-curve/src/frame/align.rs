@@ -1,13 +1,13 @@
-//! Where closed sections start.
+//! The starting points of closed sections.
 //!
-//! The first point of a section's list says nothing about the body: nodes counted from there would
-//! wring it like a cloth. A section starts where it is turned least against the one before: at the
-//! shift d that makes the mean of |P(u) - Q(u + d)|^2 least, for the points P and Q at equal parts u
-//! of both lengths. The shift of one pair has no influence on that of another, so that each is found
-//! by itself; what is left over when a ring closes is spread evenly over all its pairs.
+//! The first point in a section's list is arbitrary, and counting nodes from it would twist the
+//! body. A section therefore starts where it is twisted least against the previous one. With points
+//! P and Q at equal fractions of both lengths, the shift d minimises the mean of |P(u) - Q(u +
+//! d)|^2. The shifts of different pairs are independent. In a ring, the excess after one round is
+//! spread evenly over all pairs.
 //!
-//! The first section starts at its anchor, the point that is farthest from its centre. Neither the
-//! anchor nor a shift depends on where the lists of points begin.
+//! The first section starts at its anchor, the point farthest from its centre. The anchor and the
+//! shifts do not depend on where the lists of points begin.
 
 use crate::curve::Place;
 use crate::ops::Lengths;
@@ -16,21 +16,22 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Points of a section that are compared.
+/// The number of points of a section that are compared.
 const SAMPLES: usize = 128;
-/// Distances and sums that differ by this part are equal: round-off does not choose.
+/// Distances and sums whose relative difference is below this are equal, so that round-off does not
+/// decide.
 const TIE: f64 = 1e-9;
 
-/// A closed section, as it is passed from its anchor on.
+/// A closed section, traversed from its anchor.
 pub(super) struct Ring<'a> {
     pub(super) lengths: Lengths<'a>,
-    /// How far along the curve the anchor is.
+    /// The arc length at the anchor.
     pub(super) anchor: f64,
     pub(super) backwards: bool,
 }
 
 impl Ring<'_> {
-    /// The place after this part of the length from the anchor on.
+    /// The place at a fraction of the length after the anchor.
     pub(super) fn place(&self, part: f64) -> Result<Place> {
         let total = self.lengths.total();
         let by = (part - part.floor()) * total;
@@ -39,14 +40,14 @@ impl Ring<'_> {
         self.lengths.place(if at >= total { at - total } else { at })
     }
 
-    /// How far a place is along the way from the anchor on: at least 0, less than the length.
-    pub(super) fn along(&self, place: Place) -> Result<f64> {
-        let by = self.lengths.up_to(place)? - self.anchor;
+    /// The arc length from the anchor to a place: at least 0, less than the total length.
+    pub(super) fn length_to(&self, place: Place) -> Result<f64> {
+        let by = self.lengths.length_to(place)? - self.anchor;
         let by = if self.backwards { -by } else { by };
         Ok(if by < 0.0 { by + self.lengths.total() } else { by })
     }
 
-    /// Points at equal parts of the length, from the mean of all.
+    /// Points at equal fractions of the length, relative to their mean and scaled to size 1.
     fn samples(&self) -> Result<Vec<DVec3>> {
         let at = |k: usize| self.lengths.curve().point(self.place(k as f64 / SAMPLES as f64)?);
         let mut points = alloc::try_collect((0..SAMPLES).map(at))?;
@@ -58,8 +59,8 @@ impl Ring<'_> {
     }
 }
 
-/// The number of the anchor among the points of a section: farthest from the mean of all; of several
-/// the one with the largest x, then y, then z.
+/// The index of the anchor among the points of a section: the point farthest from the mean. Ties go
+/// to the largest x, then y, then z.
 pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> usize {
     let count = points.len() as f64;
     let mean = points.clone().map(|p| p / count).sum::<DVec3>();
@@ -75,9 +76,9 @@ pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> us
 /// Sections between two progress reports.
 const SECTIONS_PER_REPORT: usize = 1 << 8;
 
-/// After which part of its length from its anchor each section starts. `ring`: the last one is
-/// followed by the first. O(sections), with the comparison of 128 points with 128 for each.
-pub(super) fn starts(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
+/// The fraction of its length after its anchor at which each section starts. If `ring`, the first
+/// section follows the last. O(sections), with a comparison of 128 points with 128 for each.
+pub(super) fn start_fractions(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
     let samples = alloc::try_collect(sections.iter().map(Ring::samples))?;
     let mut starts = alloc::with_capacity(sections.len())?;
     let mut start = 0.0;
@@ -96,15 +97,15 @@ pub(super) fn starts(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result
     Ok(starts)
 }
 
-/// The shift of a section against the one before, in parts of its length.
+/// The shift of a section against the previous one, as a fraction of its length.
 fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
     let n = SAMPLES;
-    // Both sums of squares are constant, so that the least distance is the largest product.
+    // Both sums of squares are constant, so the largest product has the smallest distance.
     let product = |d: usize| (0..n).map(|k| before[k].dot(section[(k + d) % n])).sum::<f64>();
     let products: [f64; SAMPLES] = std::array::from_fn(product);
     let most = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let best = products.iter().position(|&product| product >= most - TIE * most.abs()).unwrap_or(0);
-    // Between samples, by the parabola through three.
+    // Interpolate between samples by the parabola through three.
     let [left, right] = [products[(best + n - 1) % n], products[(best + 1) % n]];
     let bend = left - 2.0 * products[best] + right;
     let off = if bend < 0.0 { (0.5 * (left - right) / bend).clamp(-0.5, 0.5) } else { 0.0 };
@@ -112,9 +113,9 @@ fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
     if shift > 0.5 { shift - 1.0 } else { shift }
 }
 
-/// The largest angle, in radians, by which a row of nodes round a body is turned against the one
-/// before: that of the rotation about the rows' common axis which brings them nearest to each other,
-/// their means apart.
+/// The largest angle, in radians, by which a row of nodes around a body is rotated against the
+/// previous row. It is the angle of the rotation about the rows' common axis that best aligns them
+/// after both are centred.
 pub(super) fn twist(nodes: &[DVec3], columns: usize, ring: bool) -> f64 {
     let rows = nodes.len() / columns;
     let row = |k: usize| &nodes[(k % rows) * columns..(k % rows + 1) * columns];

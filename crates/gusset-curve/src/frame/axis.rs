@@ -1,8 +1,8 @@
-//! The axis that angles are counted about, straight or bent.
+//! The axis for correspondence by angle, straight or bent.
 //!
-//! Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, *Computation of rotation minimizing frames* (2008):
-//! two reflections carry a direction from one point of a curve to the next, so that it turns with
-//! the curve and not about it.
+//! Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, *Computation of rotation minimizing frames*
+//! (2008). Two reflections transport a direction from one point of a curve to the next, so that it
+//! follows the curve without rotating about it.
 
 use super::frame_options::Axis;
 use glam::DVec3;
@@ -10,13 +10,13 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::scale::distance;
 
-/// The sine of the least angle between an axis and the reference.
+/// The sine of the smallest angle between an axis and the reference.
 const MIN_SINE: f64 = 1e-9;
 
-/// For each section the point of its axis, and three directions at right angles: along the axis,
-/// towards the reference, and on from there. `ring`: the last section is followed by the first; what
-/// the directions lack when they come round is spread evenly.
-pub(super) fn places(
+/// For each section the point of its axis and three perpendicular directions: along the axis,
+/// towards the reference, and perpendicular to both. If `ring`, the first section follows the last,
+/// and the rotation that remains after one round is spread evenly.
+pub(super) fn axis_frames(
     axis: Axis<'_>,
     reference: DVec3,
     sections: usize,
@@ -30,42 +30,43 @@ pub(super) fn places(
     };
     let n = sections;
     Error::require(points.len() == n, "axis_points", points.len() as f64)?;
-    // A frame of fewer is refused for their number.
+    // With fewer sections, the frame fails on their number.
     if n < if ring { 3 } else { 2 } {
         return Ok(Vec::new());
     }
     let bad = points.iter().flat_map(DVec3::to_array).find(|x| !x.is_finite());
     bad.map_or(Ok(()), |x| Error::require(false, "axis_points", x))?;
-    // In halves, as a difference may be too large for a number.
+    // Halve the points first, because their difference may overflow.
     let half = |k: usize| points[k % n] * 0.5;
     let chord = |k: usize| Ok((unit(half(k + 1) - half(k), "axis_points")?, distance(half(k), half(k + 1))));
     let chords = alloc::try_collect((0..if ring { n } else { n - 1 }).map(chord))?;
     let tangents = alloc::try_collect((0..n).map(|k| tangent(&chords, k, ring)))?;
     let [along, start, second] = axes(tangents[0], reference)?;
-    let (mut first, mut places) = (start, alloc::with_capacity(n + 1)?);
-    places.push((points[0], [along, first, second]));
+    let (mut first, mut frames) = (start, alloc::with_capacity(n + 1)?);
+    frames.push((points[0], [along, first, second]));
     for (k, &(chord, _)) in chords.iter().enumerate() {
         let (from, to) = (tangents[k], tangents[(k + 1) % n]);
         let reflected = |v: DVec3, normal: DVec3| v - 2.0 * v.dot(normal) * normal;
         let over = (to - reflected(from, chord)).normalize_or_zero();
         first = reflected(reflected(first, chord), over);
-        // Round-off would add up.
+        // Round-off would accumulate.
         first = (first - to * to.dot(first)).normalize_or_zero();
-        places.push((points[(k + 1) % n], [to, first, to.cross(first)]));
+        frames.push((points[(k + 1) % n], [to, first, to.cross(first)]));
     }
     if ring {
-        places.pop();
+        frames.pop();
         let over = libm::atan2(first.dot(second), first.dot(start));
-        for (k, (_, [_, first, second])) in places.iter_mut().enumerate() {
+        for (k, (_, [_, first, second])) in frames.iter_mut().enumerate() {
             let (sin, cos) = libm::sincos(over * k as f64 / n as f64);
             (*first, *second) = (*first * cos - *second * sin, *second * cos + *first * sin);
         }
     }
-    Ok(places)
+    Ok(frames)
 }
 
-/// The unit tangent at point k: of the circle through it and those beside it; at an end of that
-/// through the last three. `chords`: the directions from point to point, and how far that is.
+/// The unit tangent at point k, of the circle through the point and its neighbours. At an end it is
+/// the tangent of the circle through the last three points. `chords` are the directions and
+/// distances from point to point.
 fn tangent(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DVec3> {
     let count = chords.len();
     let middle = |[(arrives, before), (leaves, after)]: [(DVec3, f64); 2]| {
@@ -89,8 +90,8 @@ fn unit(v: DVec3, option: &'static str) -> Result<DVec3> {
     Ok((v / largest).normalize())
 }
 
-/// Three directions at right angles: a unit vector along the axis, towards the reference, and on from
-/// there.
+/// Three perpendicular directions: a unit vector along the axis, towards the reference, and
+/// perpendicular to both.
 fn axes(along: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
     let reference = unit(reference, "reference")?;
     let across = reference - along * reference.dot(along);

@@ -1,9 +1,9 @@
-//! The corners of sections, as a deck has at its edges, and which of them belong together along a
-//! body.
+//! The corners of sections, such as the edges of a deck, and their correspondence along a body.
 //!
-//! A point is a corner where the polygon of a section turns sharply, far more than it does usually,
-//! and than at the points beside it: so a smooth section of few points has none. Corners that all
-//! sections have are landmarks: each gets a node, and the curves across turn sharply there.
+//! A point is a corner if the polygon of its section turns sharply there. The turn must be much
+//! sharper than the section's usual turn and than the turns at neighbouring points, so that a
+//! smooth section of few points does not have corners. Corners that all sections share are
+//! landmarks: each gets a node, and the curves across turn sharply there.
 
 use super::frame_options::FrameOptions;
 use crate::identify::{Constraint, Options, Outlines, PointConstraint};
@@ -15,22 +15,22 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use std::f64::consts::PI;
 
-/// A corner turns by this angle at least, in radians, ...
+/// The smallest turn of a corner, in radians.
 const MIN_TURN: f64 = 0.7;
-/// ... by so many times what half of the points do, ...
+/// The smallest ratio of a corner's turn to the median turn.
 const MIN_CONTRAST: f64 = 3.0;
-/// ... and by so many times what the points beside it do; one of them if it turns by SHARP, as two
-/// edges of a deck without points between them.
+/// The smallest ratio of a corner's turn to its neighbours' turns. Above SHARP only one neighbour
+/// counts, because two edges of a deck may be adjacent points.
 const MIN_LEAD: f64 = 2.0;
-const SHARP: f64 = 1.2;
-/// A section with more corners than this is jagged: it has none in common with others.
+const MIN_SHARP_TURN: f64 = 1.2;
+/// A section with more corners than this is jagged and shares none of them.
 const MAX_SHARED: usize = 128;
-/// Of one part, when parts are apportioned.
+/// The resolution of one part when parts are apportioned.
 const STEPS: f64 = (1 << 30) as f64;
 
-/// Of each section the numbers of its corners among its points, ascending: those that the caller
-/// has, and those by [`FrameOptions::across`] or, if that has none, by the rule above; but for points
-/// with another constraint, and the ends of open sections.
+/// For each section the indices of its corners among its points, ascending. They are the caller's
+/// corners, and corners by [`FrameOptions::across`] or, if that sets no angle, by the rule above.
+/// Points with another constraint and the ends of open sections are excluded.
 pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptions<'_>) -> Result<Vec<Vec<u32>>> {
     let mut all = alloc::with_capacity(rows)?;
     for k in 0..rows {
@@ -41,7 +41,7 @@ pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptio
         if !options.smooth_corners {
             let points = span.clone().map(|i| sections.points.get(i));
             let turns = turns(points, sections.closed, options.across.repeat_tolerance)?;
-            let found = of_turns(&turns, sections.closed, options.across.corner_angle)?;
+            let found = find_corners(&turns, sections.closed, options.across.corner_angle)?;
             let is_free = |i: &u32| constraints.iter().all(|c| c.point as usize != span.start + *i as usize);
             own = alloc::gather(found.into_iter().filter(is_free))?;
         }
@@ -59,22 +59,23 @@ pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptio
     Ok(all)
 }
 
-/// The corners among the points of a row of nodes by an angle.
+/// The corners among the points of a row of nodes, by an angle.
 pub(super) fn sharp_nodes(row: &[DVec3], closed: bool, options: &Options) -> Result<Vec<u32>> {
     let turns = turns(row.iter().copied(), closed, options.repeat_tolerance)?;
-    if options.corner_angle < PI { of_turns(&turns, closed, options.corner_angle) } else { Ok(Vec::new()) }
+    if options.corner_angle < PI { find_corners(&turns, closed, options.corner_angle) } else { Ok(Vec::new()) }
 }
 
-/// The points that turn by more than an angle, or, if it is pi, that stand out.
-fn of_turns(turns: &[(u32, f64)], closed: bool, angle: f64) -> Result<Vec<u32>> {
+/// The points that turn by more than an angle. If the angle is pi, the points whose turn stands
+/// out.
+fn find_corners(turns: &[(u32, f64)], closed: bool, angle: f64) -> Result<Vec<u32>> {
     let found = if angle < PI { sharper(turns, angle)? } else { outstanding(turns, closed)? };
     alloc::collect(found.into_iter().map(|at| turns[at].0))
 }
 
-/// Of each inner point that is not at the place of the one before, within `tolerance` parts of the
-/// section's size: its number, and the angle by which the polygon turns.
+/// The index and turn of each inner point, in radians. Points within `tolerance` times the
+/// section's size of the previous point are skipped.
 fn turns(points: impl Iterator<Item = DVec3> + Clone, closed: bool, tolerance: f64) -> Result<Vec<(u32, f64)>> {
-    let near = tolerance * Aabb::of(points.clone()).diagonal();
+    let near = tolerance * Aabb::from_points(points.clone()).diagonal();
     let is_same = |p: DVec3, q: DVec3| p == q || distance(p, q) <= near;
     let mut distinct: Vec<(u32, DVec3)> = Vec::new();
     for (i, p) in (0..).zip(points) {
@@ -117,13 +118,13 @@ fn outstanding(turns: &[(u32, f64)], closed: bool) -> Result<Vec<usize>> {
     alloc::gather((0..n).filter(|&k| {
         let turn = turns[k].1;
         let [before, after] = [beside(k, 0), beside(k, 2)];
-        let others = if turn >= SHARP { before.min(after) } else { before.max(after) };
+        let others = if turn >= MIN_SHARP_TURN { before.min(after) } else { before.max(after) };
         turn >= MIN_TURN && turn >= MIN_CONTRAST * usual && turn >= MIN_LEAD * others
     }))
 }
 
-/// The constraints of the sections, with their corners among them.
-pub(super) fn constrained(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Result<Vec<Constraint>> {
+/// The constraints of the sections, with their corners added.
+pub(super) fn add_corner_constraints(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Result<Vec<Constraint>> {
     let mut all = alloc::copied(sections.constraints)?;
     for (k, own) in corners.iter().enumerate() {
         let first = sections.span(k).start as u32;
@@ -138,14 +139,16 @@ pub(super) fn constrained(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Resu
     Ok(all)
 }
 
-/// Of each section as many of its corners, in order as the sections run, those that belong together
-/// at the same places of the lists; empty if a section has none.
+/// Matches corners along the body. The result has the same number of corners for each section, in
+/// the section's order, and corresponding corners have the same index. It is empty if a section
+/// lacks corners.
 ///
-/// The section with the fewest corners keeps all of them; from there on each next one keeps those
-/// that are nearest to its neighbour's, in the same order round the body. None are kept where that
-/// would be more than `most`. `at`: where a corner of a section is, from the section's own centre, in
-/// a unit that keeps squares in range. `closed`: any corner may be the first.
-pub(super) fn matched(
+/// The section with the fewest corners keeps all of them. From there, each next section keeps the
+/// corners nearest to its neighbour's, in the same order around the body. If that would be more
+/// than `most`, none are kept. `at` returns the position of a section's corner relative to the
+/// section's centre, in a unit that keeps squares in range. If `closed`, any corner may be the
+/// first.
+pub(super) fn match_corners(
     corners: &[Vec<u32>],
     closed: bool,
     most: usize,
@@ -163,14 +166,14 @@ pub(super) fn matched(
     for (done, (k, neighbour)) in ways.enumerate() {
         job.step(done as f64 / corners.len() as f64, "finding nodes")?;
         let distance = |i: usize, c: u32| at(neighbour, chosen[neighbour][i]).distance_squared(at(k, c));
-        chosen[k] = nearest(&corners[k], chosen[neighbour].len(), closed, &distance)?;
+        chosen[k] = choose_nearest(&corners[k], chosen[neighbour].len(), closed, &distance)?;
     }
     Ok(chosen)
 }
 
-/// So many of a section's corners in order, the sum of their squared distances being least. O(n^2
-/// count) for a closed section of n.
-fn nearest(own: &[u32], count: usize, closed: bool, distance: &dyn Fn(usize, u32) -> f64) -> Result<Vec<u32>> {
+/// Chooses `count` of a section's corners, in order, with the least sum of squared distances. O(n^2
+/// count) for a closed section of n corners.
+fn choose_nearest(own: &[u32], count: usize, closed: bool, distance: &dyn Fn(usize, u32) -> f64) -> Result<Vec<u32>> {
     let n = own.len();
     let mut best = (f64::INFINITY, Vec::new());
     if count == 0 {
@@ -178,7 +181,8 @@ fn nearest(own: &[u32], count: usize, closed: bool, distance: &dyn Fn(usize, u32
     }
     for first in 0..if closed { n } else { 1 } {
         let corner = |j: usize| own[(first + j) % n];
-        // At (i, j): the least sum for the first i with the first j corners; whether j is taken.
+        // At (i, j): the least sum that matches the first i with some of the first j corners, and
+        // whether corner j is taken.
         let mut cells = alloc::filled((f64::INFINITY, false), (count + 1) * (n + 1))?;
         let cell = |i: usize, j: usize| i * (n + 1) + j;
         (0..=n).for_each(|j| cells[cell(0, j)].0 = 0.0);
@@ -206,12 +210,12 @@ fn nearest(own: &[u32], count: usize, closed: bool, distance: &dyn Fn(usize, u32
     Ok(best.1)
 }
 
-/// How many of `parts` parts each interval gets, at least one each: as its share of the length says,
-/// the largest remainders first.
-pub(super) fn apportioned(shares: &[f64], parts: usize) -> Result<Vec<usize>> {
+/// Divides `parts` parts among intervals in proportion to their lengths, at least one each. The
+/// largest remainders are rounded up first.
+pub(super) fn apportion(shares: &[f64], parts: usize) -> Result<Vec<usize>> {
     let whole: f64 = shares.iter().sum();
     let free = (parts - shares.len()) as f64;
-    // In steps of which round-off makes no difference.
+    // Quantised, so that round-off does not decide.
     let exact = |k: usize| (STEPS * free * shares[k] / whole).round() / STEPS;
     let mut counts = alloc::collect((0..shares.len()).map(|k| 1 + exact(k).floor() as usize))?;
     let mut order = alloc::collect(0..shares.len())?;

@@ -1,15 +1,16 @@
-//! The nodes of a frame: which points of one section belong to which of the next.
+//! The nodes of a frame: which points of neighbouring sections correspond.
 //!
-//! Each correspondence gives every section the same number of nodes: the points themselves, equal
-//! parts of the arc length, the intersections with half-planes through an axis, or equal parts
-//! between landmarks, as common corners are. One fit and, but for the points themselves, one length
-//! of each section; O(columns log segments) more, with angles O(columns x segments).
+//! Every correspondence gives each section the same number of nodes. The nodes are the given
+//! points, equal parts of the arc length, the intersections with half-planes through an axis, or
+//! equal parts between landmarks such as common corners. Cost: one fit and, except for given
+//! points, one length of each section, plus O(columns log segments). By angle it is O(columns x
+//! segments).
 
 use crate::curve::{CurveView, Place};
 
-use super::align::{Ring, anchor, starts};
-use super::axis::places;
-use super::corners::{apportioned, constrained, corners, matched, sharp_nodes};
+use super::align::{Ring, anchor, start_fractions};
+use super::axis::axis_frames;
+use super::corners::{add_corner_constraints, apportion, corners, match_corners, sharp_nodes};
 use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::Lengths;
@@ -37,8 +38,8 @@ pub(super) struct SectionNodes {
 pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<SectionNodes> {
     let rows = sections.check()?;
     let corners = corners(sections, rows, options)?;
-    let constraints = constrained(sections, &corners)?;
-    // They say where the corners are.
+    let constraints = add_corner_constraints(sections, &corners)?;
+    // The given points already include the corners.
     let across = Options { corner_angle: PI, ..options.across };
     let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &across, &job.part(0.0, 0.5))?;
     let job = job.part(0.5, 1.0);
@@ -61,9 +62,9 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
             }
         }
         Correspondence::Angle { columns, axis, reference } => {
-            let places = places(axis, reference, rows, options.ring)?;
+            let frames = axis_frames(axis, reference, rows, options.ring)?;
             found.reserve(columns)?;
-            for (k, &(point, [along, first, second])) in places.iter().enumerate() {
+            for (k, &(point, [along, first, second])) in frames.iter().enumerate() {
                 let (curve, of_section) = (curve_of(&curves, k)?, job.share(k, rows));
                 for i in 0..columns {
                     let angle = TAU * i as f64 / columns as f64;
@@ -96,7 +97,7 @@ fn curve_of(curves: &Fit, k: usize) -> Result<CurveView<'_>> {
 }
 
 impl SectionNodes {
-    /// Room for `columns` nodes in each row.
+    /// Reserves room for `columns` nodes in each row.
     fn reserve(&mut self, columns: usize) -> Result<()> {
         let count = (self.rows as u64).saturating_mul(columns as u64);
         Error::check_count("nodes", count, u32::MAX.into())?;
@@ -105,7 +106,7 @@ impl SectionNodes {
     }
 
     /// Adds the intersection of a section with the half-plane from the axis through `point` towards
-    /// `ray`, the farthest from the axis.
+    /// `ray`. Of several intersections it takes the farthest from the axis.
     fn add_farthest(
         &mut self,
         curve: &CurveView<'_>,
@@ -137,8 +138,8 @@ impl SectionNodes {
     }
 }
 
-/// Adds the nodes of closed sections at equal parts of their lengths: from where they are turned
-/// least, or between the corners that all of them have.
+/// Adds the nodes of closed sections at equal fractions of their lengths. They start where the
+/// sections are twisted least, or are spread between the corners that all sections share.
 fn add_round(
     sections: &Outlines<'_>,
     curves: &Fit,
@@ -153,7 +154,7 @@ fn add_round(
     let mut along = alloc::collect(corners.iter().map(|_| Vec::new()))?;
     for (k, (along, own)) in along.iter_mut().zip(corners).enumerate() {
         alloc::append(along, own)?;
-        // Two at one place are one corner.
+        // Two corners at one place are one corner.
         along.dedup_by_key(|&mut mark| place(k, mark));
         if along.len() > 1 && place(k, along[0]) == place(k, along[along.len() - 1]) {
             along.pop();
@@ -162,13 +163,13 @@ fn add_round(
             along.reverse();
         }
     }
-    let mut marks = in_common(sections, &along, columns, &job.part(0.4, 0.5))?;
+    let mut marks = shared_corners(sections, &along, columns, &job.part(0.4, 0.5))?;
     let count = marks.first().map_or(0, Vec::len);
     if count == 0 {
         let starts = if options.given_starts {
             alloc::filled(0.0, rows)?
         } else {
-            starts(&rings, options.ring, &job.part(0.5, 0.5))?
+            start_fractions(&rings, options.ring, &job.part(0.5, 0.5))?
         };
         for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
@@ -180,23 +181,23 @@ fn add_round(
     }
     let first = match options.given_starts {
         true => {
-            let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].along(place(0, mark))))?;
+            let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].length_to(place(0, mark))))?;
             (0..count).min_by(|&i, &j| far[i].total_cmp(&far[j])).unwrap_or(0)
         }
         false => anchor(marks[0].iter().map(|&mark| sections.points.get(sections.span(0).start + mark as usize))),
     };
     marks.iter_mut().for_each(|marks| marks.rotate_left(first));
-    // Of the section from each corner to the next.
+    // The interval of the section from each corner to the next.
     let span = |k: usize, i: usize| {
-        let [from, to] = [i, (i + 1) % count].map(|i| rings[k].along(place(k, marks[k][i])));
+        let [from, to] = [i, (i + 1) % count].map(|i| rings[k].length_to(place(k, marks[k][i])));
         let by = to? - from?;
         Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
     };
     add_parts(&marks, &rings, curves, sections, columns, &span, found)
 }
 
-/// The closed sections, each in the direction of the one before it, not of the first: a body may be
-/// bent.
+/// The closed sections, each oriented like the previous one instead of the first, because a body
+/// may be bent.
 fn rings<'a>(
     sections: &Outlines<'_>,
     curves: &'a Fit,
@@ -209,7 +210,7 @@ fn rings<'a>(
     for k in 0..found.rows {
         job.step(k as f64 / found.rows as f64, "finding nodes")?;
         let lengths = curve_of(curves, k)?.lengths(&job.share(k, found.rows))?;
-        let turn = turn_of(sections, k);
+        let turn = section_normal(sections, k);
         let backwards = turn.dot(before) < 0.0;
         if turn != DVec3::ZERO {
             before = if backwards { -turn } else { turn };
@@ -217,14 +218,14 @@ fn rings<'a>(
         found.turned[k] = backwards.into();
         let span = sections.span(k);
         let start = if options.given_starts { 0 } else { anchor(span.clone().map(|i| sections.points.get(i))) };
-        let anchor = lengths.up_to(curves.place(span.start + start))?;
+        let anchor = lengths.length_to(curves.place(span.start + start))?;
         rings.push(Ring { lengths, anchor, backwards });
     }
     Ok(rings)
 }
 
-/// Adds the nodes of open sections at equal parts of their lengths, or of those between the corners
-/// that all of them have.
+/// Adds the nodes of open sections at equal fractions of their lengths, or of the lengths between
+/// corners that all sections share.
 fn add_across(
     sections: &Outlines<'_>,
     curves: &Fit,
@@ -239,29 +240,30 @@ fn add_across(
         let lengths = curve_of(curves, k)?.lengths(&job.part(0.0, 0.8).share(k, rows))?;
         rings.push(Ring { lengths, anchor: 0.0, backwards: false });
     }
-    let mut marks = in_common(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
+    let mut marks = shared_corners(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
     for (k, marks) in marks.iter_mut().enumerate() {
         alloc::push(marks, sections.span(k).len() as u32 - 1)?;
         marks.insert(0, 0);
     }
-    let at = |k: usize, i: usize| rings[k].lengths.up_to(curves.place(sections.span(k).start + marks[k][i] as usize));
+    let at =
+        |k: usize, i: usize| rings[k].lengths.length_to(curves.place(sections.span(k).start + marks[k][i] as usize));
     let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
     add_parts(&marks, &rings, curves, sections, columns, &span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
     Ok(())
 }
 
-/// The corners that all sections have, at most so many; see [`matched`].
-fn in_common(sections: &Outlines<'_>, corners: &[Vec<u32>], most: usize, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+/// The corners that all sections share, at most `most`; see [`match_corners`].
+fn shared_corners(sections: &Outlines<'_>, corners: &[Vec<u32>], most: usize, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
     let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
     let centre = |k: usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
     let centres = alloc::collect((0..corners.len()).map(centre))?;
     let unit = unit_of(sections, corners, &centres)?;
     let at = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize) / unit - centres[k] / unit;
-    matched(corners, sections.closed, most, &at, job)
+    match_corners(corners, sections.closed, most, &at, job)
 }
 
-/// A unit in which squares of what corners and centres are apart are in range.
+/// A unit of length in which the squares of corner distances are in range.
 fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
     let of = |(k, own): (usize, &'_ Vec<u32>)| {
         let first = sections.span(k).start;
@@ -272,8 +274,8 @@ fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> 
     Ok(common_unit(&most))
 }
 
-/// Adds the nodes between landmarks: as many parts for each interval as its mean share of the lengths
-/// says. `span`: the length of interval i of section k.
+/// Adds the nodes between landmarks. Each interval gets a number of parts in proportion to its mean
+/// length. `span` returns interval i of section k.
 fn add_parts(
     marks: &[Vec<u32>],
     rings: &[Ring<'_>],
@@ -293,7 +295,7 @@ fn add_parts(
             *share += span(k, i)? / ring.lengths.total();
         }
     }
-    let counts = apportioned(&shares, parts)?;
+    let counts = apportion(&shares, parts)?;
     for (k, ring) in rings.iter().enumerate() {
         let place = |i: usize| curves.place(sections.span(k).start + marks[k][i] as usize);
         for (i, &parts) in counts.iter().enumerate() {
@@ -318,8 +320,8 @@ fn add_given(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionN
     Ok(())
 }
 
-/// The axis that the polygon of a section turns round, of length 1 or 0.
-fn turn_of(sections: &Outlines<'_>, k: usize) -> DVec3 {
+/// The normal about which the polygon of a section turns, of length 1 or 0.
+fn section_normal(sections: &Outlines<'_>, k: usize) -> DVec3 {
     let span = sections.span(k);
     let start = sections.points.get(span.start);
     let seen = span.clone().map(|i| sections.points.get(i) * 0.25 - start * 0.25);
@@ -332,8 +334,8 @@ fn turn_of(sections: &Outlines<'_>, k: usize) -> DVec3 {
     area.normalize_or_zero()
 }
 
-/// Adds `count` nodes from a place on, each by the same of `steps` parts of a length farther along,
-/// backwards if that is negative; round the end of a curve that is `closed`.
+/// Adds `count` nodes from a place on. Consecutive nodes are `length` / `steps` apart, backwards if
+/// `length` is negative. A `closed` curve continues at its start.
 fn add_even(
     lengths: &Lengths<'_>,
     from: Place,
@@ -342,7 +344,7 @@ fn add_even(
     closed: bool,
     nodes: &mut Vec<DVec3>,
 ) -> Result<()> {
-    let (start, total) = (lengths.up_to(from)?, lengths.total());
+    let (start, total) = (lengths.length_to(from)?, lengths.total());
     nodes.push(lengths.curve().point(from)?);
     for i in 1..count {
         let at = match start + whole * (i as f64 / steps as f64) {
@@ -355,7 +357,7 @@ fn add_even(
     Ok(())
 }
 
-/// Adds, for each section, its landmarks and the nodes between them.
+/// Adds the landmarks of each section and the nodes between them.
 fn add_landmarks(
     sections: &Outlines<'_>,
     curves: &Fit,
@@ -374,7 +376,8 @@ fn add_landmarks(
         let (curve, of_section) = (curve_of(curves, k)?, job.share(k, found.rows));
         let span = sections.span(k);
         let own = &points[k * each..(k + 1) * each];
-        // In order along the section; a closed one may pass its first point once on the way.
+        // The landmarks must be in order along the section. In a closed section the order may wrap
+        // around once.
         let descents = (0..each).filter(|&i| own[i] >= own[(i + 1) % each]).count();
         let may_descend = sections.closed && descents <= 1;
         let wrong =
@@ -391,8 +394,8 @@ fn add_landmarks(
                 break;
             }
             let (from, to) = (place(landmark), place(own[(i + 1) % each]));
-            let mut whole = lengths.up_to(to)? - lengths.up_to(from)?;
-            // Landmarks at one place have nothing between them; the only one has all round.
+            let mut whole = lengths.length_to(to)? - lengths.length_to(from)?;
+            // Landmarks at one place enclose nothing; a single landmark encloses the whole section.
             if whole < 0.0 || each == 1 {
                 whole += lengths.total();
             }

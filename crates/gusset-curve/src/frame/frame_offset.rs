@@ -1,10 +1,10 @@
-//! Frames beside frames: room for comfort.
+//! Offset frames, such as a shoe around a foot.
 //!
-//! Nadopta's aim: the body of a shoe is that of the foot, and room for comfort round it, more in
-//! some places than in others. Each node moves by an amount of its own, and curves are drawn through
-//! the new nodes. Directions come from circles through neighbouring nodes
-//! ([`node_normals`](gusset_base::geom::node_normals)), so that frames of planes, cylinders and spheres
-//! become such.
+//! This is Nadopta's application: the body of a shoe is the foot's body plus room for comfort, more
+//! in some places than in others. Each node moves by its own distance, and new curves pass through
+//! the moved nodes. Directions come from circles through neighbouring nodes
+//! ([`node_normals`](gusset_base::geom::node_normals)), so that frames of planes, cylinders and
+//! spheres keep their kind.
 
 use super::{Correspondence, Frame, FrameOptions, NodeGrid, frame};
 use crate::identify::{Outlines, Points};
@@ -15,11 +15,11 @@ use gusset_base::geom::node_normals::{node_normals, tangent};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
-/// The cosine of the angle between the normal of a body and the outside of its section below which
-/// the section does not tell on which side the outside is.
+/// A section determines the outward side only if the cosine of the angle between the body's normal
+/// and the section's outward direction is at least this.
 const MIN_SIDE: f64 = 0.05;
 
-/// Where nodes move.
+/// The direction in which nodes move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum OffsetDirection {
     /// Along the normals of the body.
@@ -29,17 +29,18 @@ pub enum OffsetDirection {
     InSection,
 }
 
-/// The frame whose nodes are so far from those of another: outwards, if its sections are closed,
-/// negative distances inwards; of open sections along the derivative from section to section
-/// crossed with that along them, or, within sections, away from the chord between their ends. Nodes
-/// where nothing tells a direction stay.
+/// Offsets the nodes of a frame and passes curves through them.
 ///
-/// `distances`: one for all nodes, one for each section, or one for each node. `options`: those of
-/// the curves; nodes correspond as they are.
+/// Closed sections move outwards, or inwards for negative distances. Open sections move along the
+/// derivative across sections times the derivative along a section. Within sections, open ones move
+/// away from the chord between their ends. Nodes without a defined direction stay.
+///
+/// `distances` has one value for all nodes, for each section, or for each node. `options` are the
+/// options of the curves; the nodes already correspond.
 ///
 /// # Errors
 /// [`Error::ValuesDiffer`] for another number of distances, [`Error::BadValue`] for one that is not
-/// finite, and those of [`frame`].
+/// finite, and the errors of [`frame`].
 pub fn offset(
     grid: &NodeGrid,
     closed: bool,
@@ -49,8 +50,8 @@ pub fn offset(
     job: &Job<'_>,
 ) -> Result<Frame> {
     let (rows, columns) = (grid.rows, grid.columns);
-    let distance = by_node(distances, [rows, columns])?;
-    // Of coordinates near 1 neither squares nor their inverses leave the range.
+    let distance = node_distances(distances, [rows, columns])?;
+    // With coordinates near 1, squares and their inverses stay in range.
     let unit = common_unit(&grid.nodes);
     let nodes = &alloc::collect(grid.nodes.iter().map(|&p| p / unit))?[..];
     let inside = alloc::collect((0..rows * columns).map(|k| {
@@ -61,8 +62,8 @@ pub fn offset(
         OffsetDirection::InSection => inside,
         OffsetDirection::Normal => {
             let mut normals = node_normals(nodes, [rows, columns], [options.ring, closed])?;
-            // The side on which the sections have their outside, or, where a body is as flat as its
-            // sections, that of most other nodes.
+            // The outward side of the sections. Where a body is as flat as its sections, most of
+            // the other nodes decide.
             let outwards: f64 = normals.iter().zip(&inside).map(|(n, out)| n.dot(*out)).sum();
             for (n, out) in normals.iter_mut().zip(&inside).filter(|_| closed) {
                 let own = n.dot(*out);
@@ -84,8 +85,9 @@ pub fn offset(
     frame(&sections, &options, job)
 }
 
-/// The distance of each node of a grid, from one for all, one for each row, or one for each node.
-pub fn by_node(distances: &[f64], [rows, columns]: [usize; 2]) -> Result<impl Fn(usize) -> f64> {
+/// Returns the distance of each node, given one value for all, one for each row, or one for each
+/// node.
+pub fn node_distances(distances: &[f64], [rows, columns]: [usize; 2]) -> Result<impl Fn(usize) -> f64> {
     let count = rows * columns;
     if let Some((k, &value)) = distances.iter().enumerate().find(|(_, value)| !value.is_finite()) {
         return Err(Error::BadValue { element: Element::Node, index: k as u64, input: 0, value });
@@ -99,7 +101,7 @@ pub fn by_node(distances: &[f64], [rows, columns]: [usize; 2]) -> Result<impl Fn
     Ok(move |k: usize| distances[k / share])
 }
 
-/// The area of a section as a vector square to its plane, about which it runs counterclockwise.
+/// The area vector of a section. Seen against it, the section runs counter-clockwise.
 fn area_vector(row: &[DVec3]) -> DVec3 {
     let turn = |pair: &[DVec3]| (pair[0] - row[0]).cross(pair[1] - row[0]);
     row.windows(2).map(turn).sum()

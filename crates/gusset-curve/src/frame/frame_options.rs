@@ -3,81 +3,82 @@
 use crate::identify::Options;
 use glam::DVec3;
 
-/// Which points of the sections belong together.
+/// The rule that makes points of neighbouring sections correspond.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Correspondence<'a> {
-    /// The points themselves, by their places: all sections have equally many.
+    /// Points with the same index correspond. All sections have the same number of points.
     Given,
     /// Equal parts of the arc length of each section, or of the lengths between corners that all
-    /// sections have. Closed sections start where they are turned least against each other, wherever
-    /// their first points are; one that runs the other way round than the first one is taken
-    /// backwards. Open sections go from their first points to their last.
+    /// sections share. Closed sections start where they are twisted least, regardless of their
+    /// first points. A section that runs against the first one is reversed. Open sections run from
+    /// their first points to their last.
     ArcLength {
         /// The number of nodes in a section.
         columns: usize,
     },
-    /// Equal angles round an axis: nodes where the half-planes from the axis meet each section, the
-    /// farthest where there are several.
+    /// Equal angles around an axis. Half-planes from the axis intersect each section in its nodes;
+    /// of several intersections the farthest from the axis counts.
     Angle {
         /// The number of nodes in a section.
         columns: usize,
-        /// The axis; seen against its direction angles grow counter-clockwise.
+        /// The axis. Seen against its direction, angles grow counter-clockwise.
         axis: Axis<'a>,
-        /// Towards the nodes of column 0; any vector not along the axis, at its first point if it is
-        /// bent.
+        /// The direction from the axis towards the nodes of column 0. It may be any vector not
+        /// parallel to the axis. If the axis is bent, it applies at the axis's first point.
         reference: DVec3,
     },
-    /// Landmarks: points of each section that belong together, and equal parts of the arc length
-    /// between them.
+    /// Landmarks, which are given points of each section that correspond, and equal parts of the
+    /// arc length between them.
     Landmarks {
-        /// For each section its landmarks in order, as places among its own points; as many for
-        /// each.
+        /// The landmarks of each section in order, as indices among its own points. Every section
+        /// has the same number of landmarks.
         points: &'a [u32],
-        /// How many parts there are from each landmark to the next.
+        /// The number of parts from each landmark to the next.
         parts: usize,
     },
 }
 
-/// What angles are counted about.
+/// The axis for correspondence by angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Axis<'a> {
     /// A straight line.
     Line {
-        /// A point of it.
+        /// A point on the line.
         point: DVec3,
-        /// Its direction, of any length but 0.
+        /// The direction, of any length except 0.
         direction: DVec3,
     },
-    /// A curve, of which each section has a point. It passes them along the circles through three of
-    /// them at a time, and the reference goes along without turning about it.
+    /// A curve with a point for each section. The curve follows circles through three points at a
+    /// time, and the reference follows it without rotating about it.
     Points(&'a [DVec3]),
 }
 
 /// The options of a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameOptions<'a> {
-    /// Which points of the sections belong together.
+    /// The correspondence of points.
     pub correspondence: Correspondence<'a>,
-    /// Of the curves across, those of the given sections too.
+    /// The options of the curves across, including the fits of the given sections.
     pub across: Options,
-    /// Of the curves along.
+    /// The options of the curves along the body.
     pub along: Options,
-    /// The last section is followed by the first one, as in a ring.
+    /// Closes the body like a ring: the first section follows the last.
     pub ring: bool,
-    /// Closed sections start at their first points, or at the corner after the first section's;
-    /// read by [`Correspondence::ArcLength`].
+    /// Starts closed sections at their first points, or at the corner after the first section's
+    /// first point. Only [`Correspondence::ArcLength`] reads it.
     pub given_starts: bool,
-    /// Corners that only the points' polygon has are drawn smooth. Otherwise a point is a corner
-    /// where that turns by 40 degrees and far more than usual, or by [`Options::corner_angle`] if
-    /// that is less than pi: curves across turn sharply there.
+    /// Draws detected corners of the points' polygon smooth. If false, a point is a corner where
+    /// the polygon turns by at least 40 degrees and much more than usual. If
+    /// [`Options::corner_angle`] is less than pi, that angle decides instead. Curves across turn
+    /// sharply at corners.
     pub smooth_corners: bool,
-    /// Points that are missing, counted over all sections, in any order; what stands in their places
-    /// is not read. With [`Correspondence::Given`] only: they are filled along the body.
+    /// The missing points, counted over all sections, in any order. Their coordinates are not read.
+    /// Only with [`Correspondence::Given`]: they are interpolated along the body.
     pub missing: &'a [u32],
 }
 
 impl<'a> FrameOptions<'a> {
-    /// With the defaults of all else.
+    /// Creates options with defaults for all other fields.
     pub fn new(correspondence: Correspondence<'a>) -> Self {
         let curves = Options::default();
         FrameOptions {

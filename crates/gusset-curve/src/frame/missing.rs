@@ -1,12 +1,14 @@
-//! Nodes that sections lack: places on curves along the body through the nodes that are there.
+//! Missing nodes of sections: interpolated along the body from the nodes that are present.
 //!
-//! A missing node is on the curve of Catmull and Rom through the two nodes of its column before it
-//! and the two behind it, by the pyramid of Barry and Goldman (1988); at the ends of the body, where
-//! one of them lacks, on the parabola through three nodes, or on a line. Parameters are centripetal
-//! (Lee 1989): from one section to the next they grow by the square root of the distance. As the
-//! column itself does not know how far its missing node is, they are the mean of those of the
-//! nearest columns on either side that have all nodes of these sections, or if there are none, of
-//! all columns that have both nodes. O(points), and O(nearby columns) for each missing node.
+//! A missing node lies on the Catmull-Rom curve through the two nodes before it and the two behind
+//! it in its column, by the pyramid of Barry and Goldman (1988). Near the ends of the body, it lies
+//! on the parabola through three nodes or on a line.
+//!
+//! Parameters are centripetal (Lee 1989): between sections they grow by the square root of the
+//! distance. The column itself lacks the distance to its missing node. Its parameters are the mean
+//! over the nearest columns on either side that have all nodes of these sections. Without such
+//! columns, they are the mean over all columns that have both nodes. O(points), and O(nearby
+//! columns) for each missing node.
 
 use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::Outlines;
@@ -15,10 +17,10 @@ use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::scale::distance;
 
-/// A node that is present, and its parameter.
+/// A present node and its parameter.
 type Known = (f64, DVec3);
 
-/// How far away columns are asked for parameters.
+/// The number of columns to either side that are searched for parameters.
 const NEARBY: usize = 64;
 
 /// The sections as rows of nodes.
@@ -27,16 +29,17 @@ struct Rows {
     is_missing: Vec<bool>,
     rows: usize,
     columns: usize,
-    /// Whether the last section is followed by the first, and whether the last column is.
+    /// Whether the first section follows the last, and the first column the last.
     ring: bool,
     closed: bool,
 }
 
-/// All points of the sections, the missing ones filled, and which these are, ascending.
-pub(super) fn filled(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<(Vec<[f64; 3]>, Vec<u32>)> {
+/// Returns all points of the sections with the missing ones filled in, and the indices of the
+/// filled ones, ascending.
+pub(super) fn fill_missing(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<(Vec<[f64; 3]>, Vec<u32>)> {
     let is_given = options.correspondence == Correspondence::Given;
     Error::require(is_given, "missing", options.missing.len() as f64)?;
-    let mut rows = Rows::of(sections, options)?;
+    let mut rows = Rows::new(sections, options)?;
     let parameters = rows.parameters()?;
     let mut present = Vec::new();
     for column in 0..rows.columns {
@@ -53,7 +56,7 @@ pub(super) fn filled(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Res
 }
 
 impl Rows {
-    fn of(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<Self> {
+    fn new(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<Self> {
         let rows = sections.check()?;
         let columns = sections.columns(rows)?;
         let mut is_missing = alloc::filled(false, sections.points.len())?;
@@ -89,7 +92,7 @@ impl Rows {
                 pairs.fold((0.0, 0.0), |(sum, count), (p, q)| (sum + distance(p, q).sqrt(), count + 1.0));
             *step = if count > 0.0 { sum / count } else { 0.0 };
         }
-        // Where no column has both nodes, or both are one point, the mean of the other steps.
+        // If no column has both nodes, or all such pairs coincide, use the mean of the other steps.
         let known = || steps.iter().filter(|&&step| step > 0.0);
         let mean = if known().next().is_some() { known().sum::<f64>() / known().count() as f64 } else { 1.0 };
         let mut parameters = alloc::with_capacity(self.rows + 1)?;
@@ -102,8 +105,8 @@ impl Rows {
         Ok(parameters)
     }
 
-    /// The parameters of sections from `first` to `last`, counted round and round in a ring, by the
-    /// nearest columns on either side that have all their nodes.
+    /// The parameters of sections `first` to `last`, counted modulo the sections in a ring. They
+    /// come from the nearest columns on either side that have all their nodes.
     fn nearby_parameters(&self, column: usize, first: isize, last: isize) -> Result<Option<Vec<f64>>> {
         let count = (last - first + 1) as usize;
         let mut sum = alloc::filled(0.0, count)?;
@@ -132,10 +135,10 @@ impl Rows {
         Ok(found.then_some(sum))
     }
 
-    /// Fills the nodes of a column that are not among its rows that are present.
+    /// Fills the nodes of a column whose rows are not `present`.
     fn fill(&mut self, column: usize, present: &[usize], parameters: &[f64]) -> Result<()> {
         let (count, all) = (present.len() as isize, self.rows as isize);
-        // Nodes that are present by their number, round and round in a ring, with their rows.
+        // Indexes the present nodes, cyclically in a ring, and returns their rows.
         let known = |k: isize| {
             if count == 0 || (!self.ring && !(0..count).contains(&k)) {
                 return None;
@@ -157,7 +160,7 @@ impl Rows {
                 None => parameters[row.rem_euclid(all) as usize] + row.div_euclid(all) as f64 * parameters[self.rows],
             };
             let at = |(row, node): (isize, DVec3)| (parameter(row), node);
-            let node = on_curve([before, after].map(at), outer.map(|node| node.map(at)), parameter(row as isize));
+            let node = catmull_rom([before, after].map(at), outer.map(|node| node.map(at)), parameter(row as isize));
             alloc::push(&mut found, (row, node))?;
         }
         for (row, node) in found {
@@ -167,9 +170,9 @@ impl Rows {
     }
 }
 
-/// The point at parameter x of the curve through two nodes, before and after it, and those beyond
-/// them, either of which may lack.
-fn on_curve([(b, p), (c, q)]: [Known; 2], [first, last]: [Option<Known>; 2], x: f64) -> DVec3 {
+/// The point at parameter x of the curve through the nodes before and after x and their outer
+/// neighbours. Either outer neighbour may be absent.
+fn catmull_rom([(b, p), (c, q)]: [Known; 2], [first, last]: [Option<Known>; 2], x: f64) -> DVec3 {
     let between = |(a, p): Known, (b, q): Known| p.lerp(q, (x - a) / (b - a));
     let middle = between((b, p), (c, q));
     let left = first.map(|(a, o)| between((a, between((a, o), (b, p))), (c, middle)));

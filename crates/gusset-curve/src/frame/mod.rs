@@ -1,20 +1,21 @@
 //! The frame of outlines: curves across and curves along a body, through a common grid of nodes.
 //!
-//! The paper's application: a body is described by its cross sections, closed outlines one behind
-//! another, and by curves along it. Both families pass the same nodes, so they meet there. From the
-//! curves along come cross sections at any plane.
+//! The paper's application: a body is described by its cross sections, which are closed outlines
+//! one behind another, and by curves along it. Both families pass through the same nodes. The
+//! curves along the body give cross sections at any plane.
 //!
-//! * frame_options: [`Correspondence`] of points, and the options of the curves.
-//! * correspond: the nodes; which points of one section belong to which of the next.
-//! * align: where closed sections start, and by how much a body is wrung.
-//! * axis: the axis that angles are counted about.
-//! * missing: nodes that sections lack.
-//! * frame_offset: the frame beside a frame.
-//! * corners: the corners of sections, and which of them belong together.
-//! * [`frame`](frame()): the curves through them.
-//! * slice: new sections, and girth and area along the body.
+//! - frame_options: [`Correspondence`] of points, and the options of the curves.
+//! - correspond: the nodes; which points of neighbouring sections correspond.
+//! - align: the starting points of closed sections, and the twist of a body.
+//! - axis: the axis for correspondence by angle.
+//! - missing: missing nodes of sections.
+//! - frame_offset: the offset of a frame.
+//! - corners: the corners of sections and their correspondence.
+//! - [`frame`](frame()): the curves through the nodes.
+//! - slice: new sections, and girth and area along the body.
 //!
-//! Nodes come row by row, a row for each section: the layout of regular nets, H rows of W nodes.
+//! Nodes come row by row, with a row for each section. This is the layout of regular nets: H rows
+//! of W nodes.
 //!
 //! Source: Nadopta, introduction; the correspondences are ours.
 
@@ -27,7 +28,7 @@ mod frame_options;
 mod missing;
 mod slice;
 
-pub use frame_offset::by_node;
+pub use frame_offset::node_distances;
 pub use frame_offset::{OffsetDirection, offset};
 pub use frame_options::{Axis, Correspondence, FrameOptions};
 pub use slice::{Measure, Slice, slice};
@@ -49,23 +50,23 @@ pub struct NodeGrid {
     pub columns: usize,
     /// Row by row.
     pub nodes: Vec<DVec3>,
-    /// The directions of the curves across at the nodes, of length 1, or 0 where there is none.
+    /// The unit directions of the curves across at the nodes; 0 where undefined.
     pub across: Vec<DVec3>,
-    /// The directions of the curves along.
+    /// The unit directions of the curves along the body at the nodes; 0 where undefined.
     pub along: Vec<DVec3>,
-    /// Which sections were taken backwards: 1 for those.
+    /// 1 for each section that was reversed.
     pub turned: Vec<u8>,
-    /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+    /// Nodes with alternatives, because a half-plane meets their section more than once.
     pub ambiguous: Vec<u32>,
     /// Nodes at which the curve across turns sharply, ascending.
     pub corners: Vec<u32>,
-    /// Nodes that were missing and are filled, ascending.
+    /// Nodes that were missing and have been interpolated, ascending.
     pub filled: Vec<u32>,
-    /// The largest angle, in radians, by which the nodes of a closed section are turned against those
-    /// of the section before it: a body that is not meant to be wrung has a small one. 0 of open ones.
+    /// The largest angle, in radians, by which the nodes of a closed section are rotated against
+    /// the previous section's. It is small for an untwisted body, and 0 for open sections.
     pub max_twist: f64,
     /// The largest distance between the two curves at a node, relative to the size of the nodes'
-    /// box.
+    /// bounding box.
     pub max_gap: f64,
     /// The smallest sine of the angle at which two curves cross at a node.
     pub min_sine: f64,
@@ -76,24 +77,28 @@ pub struct NodeGrid {
 pub struct Frame {
     /// The nodes.
     pub grid: NodeGrid,
-    /// The curve of each section; node i of row k is its point i, point k W + i of all.
+    /// The curve of each section. Node i of row k is its point i, and point k W + i of all.
     pub across: Fit,
-    /// The curve along each column; node i of row k is its point k, point i H + k of all.
+    /// The curve along each column. Node i of row k is its point k, and point i H + k of all.
     pub along: Fit,
 }
 
-/// Makes the frame of some sections, closed or open, one behind another.
+/// Makes the frame of sections, closed or open, one behind another.
 ///
 /// # Errors
-/// Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3
-/// in a ring; columns: fewer than 2, or than 3 of closed sections; landmarks: not as many for each
-/// section, or not in order; axis, reference), [`Error::SectionsDiffer`], [`Error::NoNode`] (a
-/// section that a half-plane does not meet, or that is no curve; a missing node that no node of its
-/// column is before, or none behind), [`Error::NoSuch`] (a missing point). Time and memory: those of
-/// the fits; with angles O(columns x segments) for each section.
+/// - [`Error::OptionOutOfRange`]: fewer than 2 sections, or than 3 in a ring; fewer than 2 columns,
+///   or than 3 for closed sections; landmarks that differ in number or are not in order; a bad axis
+///   or reference.
+/// - [`Error::SectionsDiffer`].
+/// - [`Error::NoNode`]: a half-plane does not meet a section, or the section is not a curve; a
+///   missing node lacks a node of its column before or behind it.
+/// - [`Error::NoSuch`]: a missing point does not exist.
+/// - The errors of [`fit`](super::fit()).
+///
+/// Time and memory are those of the fits; by angle, O(columns x segments) more for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     if !options.missing.is_empty() {
-        let (points, filled) = missing::filled(sections, options)?;
+        let (points, filled) = missing::fill_missing(sections, options)?;
         let sections = Outlines { points: Points::from(&points[..]), ..*sections };
         let mut made = frame(&sections, &FrameOptions { missing: &[], ..*options }, job)?;
         made.grid.filled = filled;
@@ -132,7 +137,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         grid.max_twist = align::twist(&grid.nodes, columns, options.ring);
     }
     let unit = common_unit(&grid.nodes);
-    let size = Aabb::of(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
+    let size = Aabb::from_points(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
     for (node, (&p, &q)) in on_across.iter().zip(&on_along).enumerate() {
         grid.max_gap = grid.max_gap.max((p / unit).distance(q / unit) / size);
         grid.min_sine = grid.min_sine.min(grid.across[node].cross(grid.along[node]).length());
@@ -143,7 +148,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     Ok(Frame { grid, across, along })
 }
 
-/// Curves through rows of `width` nodes each.
+/// Fits curves through rows of `width` nodes each.
 fn curves(
     nodes: &[DVec3],
     width: usize,
@@ -158,8 +163,8 @@ fn curves(
     fit(&Outlines { points, offsets: Some(&offsets), closed, constraints }, options, job)
 }
 
-/// Where the curves pass their points, and in which direction, put at the places that `place` gives
-/// to the points.
+/// Returns where the curves pass their points, and their directions there. `place` returns the
+/// index at which each point's data are stored.
 fn at_nodes(
     fit: &Fit,
     width: usize,
@@ -174,7 +179,7 @@ fn at_nodes(
         job.step(0.0, "directions at nodes")?;
         let (curve, own) = (fit.curve(k), k * width..(k + 1) * width);
         if curve.is_empty() {
-            // No extent: all its points are one.
+            // An outline without extent: all its points coincide.
             own.for_each(|i| points[place(i)] = curve.points()[0]);
             continue;
         }

@@ -12,19 +12,20 @@ use gusset_base::job::Job;
 pub struct Slice {
     /// The curve through the points where the plane crosses the curves along.
     pub curve: Fit,
-    /// Where on each of them that is.
+    /// The place of the crossing on each of the curves along.
     pub places: Vec<Place>,
-    /// Curves along that the plane crosses more than once; the first crossing was taken.
+    /// Curves along that the plane crosses more than once. The slice uses the first crossing.
     pub ambiguous: Vec<u32>,
 }
 
-/// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve
-/// through the crossings in the order of the columns, `closed` or not. O(segments) for crossings.
+/// Cuts the curves along a body by the plane through `point` perpendicular to `normal`. Fits a
+/// curve through the crossings in the order of the columns, closed if `closed`. O(segments) for the
+/// crossings.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] (the normal), [`Error::NotFinite`] (point 0 is `point`, 1 is
-/// `normal`), [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of
-/// [`fit`](crate::fit()).
+/// [`Error::OptionOutOfRange`] (the normal), [`Error::NotFinite`] (point 0 is `point`, point 1 is
+/// `normal`), [`Error::NoNode`] (section 0, and the curve that the plane does not cross), and the
+/// errors of [`fit`](crate::fit()).
 pub fn slice(
     along: &Fit,
     point: DVec3,
@@ -56,12 +57,11 @@ pub fn slice(
 /// The measures of a section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measure {
-    /// Its length: of a closed section all round.
+    /// The length; for a closed section, of the whole contour.
     pub girth: f64,
-    /// The area within, seen from where it is largest; that of an open section is closed by its
-    /// chord.
+    /// The largest area enclosed in any projection. The chord closes an open section.
     pub area: f64,
-    /// The mean of its points by arc length.
+    /// The mean of the section's points by arc length.
     pub centre: DVec3,
 }
 
@@ -70,7 +70,7 @@ impl Measure {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn of(curve: CurveView<'_>) -> Result<Self> {
+    pub fn from_curve(curve: CurveView<'_>) -> Result<Self> {
         let job = Job::default();
         let girth = curve.lengths(&job)?.total();
         Ok(Measure { girth, area: curve.area_vector(&job)?.length(), centre: curve.centre(&job)? })

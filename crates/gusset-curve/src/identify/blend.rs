@@ -1,33 +1,31 @@
-//! Blended sections: from point to point, between the section of the one and the section of the
-//! other.
+//! Blended curves: between two points, the curve blends the sections of both.
 //!
 //! From P_i to P_(i+1) run a part of section i, the quadratic (P_i, X, P_(i+1)), and a part of
-//! section i + 1, (P_i, Y, P_(i+1)). Blended linearly, (1 - u) F + u G, they are the cubic
+//! section i + 1, the quadratic (P_i, Y, P_(i+1)). The linear blend (1 - u) F + u G is the cubic
 //!
-//! P_i, (P_i + 2 X) / 3, (2 Y + P_(i+1)) / 3, P_(i+1),
+//! P_i, (P_i + 2 X) / 3, (2 Y + P_(i+1)) / 3, P_(i+1).
 //!
-//! which with the bisector is the centripetal Catmull-Rom spline and with the median the uniform
-//! one. Blended by w = 3 u^2 - 2 u^3, whose derivative is 0 at both ends, the curve has at each
-//! point the first and second derivatives of its section, on both sides: a quintic, C2 in the knots
-//! of the method's exponent.
+//! With the bisector it is the centripetal Catmull-Rom spline, with the median the uniform one. The
+//! smooth blend has the weight w = 3 u^2 - 2 u^3, whose derivative is 0 at both ends. It takes the
+//! first and second derivatives of the section at each point, on both sides. The result is a
+//! quintic that is C2 in the knots of the method's exponent.
 //!
-//! Where the outline turns back, P_(i-1) and P_(i+1) being in one direction from P_i, so does the
-//! curve, on the line or at the point: such points are cusps, and say so.
-//!
-//! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic
-//! that takes the place of the missing section. O(n).
+//! Where the outline reverses, with P_(i-1) and P_(i+1) in one direction from P_i, the curve
+//! reverses too, on the line or at the point. The status of such a point is a cusp. At a free end a
+//! single section continues. A given tangent is the first leg of the quadratic that replaces the
+//! missing section. O(n).
 //!
 //! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
 use super::identify_options::Mode;
-use super::method::{Method, through};
+use super::method::{Method, section_at};
 use super::report::PointStatus;
 use super::solution::Solution;
 use super::subcurve::{Output, Subcurve};
 use gusset_base::error::Result;
 
-/// The sine of the angle between the legs at a point where the outline turns back.
+/// The sine of the angle between the legs below which the outline counts as reversing.
 const MAX_REVERSAL_SINE: f64 = 1e-9;
 
 /// Appends the blended curve of a subcurve's points.
@@ -45,10 +43,10 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
             out.results[i].flag(status);
             Method::Bisector.parameter(a, p, c)
         });
-        let section = t.and_then(|t| through(a, p, c, t)).or_else(|status| {
-            // So near its neighbour that only the median will do.
+        let section = t.and_then(|t| section_at(a, p, c, t)).or_else(|status| {
+            // The point is so close to its neighbour that only the median works.
             out.results[i].flag(status);
-            through(a, p, c, 0.5)
+            section_at(a, p, c, 0.5)
         });
         if let Ok(section) = section {
             (controls[i], parameters[i]) = (section.control, section.t);

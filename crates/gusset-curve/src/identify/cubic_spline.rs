@@ -2,14 +2,16 @@
 //! knots.
 //!
 //! Knot intervals are h_i = |P_(i+1) - P_i|^alpha: uniform, centripetal (the bisector's) or by
-//! chord length. With the slopes d_i = (P_(i+1) - P_i) / h_i the derivatives D_i at the points obey
+//! chord length. With the slopes d_i = (P_(i+1) - P_i) / h_i the derivatives D_i at the points
+//! satisfy
 //!
-//! l_i D_(i-1) + 2 D_i + m_i D_(i+1) = 3 (l_i d_(i-1) + m_i d_i), l_i = h_i / (h_(i-1) + h_i),
-//! m_i = 1 - l_i,
+//! l_i D_(i-1) + 2 D_i + m_i D_(i+1) = 3 (l_i d_(i-1) + m_i d_i),
 //!
-//! and segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1).
-//! Free ends have the derivative of the parabola through their three points; a given tangent is
-//! taken at the speed of the chord. O(n).
+//! l_i = h_i / (h_(i-1) + h_i), m_i = 1 - l_i.
+//!
+//! Segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1).
+//! Free ends have the derivative of the parabola through their three points. A given tangent gets
+//! the speed of the chord. O(n).
 //!
 //! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
 //! IV; Bessel's end condition).
@@ -32,7 +34,7 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
     }
     let intervals = &*intervals;
     let slope = |i: usize| (points[sub.next(i)] - points[i]) / intervals[i];
-    // l_i, for the interval before.
+    // l_i, where `before` is the previous interval.
     let ratio = |i: usize, before: usize| intervals[i] / (intervals[before] + intervals[i]);
     let row = |i: usize, before: usize| {
         let ratio = ratio(i, before);

@@ -1,4 +1,4 @@
-//! The curve of an outline while it grows, near the origin.
+//! The curve of an outline under construction, near the origin.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -8,9 +8,9 @@ use gusset_base::error::Result;
 #[derive(Default)]
 pub(super) struct CurveBuilder {
     pub(super) points: Vec<DVec3>,
-    /// 0, then the place of the last control point of each segment.
+    /// 0, then the index of the last control point of each segment.
     pub(super) ends: Vec<u32>,
-    /// Joints that need not be smooth, by the number of segments before them, in ascending order.
+    /// Joints that may be corners, by the number of segments before them, in ascending order.
     corners: Vec<u32>,
 }
 
@@ -30,14 +30,15 @@ impl CurveBuilder {
         }
     }
 
-    /// Appends a segment by its control points but the first.
+    /// Appends a segment. `rest` has its control points except the first.
     #[inline]
     pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
         alloc::append(&mut self.points, rest)?;
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
 
-    /// Makes the whole curve of `n` quadratic segments; their control points, to be filled in.
+    /// Makes the whole curve of `n` quadratic segments, and returns their control points to be
+    /// filled in.
     pub(super) fn closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
         self.clear();
         alloc::grow(&mut self.points, 2 * n + 1, DVec3::ZERO)?;
@@ -45,7 +46,7 @@ impl CurveBuilder {
         Ok(&mut self.points)
     }
 
-    /// Allows a corner where the curve ends so far.
+    /// Allows a corner at the current end of the curve.
     pub(super) fn mark_corner(&mut self) -> Result<()> {
         let at = self.len() as u32;
         alloc::push(&mut self.corners, at)

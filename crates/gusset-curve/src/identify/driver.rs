@@ -1,8 +1,8 @@
-//! The identification of outlines: each is brought near the origin, cut into subcurves, solved,
-//! measured and brought back.
+//! The identification of outlines. Each outline is normalised near the origin, cut into subcurves,
+//! solved, measured and transformed back.
 //!
-//! Outlines are independent: batches of them go to threads, and the results are joined in the order
-//! of the outlines, so that they are the same for any number of threads.
+//! Outlines are independent. Threads take batches of them, and the results are joined in the order
+//! of the outlines. They are therefore the same for any number of threads.
 
 use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
@@ -24,23 +24,24 @@ use gusset_base::threads::lock;
 use std::ops::Range;
 use std::sync::Mutex;
 
-/// Points that a thread takes at a time.
+/// Points in a batch.
 const POINTS_PER_BATCH: usize = 1 << 12;
 
 const BATCHES_PER_REPORT: usize = 32;
 
-/// Finds the curves through the points of outlines.
+/// Fits curves through the points of outlines.
 ///
-/// Each outline is brought near the origin and to a size near 1; neighbours that repeat each other
-/// become one point; it is cut into subcurves at corners and tangents, and each subcurve is solved.
-/// Every point lies on the curve, or its status says why not.
+/// Each outline is moved near the origin and scaled to a size near 1, and repeated neighbours merge
+/// into one point. The outline is cut into subcurves at corners and tangents, and each subcurve is
+/// solved. Every point lies on the curve, or its status says why not.
 ///
 /// Composite, blended and cubic curves take linear time and memory. Memory beyond the result is
 /// allocated once for each thread.
 ///
 /// # Errors
-/// Of [`Error`](gusset_base::Error): `BadOffsets`, `OptionOutOfRange`, `NotFinite`, `TooLarge`,
-/// `BadConstraint` (a constraint names no point, or is out of order), `OutOfMemory`, `Cancelled`.
+/// Variants of [`Error`](gusset_base::Error): `BadOffsets`, `OptionOutOfRange`, `NotFinite`,
+/// `TooLarge`, `BadConstraint` (a constraint names a point that does not exist, or is out of
+/// order), `OutOfMemory`, `Cancelled`.
 ///
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
@@ -59,8 +60,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
             whole.identify_all(batch.clone(), &part)?;
         }
     } else {
-        // The workers' memory is used again from round to round; between rounds the host can
-        // cancel.
+        // Rounds reuse the workers' memory, and the host can cancel between rounds.
         let idle = Mutex::new(Vec::new());
         let work = |batch: Range<usize>, job: &Job<'_>| -> Result<Worker<'_>> {
             let free = lock(&idle).pop();
@@ -82,10 +82,10 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
 }
 
 const STAGE: &str = "identifying outlines";
-/// Outlines of so many points report between the passes over them.
+/// Outlines of at least this many points report progress between the passes over them.
 const POINTS_PER_REPORT: usize = 1 << 17;
 
-/// Outlines of together about [`POINTS_PER_BATCH`] points.
+/// Divides the outlines into batches of about [`POINTS_PER_BATCH`] points.
 fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
     let mut batches: Vec<Range<usize>> = Vec::new();
     let mut points = 0;
@@ -103,11 +103,11 @@ fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
     Ok(batches)
 }
 
-/// One thread's part of the work, and the memory that it uses again for each outline.
+/// One thread's worker, with the memory that it reuses for each outline.
 struct Worker<'a> {
     outlines: &'a Outlines<'a>,
     options: &'a Options,
-    /// The constraints of the outlines to come.
+    /// The constraints of the remaining outlines.
     constraints: &'a [Constraint],
     nodes: Nodes,
     composite: CompositeWorkspace,
@@ -162,7 +162,7 @@ impl<'a> Worker<'a> {
         let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);
         let (own, rest) = self.constraints.split_at(own);
         self.constraints = rest;
-        // Long ones report between the passes over their points.
+        // Long outlines report progress between the passes over their points.
         let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, STAGE) };
         self.nodes.read(self.outlines, &span, own, self.options)?;
         long(0.0)?;
@@ -197,7 +197,7 @@ impl<'a> Worker<'a> {
             return self.solve_too_few(report);
         }
         if self.nodes.cuts.is_empty() {
-            let (sub, results) = self.nodes.whole(self.options);
+            let (sub, results) = self.nodes.as_subcurve(self.options);
             let mut out = Output { results, report, builder: &mut self.builder, job };
             return append(&sub, &mut self.composite, &mut self.single, &mut out);
         }
@@ -205,14 +205,14 @@ impl<'a> Worker<'a> {
             if k > 0 && self.nodes.cuts[k].tangent.is_none() {
                 self.builder.mark_corner()?;
             }
-            let (sub, results) = self.nodes.between_cuts(k, self.options);
+            let (sub, results) = self.nodes.subcurve_after_cut(k, self.options);
             let mut out = Output { results, report, builder: &mut self.builder, job };
             append(&sub, &mut self.composite, &mut self.single, &mut out)?;
         }
         if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
             self.builder.mark_corner()?;
         }
-        // The first node is there twice: the status of either holds.
+        // The first node is repeated at the end: the status of either counts.
         let results = &mut self.nodes.results;
         let (first, last) = (results[0].status, results[results.len() - 1].status);
         if self.nodes.closed && first == PointStatus::Ok {
@@ -221,7 +221,7 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Takes an outline of one or two nodes for a point, or for the line there and back.
+    /// Treats an outline of one or two nodes as a point, or as a line there and back.
     fn solve_too_few(&mut self, report: &mut Report) -> Result<()> {
         report.status = FitStatus::TooFewPoints;
         let Nodes { points, results, .. } = &mut self.nodes;
@@ -238,11 +238,11 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Finds the composite curve of a closed outline without cuts, and writes it where the outline
-    /// is.
+    /// Finds the composite curve of a closed outline without cuts, and writes it at the outline's
+    /// position.
     fn identify_smooth(&mut self, span: &Range<usize>, base: usize, report: &mut Account, job: &Job<'_>) -> Result<()> {
         let placement = self.nodes.placement;
-        let (sub, results) = self.nodes.whole(self.options);
+        let (sub, results) = self.nodes.as_subcurve(self.options);
         let mut out = Output { results, report, builder: &mut self.builder, job };
         composite::solve(&sub, &mut self.composite, &mut out)?;
         if span.len() >= POINTS_PER_REPORT {
@@ -262,8 +262,8 @@ impl<'a> Worker<'a> {
             done.statuses.extend(self.nodes.results.iter().map(|result| result.status));
         } else {
             let mut taken = 0;
-            for (i, &node) in self.nodes.node_of.iter().enumerate() {
-                // Nodes ascend; one that comes again repeats its neighbour, or at the end the first
+            for (i, &node) in self.nodes.point_nodes.iter().enumerate() {
+                // Nodes ascend. A smaller node repeats its neighbour, or at the end the first
                 // point.
                 let repeats = i > 0 && node < taken;
                 taken = taken.max(node + 1);
@@ -276,7 +276,7 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Appends the curve where the outline is, and the places of its points.
+    /// Appends the curve at the outline's position, and the places of its points.
     fn deliver(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
         let (done, builder, nodes, placement) = (&mut self.done, &self.builder, &self.nodes, self.nodes.placement);
         alloc::reserve(&mut done.points, builder.points.len())?;
@@ -284,8 +284,8 @@ impl<'a> Worker<'a> {
         alloc::append(&mut done.ends, &builder.ends)?;
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
         done.reserve_points(span.len())?;
-        let (mut before, closing) = (u32::MAX, nodes.node_of.first().copied().unwrap_or(0));
-        for (i, &node) in span.clone().zip(&nodes.node_of) {
+        let (mut before, closing) = (u32::MAX, nodes.point_nodes.first().copied().unwrap_or(0));
+        for (i, &node) in span.clone().zip(&nodes.point_nodes) {
             let PointResult { place, mut status } = nodes.results[node as usize];
             let repeats = node == before || (node == closing && i > span.start && self.outlines.closed);
             if repeats && status != PointStatus::Missed {
@@ -309,8 +309,8 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Withdraws a curve whose control points overflow, though its points do not: at any size, as
-    /// they may be as much larger than the outline as its points are near each other.
+    /// Withdraws a curve whose control points overflow although its points do not. This can happen
+    /// at any size, because control points may be far out where points are close together.
     fn check_range(&mut self, span: &Range<usize>, base: usize, first: usize, report: &mut Report) -> Result<()> {
         let done = &mut self.done;
         if done.points[base..].iter().all(|p| p.is_finite()) {
@@ -330,7 +330,7 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Adds up the statuses from the `first` on.
+    /// Counts the statuses from `first` on.
     fn account(&mut self, first: usize, mut report: Account) -> Result<()> {
         let done = &mut self.done;
         let mut partial = false;
@@ -354,7 +354,7 @@ fn append(
     single: &mut Collocation,
     out: &mut Output<'_>,
 ) -> Result<()> {
-    // Iterations are counted for each part: what counts is the most.
+    // Iterations are counted for each part; the report has the maximum.
     let before = std::mem::take(&mut out.report.iterations);
     match sub.options.mode {
         Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, composite.solution(), out),

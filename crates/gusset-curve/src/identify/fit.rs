@@ -1,4 +1,4 @@
-//! The result of an identification: the curves of many outlines, and the account of each.
+//! The result of an identification: the curves of many outlines, and a report on each.
 
 use super::report::{Cycle, PointStatus, Report};
 use crate::curve::{CurveView, Place};
@@ -6,22 +6,22 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// The curves of many outlines, and the account of each.
+/// The curves of many outlines, and a report on each.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Fit {
     /// The control points of all curves.
     pub(super) points: Vec<DVec3>,
-    /// The ends of the segments of all curves, counted from the curve's first control point.
+    /// The ends of the segments of all curves, as indices from the curve's first control point.
     pub(super) ends: Vec<u32>,
-    /// Where the control points and the ends of each curve begin, and where the last ones end.
+    /// The start of the control points and the ends of each curve, then the total of both.
     pub(super) starts: Vec<[usize; 2]>,
     pub(super) closed: bool,
-    /// Where on its curve each point lies: the segment, and the parameter there.
+    /// The segment and parameter of each point on its curve.
     pub(super) segments: Vec<u32>,
     pub(super) parameters: Vec<f64>,
     pub(super) statuses: Vec<PointStatus>,
     pub(super) reports: Vec<Report>,
-    /// The cycles of all outlines, and where those of each end.
+    /// The cycles of all outlines, and the end of each outline's cycles.
     pub(super) cycles: Vec<Cycle>,
     pub(super) cycle_ends: Vec<usize>,
 }
@@ -32,7 +32,7 @@ impl Fit {
         self.reports.len()
     }
 
-    /// True if there were none.
+    /// Returns true if the list of outlines is empty.
     pub fn is_empty(&self) -> bool {
         self.reports.is_empty()
     }
@@ -40,21 +40,21 @@ impl Fit {
     /// The curve of outline `k`.
     ///
     /// # Panics
-    /// If there is no outline `k`.
+    /// If outline `k` does not exist.
     pub fn curve(&self, k: usize) -> CurveView<'_> {
         let [from, to] = [self.starts[k], self.starts[k + 1]];
         CurveView::trusted(&self.points[from[0]..to[0]], &self.ends[from[1]..to[1]], self.closed && to[1] > from[1] + 1)
     }
 
-    /// Where on its curve a point lies; points are counted over all outlines.
+    /// The place of a point on its curve; points are counted over all outlines.
     ///
     /// # Panics
-    /// If there is no such point.
+    /// If the point does not exist.
     pub fn place(&self, point: usize) -> Place {
         Place { segment: self.segments[point], t: self.parameters[point] }
     }
 
-    /// The segment of its curve that each point lies on.
+    /// The segment on which each point lies, within its curve.
     pub fn segments(&self) -> &[u32] {
         &self.segments
     }
@@ -69,16 +69,16 @@ impl Fit {
         &self.statuses
     }
 
-    /// The account of each outline.
+    /// The report on each outline.
     pub fn reports(&self) -> &[Report] {
         &self.reports
     }
 
-    /// The cycles of outline `k`, in their order and subcurve by subcurve; none unless
-    /// [`Options::history`](super::Options) asks for them.
+    /// The cycles of outline `k`, in order, subcurve by subcurve. The list is empty unless
+    /// [`Options::history`](super::Options) is set.
     ///
     /// # Panics
-    /// If there is no outline `k`.
+    /// If outline `k` does not exist.
     pub fn history(&self, k: usize) -> &[Cycle] {
         let from = if k == 0 { 0 } else { self.cycle_ends[k - 1] };
         &self.cycles[from..self.cycle_ends[k]]
@@ -89,30 +89,30 @@ impl Fit {
         &self.points
     }
 
-    /// The ends of all curves, each counted from the curve's first control point.
+    /// The ends of all curves, as indices from each curve's first control point.
     pub fn ends(&self) -> &[u32] {
         &self.ends
     }
 
-    /// Where the control points and the ends of each curve begin in [`Fit::points`] and
-    /// [`Fit::ends`]; one more than there are outlines.
+    /// The start of each curve's control points and ends in [`Fit::points`] and [`Fit::ends`], then
+    /// the total of both.
     pub fn starts(&self) -> &[[usize; 2]] {
         &self.starts
     }
 
-    /// No curves yet.
+    /// Creates a result without curves.
     pub(super) fn new(closed: bool) -> Self {
         Fit { closed, starts: vec![[0, 0]], ..Fit::default() }
     }
 
-    /// Makes room for so many more points.
+    /// Reserves room for `count` more points.
     pub(super) fn reserve_points(&mut self, count: usize) -> Result<()> {
         alloc::reserve(&mut self.segments, count)?;
         alloc::reserve(&mut self.parameters, count)?;
         alloc::reserve(&mut self.statuses, count)
     }
 
-    /// Moves the curves of another one to the end.
+    /// Moves the curves of another result to the end.
     pub(super) fn append(&mut self, other: &mut Fit) -> Result<()> {
         let [points, ends] = [self.points.len(), self.ends.len()];
         alloc::append(&mut self.points, &other.points)?;

@@ -1,8 +1,8 @@
-//! Guides: the lines through the points of an outline that control points are sought on.
+//! Guides: the lines through the points of an outline on which the control points lie.
 //!
-//! The guide of a point is that of its triangle with the two neighbours: the bisector, the median,
-//! the normal of the chord, or in general the line to the foot that divides the chord as t^2 to
-//! (1 - t)^2. Guides need a plane; for one outline the plane through its farthest points is tried.
+//! The guide of a point depends on its triangle with the two neighbours. It is the bisector, the
+//! median, the normal of the chord, or in general the line to the foot that divides the chord as
+//! t^2 to (1 - t)^2. Guides need a plane; an outline uses the plane through its farthest points.
 //!
 //! Source: Nadopta, the methods of the normal, bisector and median. O(1) for a guide, O(n) for the
 //! plane.
@@ -12,10 +12,10 @@ use super::report::PointStatus;
 use super::subcurve::Subcurve;
 use glam::DVec3;
 
-/// The sine of the angle by which an outline may leave its plane.
+/// The sine of the largest angle by which an outline may leave its plane.
 const MAX_PLANE_SINE: f64 = 1e-9;
 
-/// The normal of the plane of a subcurve, of length 1; `None` if there is none.
+/// The unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
 pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     if sub.points.iter().all(|p| p.z == 0.0) {
         return Some(DVec3::Z);
@@ -34,7 +34,7 @@ pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     let axis = farthest(&|v| v.length_squared()).normalize_or_zero();
     let aside = farthest(&|v| v.cross(axis).length_squared());
     let normal = axis.cross(aside);
-    // A straight subcurve is in any plane that contains it.
+    // A straight subcurve lies in every plane that contains it.
     let normal = match normal.length() > MAX_PLANE_SINE * sub.size {
         true => normal.normalize(),
         false => axis.any_orthonormal_vector(),
@@ -42,11 +42,11 @@ pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.size).then_some(normal)
 }
 
-/// The direction of the guide of a triangle in a plane, with the corners `u` and `w` before and
-/// after the point: from the foot to the point.
+/// The direction of the guide of a triangle in a plane, from the foot to the point. The corners `u`
+/// and `w` precede and follow the point.
 ///
-/// The bisector is also across the difference of the directions of the legs, which is better known
-/// if the triangle is flat.
+/// The bisector is also perpendicular to the difference of the legs' directions, which is more
+/// accurate if the triangle is flat.
 pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> Result<DVec3, PointStatus> {
     let chord = w - u;
     let t = method.parameter(u, DVec3::ZERO, w)?;
@@ -98,7 +98,7 @@ mod tests {
         assert!(normal.x.abs() < 1e-15);
         let median = guide(Method::Median, u, w, DVec3::Z).unwrap();
         assert!((3.0 - 4.0 * median.x / median.y - 5.0).abs() < 1e-14);
-        // Flat: across the chord; there and back: along it.
+        // A flat triangle: across the chord. A reversal: along it.
         assert!(guide(Method::Bisector, -DVec3::X, DVec3::X, DVec3::Z).unwrap().x.abs() < 1e-15);
         assert!(guide(Method::Bisector, DVec3::X, DVec3::X, DVec3::Z).unwrap().y.abs() < 1e-15);
     }

@@ -7,27 +7,27 @@ use gusset_base::error::{Error, Result};
 /// The kind of curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Mode {
-    /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
+    /// Quadratic segments, with one control point for each point. Smooth (G1) everywhere.
     #[default]
     Composite,
-    /// One Bézier curve of degree n through n + 1 points; each tangent at an end raises the degree
-    /// by one. Closed: begins and ends at the first point, with the tangent of that point's own
-    /// section. Beyond degree 10 or so control points may lie far out
-    /// ([`IllConditioned`](super::FitStatus::IllConditioned)); beyond
+    /// One Bézier curve of degree n through n + 1 points. Each end tangent raises the degree by
+    /// one. A closed curve begins and ends at the first point, with the tangent of that point's own
+    /// section. Beyond degree 10 or so, control points may lie far out
+    /// ([`IllConditioned`](super::FitStatus::IllConditioned)). Beyond
     /// [`MAX_DEGREE`](crate::MAX_DEGREE) the curve is composite.
     Single,
-    /// The sections of neighbouring points blended linearly: cubic segments from point to point, C1
+    /// Linear blends of the sections of neighbouring points: cubic segments from point to point, C1
     /// (G1 with the normal).
     BlendC1,
-    /// The sections of neighbouring points blended smoothly: quintic segments from point to point,
-    /// C2 (G2 with the normal), but at inner points whose tangent is given: C1 (G1) there.
+    /// Smooth blends of the sections of neighbouring points: quintic segments from point to point,
+    /// C2 (G2 with the normal). At inner points with a given tangent they are C1 (G1).
     BlendC2,
-    /// Cubic segments from point to point, C2 in the knots of the method's exponent, but at inner
-    /// points whose tangent is given: C1 there.
+    /// Cubic segments from point to point, C2 in the knots of the method's exponent. At inner
+    /// points with a given tangent they are C1.
     CubicC2,
-    /// The paper's chain of sections: [`Mode::Composite`] with [`Lock::DataGuide`], whatever the lock
-    /// of the options. The control point of each section lies on the guide, the bisector, median or
-    /// normal of the data's own triangle, that the method names.
+    /// The paper's chain of sections: [`Mode::Composite`] with [`Lock::DataGuide`], regardless of
+    /// the lock in the options. The control point of each section lies on the guide of the data's
+    /// own triangle: the bisector, median or normal, as the method says.
     Chain,
 }
 
@@ -43,21 +43,21 @@ choices! { for Mode:
 /// The condition that ties the section of a point to the data, in composite and single curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Lock {
-    /// The parameter of the point is that of the method on the data's own triangle. Always
-    /// solvable. The control point is on the line from the point to the foot that divides the
-    /// section's chord as t^2 to (1 - t)^2, which is near the guide of the data's triangle but not
-    /// on it: for those use [`Lock::DataGuide`].
+    /// The parameter of the point is the method's parameter on the data's own triangle. Always
+    /// solvable. The control point lies on the line from the point to the foot that divides the
+    /// section's chord as t^2 to (1 - t)^2. That line is close to the guide of the data's triangle
+    /// but not equal to it; see [`Lock::DataGuide`].
     #[default]
     Parameter,
-    /// The parameter is that of the method on the section's own triangle (its joints and the
-    /// point). With the normal there may be several solutions; which one is found depends on the
-    /// solver. A foot of the normal outside the chord counts as the chord's end. Single curves have
-    /// no sections, and take [`Lock::DataGuide`].
+    /// The parameter is the method's parameter on the section's own triangle (its joints and the
+    /// point). With the normal there may be several solutions, and the solver determines which one
+    /// is found. A foot of the normal outside the chord counts as the chord's end. Single curves
+    /// lack sections and use [`Lock::DataGuide`] instead.
     SelfConsistent,
-    /// The control point lies on the guide of the data's triangle, as the paper draws it; outlines
-    /// in a plane, any plane, only. Where no normal meets the chord the guide is the bisector, and
-    /// the status says so. Points whose section does not cross the guide fall back to
-    /// [`Lock::Parameter`].
+    /// The control point lies on the guide of the data's triangle, as the paper draws it. Only for
+    /// outlines in a plane, which may be any plane. Where the normal misses the chord, the guide is
+    /// the bisector, and the status says so. Points whose section does not cross the guide fall
+    /// back to [`Lock::Parameter`].
     DataGuide,
 }
 
@@ -67,19 +67,19 @@ choices! { for Lock:
     DataGuide => "Guide", "The guide of the data's triangle; plane polylines only.";
 }
 
-/// The joint parameter: where the joint of two sections divides the line between their control
-/// points.
+/// The joint parameter: the ratio in which the joint of two sections divides the line between their
+/// control points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum JointParameter {
-    /// In the middle, as the implied points of TrueType contours.
+    /// In the middle, like the implied points of TrueType contours.
     #[default]
     Half,
-    /// By the chords to the power of the method's exponent, as in a quadratic B-spline: C1 in those
+    /// By the chords to the power of the method's exponent, as in a quadratic B-spline. C1 in those
     /// knots.
     Knot,
-    /// So that the curvature is continuous (G2). Sections are cubics in the triangles of the
-    /// quadratics, as these have no inflections; where the polygon turns the other way the curvature
-    /// is 0. Outlines in a plane only: in space curvatures agree in magnitude.
+    /// By continuous curvature (G2). Sections are cubics in the triangles of the quadratics,
+    /// because quadratics lack inflections. At inflections of the polygon the curvature is 0. The
+    /// curvature is continuous for plane outlines; in space, curvatures agree in magnitude.
     G2,
 }
 
@@ -89,32 +89,33 @@ choices! { for JointParameter:
     G2 => "Curvature", "Where the curvature is continuous.";
 }
 
-/// How equations are solved.
+/// The solver of the equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Solver {
-    /// By closed forms and Newton's method.
+    /// Closed forms and Newton's method.
     #[default]
     Fast,
-    /// The paper's: sweeps over the points, with steps along the guide, refined tenfold where the
-    /// deviation changes its sign. Where there is no guide to keep, along the deviation.
+    /// The paper's solver: sweeps over the points, with steps along the guide that are refined
+    /// tenfold at each change of the deviation's sign. Without a guide, the steps follow the
+    /// deviation.
     Step,
 }
 
-/// How an open outline, or a part of one that ends at a corner, begins and ends.
+/// The directions at the ends of an open outline, or of a part that ends at a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Ends {
-    /// As the first and last sections have it.
+    /// As the first and last sections give them.
     #[default]
     Free,
-    /// Perpendicular to the first and the last chord: from the first point to the third, and from
-    /// the last but two to the last.
+    /// Perpendicular to the first and the last chord. The first chord runs from the first point to
+    /// the third, the last from the last point but two to the last.
     Perpendicular,
-    /// Along the x-axis, in the sense of the first and the last leg.
+    /// Along the x-axis, in the direction of the first and the last leg.
     Level,
-    /// Along the y-axis, in the sense of the first and the last leg.
+    /// Along the y-axis, in the direction of the first and the last leg.
     Upright,
-    /// Level or upright, whichever is nearer the perpendicular of the first or the last chord: the
-    /// paper's default.
+    /// Level or upright, whichever is closer to the perpendicular of the first or the last chord.
+    /// This is the paper's default.
     LevelOrUpright,
 }
 
@@ -126,41 +127,41 @@ choices! { for Ends:
     LevelOrUpright => "Level or upright", "The one nearer the perpendicular of the first or the last chord.";
 }
 
-/// How outlines are identified.
+/// The options of an identification.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// The kind of curve.
     pub mode: Mode,
-    /// How the control point of a section is found.
+    /// The method that finds the control point of a section.
     pub method: Method,
     /// The condition that sections obey.
     pub lock: Lock,
-    /// Where neighbouring sections join.
+    /// The joints between neighbouring sections.
     pub joint: JointParameter,
-    /// How equations are solved.
+    /// The solver of the equations.
     pub solver: Solver,
-    /// The ends of open outlines; the constraints come first.
+    /// The ends of open outlines; constraints take precedence.
     pub ends: Ends,
-    /// The parameter of a point is kept within this and 1 less this; 0.001 <= `parameter_limit` <
+    /// The parameter of a point stays between this and 1 minus this; 0.001 <= `parameter_limit` <
     /// 1/2.
     pub parameter_limit: f64,
-    /// Neighbours nearer than this, times the size of the outline, are one point. At least 0.
+    /// Neighbours closer than this, times the size of the outline, are merged. At least 0.
     pub repeat_tolerance: f64,
-    /// Where the polygon of the points turns by more than this angle, in radians, is a corner; pi
-    /// or more for none.
+    /// A point is a corner if the polygon of the points turns there by more than this angle, in
+    /// radians. With pi or more there are no such corners.
     pub corner_angle: f64,
-    /// Iterations end when nothing moves by more than this, times the size of the outline. What is
-    /// then left to the solution may be some times as much where an iteration converges slowly.
+    /// Iterations end when all moves are below this, times the size of the outline. The error of
+    /// the solution may be a few times larger if an iteration converges slowly.
     pub tolerance: f64,
-    /// The most sweeps or iterations between two corners; at least 1.
+    /// The maximum number of sweeps or iterations between two corners; at least 1.
     pub max_sweeps: u32,
-    /// The most steps of the stepping solver at a point, in one sweep; at least 1.
+    /// The maximum number of steps of the stepping solver at a point, in one sweep; at least 1.
     pub max_steps: u32,
-    /// Its first step, times the size of the outline.
+    /// The first step of the stepping solver, times the size of the outline.
     pub first_step: f64,
-    /// The divisor of a step where the deviation changes its sign; greater than 1.
+    /// The divisor of a step at each change of the deviation's sign; greater than 1.
     pub step_divisor: f64,
-    /// Whether the moves of each cycle are kept: see [`Fit::history`](super::Fit::history).
+    /// Whether to keep the moves of each cycle; see [`Fit::history`](super::Fit::history).
     pub history: bool,
 }
 
@@ -187,7 +188,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The same, with the chain as what it stands for.
+    /// Returns the options with [`Mode::Chain`] replaced by its equivalent.
     pub(super) fn resolved(&self) -> Options {
         match self.mode {
             Mode::Chain => Options { mode: Mode::Composite, lock: Lock::DataGuide, ..*self },
@@ -195,6 +196,8 @@ impl Options {
         }
     }
 
+    /// Checks that all numbers are within their ranges.
+    ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub(crate) fn check(&self) -> Result<()> {

@@ -1,43 +1,43 @@
-//! The methods: the parameter of a given point on its section, and with it the section's control
-//! point.
+//! The methods: the parameter of a given point on its section, which determines the section's
+//! control point.
 //!
-//! A section is the quadratic (A, B, C) through P. With the guide through P and the foot S = A + s
-//! (C - A) of the chord, the curve crosses the guide at t = sqrt(s) / (sqrt(s) + sqrt(1 - s))
-//! wherever on the guide B is (let f be affine and 0 on the guide: f of the curve does not contain
-//! B). So each method is a choice of t, and then
+//! A section is the quadratic (A, B, C) through P. Consider the guide through P and the foot S =
+//! A + s (C - A) on the chord. The curve crosses the guide at t = sqrt(s) / (sqrt(s) + sqrt(1 - s))
+//! for every position of B on the guide. (Let f be affine and 0 on the guide: f of the curve does
+//! not contain B.) Each method is therefore a choice of t, and then
 //!
 //! B = (P - (1 - t)^2 A - t^2 C) / (2 t (1 - t)).
 //!
-//! Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms instead
-//! of the stepping, and vectors instead of slopes and angles. The foot of the bisector divides the
-//! chord by K / (1 + K), not by K as printed.
+//! Source: Nadopta, the methods of the normal, tangent, bisector and median, with closed forms
+//! instead of stepping, and vectors instead of slopes and angles. The foot of the bisector divides
+//! the chord by K / (1 + K), not by K as printed.
 
 use super::report::PointStatus;
 use glam::DVec3;
 use gusset_base::choices;
 
-/// How a section's control point is found.
+/// The rule that finds a section's control point.
 ///
-/// Of a section by itself ([`sections`](super::sections()), [`Method::section`]) the control point is
-/// on the line that the method names. In a composite curve the [`Lock`](super::Lock) says of which
-/// triangle that is: with the default, [`Lock::Parameter`](super::Lock), the method gives the
-/// parameter of the point alone.
+/// For a single section ([`sections`](super::sections()), [`Method::section`]) the control point
+/// lies on the line that the method names. In a composite curve the [`Lock`](super::Lock) names the
+/// triangle. With the default, [`Lock::Parameter`](super::Lock), the method determines only the
+/// parameter of the point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
-    /// On the bisector of the angle at P: t by the square roots of the chords, the centripetal
-    /// parameter. For all points.
+    /// The bisector of the angle at P. t follows the square roots of the chords (the centripetal
+    /// parameter). Works for all points.
     #[default]
     Bisector,
-    /// On the median of triangle APC: t = 1/2. For all points.
+    /// The median of triangle APC: t = 1/2. Works for all points.
     Median,
-    /// On the normal of the chord AC through P; only for feet between A and C. Elsewhere the
-    /// bisector stands in, but for [`Lock::SelfConsistent`](super::Lock), where the foot counts as
-    /// the nearer end of the chord.
+    /// The normal of the chord AC through P, if its foot lies between A and C. Otherwise the
+    /// bisector replaces it. With [`Lock::SelfConsistent`](super::Lock), the foot counts as the
+    /// nearer end of the chord instead.
     Normal,
-    /// On the symmedian: t by the lengths of the chords. For all points.
+    /// The symmedian: t follows the lengths of the chords. Works for all points.
     Symmedian,
-    /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1: 0 is the
-    /// median, 1/2 the bisector, 1 the symmedian.
+    /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1. Alpha 0 is the
+    /// median, 1/2 the bisector, and 1 the symmedian.
     Alpha(f64),
 }
 
@@ -51,9 +51,9 @@ choices! { for Method:
 /// A section: its control point, and the parameter of P.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
-    /// B.
+    /// The control point B.
     pub control: DVec3,
-    /// Strictly between 0 and 1.
+    /// The parameter of P, strictly between 0 and 1.
     pub t: f64,
 }
 
@@ -75,7 +75,7 @@ impl Method {
             return normal_parameter(a, p, c);
         };
         let (before, after) = (power(a.distance(p), alpha), power(p.distance(c), alpha));
-        // Both 0: the three are one point, and any parameter will do.
+        // Both are 0, so the three points coincide and any parameter works.
         Ok(if before + after > 0.0 { before / (before + after) } else { 0.5 })
     }
 
@@ -85,11 +85,11 @@ impl Method {
     /// [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal;
     /// [`PointStatus::Repeated`] if P is A or C and the parameter would be 0 or 1.
     pub fn section(self, a: DVec3, p: DVec3, c: DVec3) -> Result<Section, PointStatus> {
-        through(a, p, c, self.parameter(a, p, c)?)
+        section_at(a, p, c, self.parameter(a, p, c)?)
     }
 }
 
-/// x^alpha, without calling for the power where a root will do.
+/// x^alpha, by roots where possible instead of the power function.
 #[inline]
 pub(super) fn power(x: f64, alpha: f64) -> f64 {
     match alpha {
@@ -102,14 +102,13 @@ pub(super) fn power(x: f64, alpha: f64) -> f64 {
 
 /// The section from A through P at parameter `t` to C.
 #[inline]
-pub(super) fn through(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, PointStatus> {
-    // Near the ends the control point is out of reach of the numbers.
+pub(super) fn section_at(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, PointStatus> {
+    // Near the ends the control point overflows.
     if !(1e-150..=1.0 - 1e-15).contains(&t) {
         return Err(PointStatus::Repeated);
     }
     let s = 1.0 - t;
-    // From P on, so that nothing is lost where A, P and C are near each other and far from the
-    // origin.
+    // Relative to P, to keep precision if A, P and C are close together and far from the origin.
     Ok(Section { control: p - (a - p) * (0.5 * s / t) - (c - p) * (0.5 * t / s), t })
 }
 
@@ -127,18 +126,18 @@ fn normal_parameter(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
     }
 }
 
-/// The section from A with the tangent `tau` there, through P, to C: t = sqrt((tau x V) / (tau x
-/// W)) for V = P - A, W = C - A, and B = A + mu tau. All in one plane.
+/// The section from A, with the tangent `tau` there, through P to C: t = sqrt((tau x V) / (tau x
+/// W)) for V = P - A and W = C - A, and B = A + mu tau. Everything must lie in one plane.
 ///
 /// # Errors
-/// [`PointStatus::TangentSeparates`] (the tangent runs between P and C),
-/// [`PointStatus::TangentBeyond`] (P is farther from the tangent than C is),
-/// [`PointStatus::TangentBackward`] (the curve would have to leave A backwards),
-/// [`PointStatus::OutOfPlane`].
+/// - [`PointStatus::TangentSeparates`]: the tangent runs between P and C.
+/// - [`PointStatus::TangentBeyond`]: P is farther from the tangent than C.
+/// - [`PointStatus::TangentBackward`]: the curve would have to leave A backwards.
+/// - [`PointStatus::OutOfPlane`].
 pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let (v, w) = (p - a, c - a);
     let tau = unit_tangent(tau)?;
-    // The components of V and W across the tangent; in a plane both are along one line.
+    // The components of V and W across the tangent; in a plane both are collinear.
     let (across_v, across_w) = (v - tau * v.dot(tau), w - tau * w.dot(tau));
     let squared = across_w.length_squared();
     if squared == 0.0 {
@@ -162,23 +161,22 @@ pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Res
     Ok(Section { control: a + tau * mu, t })
 }
 
-/// The section from A through P to C with the tangent `tau`, the direction in which it arrives, at
-/// C.
+/// The section from A through P to C that arrives at C in the direction `tau`.
 ///
 /// # Errors
-/// Those of [`section_by_start_tangent`], seen from C.
+/// The errors of [`section_by_start_tangent`], seen from C.
 pub fn section_by_end_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let mirrored = section_by_start_tangent(c, p, a, -tau)?;
     Ok(Section { t: 1.0 - mirrored.t, ..mirrored })
 }
 
 /// The section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P), t =
-/// sqrt|h(A)| / (sqrt|h(A)| + sqrt|h(C)|). All in one plane.
+/// sqrt|h(A)| / (sqrt|h(A)| + sqrt|h(C)|). Everything must lie in one plane.
 ///
 /// # Errors
-/// [`PointStatus::TangentSeparates`] (A and C are on different sides of the tangent, or on it),
-/// [`PointStatus::TangentBackward`] (the curve passes P the other way),
-/// [`PointStatus::OutOfPlane`].
+/// - [`PointStatus::TangentSeparates`]: A and C are on different sides of the tangent, or on it.
+/// - [`PointStatus::TangentBackward`]: the curve passes P in the opposite direction.
+/// - [`PointStatus::OutOfPlane`].
 pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let tau = unit_tangent(tau)?;
     let (u, w) = (a - p, c - p);
@@ -191,8 +189,8 @@ pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Se
         return Err(PointStatus::OutOfPlane);
     }
     let t = before.sqrt() / (before.sqrt() + after.sqrt());
-    let section = through(a, p, c, t)?;
-    // The derivative at P is along the tangent, one way or the other.
+    let section = section_at(a, p, c, t)?;
+    // The derivative at P is parallel to the tangent, in either direction.
     let direction = (section.control - a) * (1.0 - t) + (c - section.control) * t;
     if direction.dot(tau) <= 0.0 {
         return Err(PointStatus::TangentBackward);
@@ -205,5 +203,5 @@ fn unit_tangent(tau: DVec3) -> Result<DVec3, PointStatus> {
     if length > 0.0 { Ok(tau / length) } else { Err(PointStatus::NoTangent) }
 }
 
-/// The sine of the angle by which a tangent may leave the plane of its section.
+/// The sine of the largest angle by which a tangent may leave the plane of its section.
 const MAX_PLANE_SINE: f64 = 1e-9;

@@ -1,19 +1,19 @@
 //! Identification: curves through given points, the inverse problem of Bézier curves.
 //!
-//! The paper takes three neighbouring points at a time: the quadratic through the middle one whose
-//! control point lies on a guide, the normal of the chord, the bisector, the median, or a tangent.
-//! From the bottom up:
+//! The paper takes three neighbouring points at a time. It seeks the quadratic through the middle
+//! one whose control point lies on a guide: the normal of the chord, the bisector, the median, or a
+//! tangent. From the bottom up:
 //!
-//! * outlines, options, report, fit: input, choices, account and result.
-//! * method, sections: closed forms for three points; stepping: the paper's steps; guide: the lines
-//!   that control points lie on.
-//! * nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, in parts,
+//! - outlines, options, report, fit: input, choices, report and result.
+//! - method, sections: closed forms for three points; stepping: the paper's steps; guide: the lines
+//!   on which control points lie.
+//! - nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, its parts,
 //!   and the curve through it.
-//! * composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
-//! * driver: [`fit()`], outlines on threads.
+//! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
+//! - driver: [`fit()`], which distributes outlines to threads.
 //!
-//! Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008; where
-//! the readings of the set of sections are ours the modules say so.
+//! Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008. The
+//! modules say where the readings of the set of sections are ours.
 
 mod blend;
 mod composite;

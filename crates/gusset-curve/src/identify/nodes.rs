@@ -1,4 +1,4 @@
-//! The nodes of an outline: its points near the origin, freed of repeats, and cut at corners and
+//! The nodes of an outline: its points near the origin, without repetitions, and cut at corners and
 //! tangents. O(n log n).
 
 use super::identify_options::{Ends, Options};
@@ -13,19 +13,19 @@ use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::sort;
 use std::ops::Range;
 
-/// The nodes of one outline; the memory is used again for the next.
+/// The nodes of one outline; outlines reuse the memory.
 #[derive(Default)]
 pub(super) struct Nodes {
-    /// The points that differ from their neighbours. A closed outline that is cut begins at its
-    /// first cut, and ends with that point once more.
+    /// The points that differ from their neighbours. A closed outline with cuts begins at its first
+    /// cut and repeats that point at the end.
     pub(super) points: Vec<DVec3>,
     /// For each point of the outline its node.
-    pub(super) node_of: Vec<u32>,
+    pub(super) point_nodes: Vec<u32>,
     /// The outcome at each node.
     pub(super) results: Vec<PointResult>,
-    /// Nodes where the outline is cut, or ends, and the directions there.
+    /// Nodes where the outline is cut or ends, and the directions there.
     pub(super) cuts: Vec<Cut>,
-    /// Whether they are a closed outline; two nodes are not.
+    /// Whether the nodes form a closed outline; two nodes do not.
     pub(super) closed: bool,
     pub(super) placement: Placement,
 }
@@ -33,7 +33,7 @@ pub(super) struct Nodes {
 #[derive(Clone, Copy)]
 pub(super) struct Cut {
     pub(super) node: u32,
-    /// Of length 1.
+    /// The unit tangent.
     pub(super) tangent: Option<DVec3>,
 }
 
@@ -43,7 +43,8 @@ pub(super) struct Placement {
     pub(super) origin: DVec3,
     /// A power of two.
     pub(super) unit: f64,
-    /// The longest side of the box of the nodes: between 1 and 4, but for outlines without extent.
+    /// The longest side of the nodes' bounding box: between 1 and 4, except for outlines without
+    /// extent.
     pub(super) size: f64,
 }
 
@@ -61,16 +62,16 @@ impl Nodes {
         self.cut(span, constraints, options)
     }
 
-    /// Brings the points near the origin and to a size near 1, and merges those that repeat others.
+    /// Moves the points near the origin, scales them to a size near 1, and merges repetitions.
     fn normalise_points(&mut self, outlines: &Outlines<'_>, span: &Range<usize>, repeat_tolerance: f64) -> Result<()> {
-        let Nodes { points, node_of, .. } = self;
+        let Nodes { points, point_nodes, .. } = self;
         points.clear();
-        node_of.clear();
+        point_nodes.clear();
         alloc::reserve(points, span.len() + 1)?;
-        alloc::reserve(node_of, span.len())?;
+        alloc::reserve(point_nodes, span.len())?;
         outlines.points.read(span.clone(), points);
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        // A sum of zeros, unless a coordinate is not finite.
+        // The sum of zeros is 0 unless a coordinate is not finite.
         let mut zeros = DVec3::ZERO;
         for &p in points.iter() {
             (low, high) = (low.min(p), high.max(p));
@@ -84,15 +85,15 @@ impl Nodes {
             let origin = points.first().copied().unwrap_or(DVec3::ZERO);
             points.truncate(1);
             points.iter_mut().for_each(|p| *p = DVec3::ZERO);
-            node_of.resize(span.len(), 0);
+            point_nodes.resize(span.len(), 0);
             self.placement = Placement { origin, unit: 1.0, size: 0.0 };
             return Ok(());
         }
-        // Exact: a power of two, far from the ends of the range.
+        // Exact: the scale is a power of two, far from the ends of the range.
         let unit = floor_to_power_of_two(half);
         let (origin, scale) = (points[0], 1.0 / unit);
         let size = half * scale * 2.0;
-        // A box far larger than the unit has only repeats left out.
+        // If the box is far larger than the unit, only repetitions are omitted.
         let shift = origin * scale;
         points.iter_mut().for_each(|p| *p = *p * scale - shift);
         self.placement = Placement { origin, unit, size };
@@ -100,10 +101,10 @@ impl Nodes {
         Ok(())
     }
 
-    /// Makes one node of neighbours that are no farther apart, by the squares of distances.
+    /// Merges neighbours whose squared distance is at most `near`.
     fn merge_repeats(&mut self, closed: bool, near: f64) {
-        let Nodes { points, node_of, .. } = self;
-        node_of.extend(0..points.len() as u32);
+        let Nodes { points, point_nodes, .. } = self;
+        point_nodes.extend(0..points.len() as u32);
         let mut count = points.len();
         if points.windows(2).any(|pair| pair[0].distance_squared(pair[1]) <= near) {
             count = 1;
@@ -112,25 +113,25 @@ impl Nodes {
                     points[count] = points[i];
                     count += 1;
                 }
-                node_of[i] = count as u32 - 1;
+                point_nodes[i] = count as u32 - 1;
             }
         }
         while closed && count > 1 && points[count - 1].distance_squared(points[0]) <= near {
             count -= 1;
         }
-        let closing = node_of.partition_point(|&node| (node as usize) < count);
-        node_of[closing..].fill(0);
+        let closing = point_nodes.partition_point(|&node| (node as usize) < count);
+        point_nodes[closing..].fill(0);
         points.truncate(count);
     }
 
-    /// Finds the cuts, and turns a closed outline so that it begins at one.
+    /// Finds the cuts, and rotates a closed outline so that it begins at a cut.
     fn cut(&mut self, span: &Range<usize>, constraints: &[Constraint], options: &Options) -> Result<()> {
         self.cuts.clear();
         self.results.clear();
         alloc::reserve(&mut self.results, self.points.len() + 1)?;
         self.results.resize(self.points.len(), PointResult::default());
         for constraint in constraints {
-            let node = self.node_of[constraint.point as usize - span.start];
+            let node = self.point_nodes[constraint.point as usize - span.start];
             let given = constraint.kind.tangent();
             let tangent = given.and_then(direction);
             if given.is_some() && tangent.is_none() {
@@ -144,7 +145,7 @@ impl Nodes {
         if !self.closed {
             alloc::append(&mut self.cuts, &[0, last].map(|node| Cut { node, tangent: None }))?;
         }
-        // Of several at a node the first holds.
+        // Of several cuts at a node the first counts.
         sort::stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
         self.cuts.dedup_by_key(|cut| cut.node);
         if let (true, Some(&first)) = (self.closed, self.cuts.first()) {
@@ -153,7 +154,7 @@ impl Nodes {
             self.results.rotate_left(first.node as usize);
             self.points.push(self.points[0]);
             self.results.push(self.results[0]);
-            self.node_of.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
+            self.point_nodes.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
             self.cuts.iter_mut().for_each(|cut| cut.node -= first.node);
             alloc::push(&mut self.cuts, Cut { node: n, ..first })?;
         }
@@ -178,13 +179,13 @@ impl Nodes {
     }
 
     /// A closed outline without a cut as one subcurve, and the results of its nodes.
-    pub(super) fn whole<'a>(&'a mut self, options: &'a Options) -> (Subcurve<'a>, &'a mut [PointResult]) {
+    pub(super) fn as_subcurve<'a>(&'a mut self, options: &'a Options) -> (Subcurve<'a>, &'a mut [PointResult]) {
         let size = self.placement.size;
         (Subcurve { points: &self.points, closed: true, tangents: [None, None], size, options }, &mut self.results)
     }
 
     /// The subcurve from cut `k` to the next, and the results of its nodes.
-    pub(super) fn between_cuts<'a>(
+    pub(super) fn subcurve_after_cut<'a>(
         &'a mut self,
         k: usize,
         options: &'a Options,
@@ -200,7 +201,7 @@ impl Nodes {
     }
 }
 
-/// A vector of length 1; `None` for one without direction.
+/// A unit vector; `None` if the vector lacks a direction.
 fn direction(tangent: DVec3) -> Option<DVec3> {
     let largest = tangent.abs().max_element();
     (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
@@ -227,18 +228,18 @@ fn set_free_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
                 continue;
             }
             Ends::Free | Ends::Perpendicular => across.normalize(),
-            Ends::Level => along(DVec3::X, leg, chord),
-            Ends::Upright => along(DVec3::Y, leg, chord),
-            // The perpendicular is the nearer to an axis the farther the chord is from it.
-            Ends::LevelOrUpright if chord.x.abs() < chord.y.abs() => along(DVec3::X, leg, chord),
-            Ends::LevelOrUpright => along(DVec3::Y, leg, chord),
+            Ends::Level => axis_towards(DVec3::X, leg, chord),
+            Ends::Upright => axis_towards(DVec3::Y, leg, chord),
+            // The farther the chord is from an axis, the closer its perpendicular is to the axis.
+            Ends::LevelOrUpright if chord.x.abs() < chord.y.abs() => axis_towards(DVec3::X, leg, chord),
+            Ends::LevelOrUpright => axis_towards(DVec3::Y, leg, chord),
         };
         sub.tangents[end] = Some(inwards * sign);
     }
 }
 
-/// An axis in the sense of a leg, or of the chord if the leg is across.
-fn along(axis: DVec3, leg: DVec3, chord: DVec3) -> DVec3 {
+/// An axis in the direction of a leg, or of the chord if the leg is perpendicular.
+fn axis_towards(axis: DVec3, leg: DVec3, chord: DVec3) -> DVec3 {
     let sense = if leg.dot(axis) == 0.0 { chord.dot(axis) } else { leg.dot(axis) };
     if sense < 0.0 { -axis } else { axis }
 }

@@ -1,4 +1,4 @@
-//! The input of an identification: points as they lie in the host's memory, outlines of them, and
+//! The input of an identification: points in the host's memory, outlines through them, and
 //! constraints.
 
 use glam::{DVec2, DVec3};
@@ -6,7 +6,7 @@ use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::strided::Strided;
 use std::ops::Range;
 
-/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any
+/// Points in a host's memory: 2 or 3 coordinates at the start of every `stride` bytes, at any
 /// alignment. Plane points have z = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Points<'a> {
@@ -15,10 +15,10 @@ pub struct Points<'a> {
 }
 
 impl<'a> Points<'a> {
-    /// `dimension`: 2 or 3; `stride`: in bytes, 0 for points without gaps.
+    /// `dimension` is 2 or 3. `stride` is in bytes; 0 means points without gaps.
     ///
     /// # Errors
-    /// Those of [`Points::bytes_needed`], [`Error::ArrayTooShort`].
+    /// [`Error::ArrayTooShort`], and the errors of [`Points::bytes_needed`].
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, dimension: usize) -> Result<Self> {
         Self::bytes_needed(stride, count, dimension)?;
         Ok(Points { elements: Strided::new(bytes, count, stride, 8 * dimension, "points")?, dimension })
@@ -40,7 +40,7 @@ impl<'a> Points<'a> {
         self.elements.count()
     }
 
-    /// True if there are none.
+    /// Returns true if the list of points is empty.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -56,7 +56,7 @@ impl<'a> Points<'a> {
     /// Point `i`.
     ///
     /// # Panics
-    /// If there is none.
+    /// If point `i` does not exist.
     #[inline]
     pub fn get(&self, i: usize) -> DVec3 {
         match self.dimension {
@@ -78,11 +78,10 @@ impl<'a> From<&'a [[f64; 3]]> for Points<'a> {
     }
 }
 
-/// The largest number of points in one call: 2^30, so that control points can be counted in 32
-/// bits.
+/// The maximum number of points in one call: 2^30, so that 32 bits can count the control points.
 pub const MAX_POINTS: usize = 1 << 30;
 
-/// Outlines: all their points one after another.
+/// Outlines, with all their points one after another.
 #[derive(Debug, Clone, Copy)]
 pub struct Outlines<'a> {
     /// The points of all outlines.
@@ -90,10 +89,10 @@ pub struct Outlines<'a> {
     /// Outline k has the points `offsets[k]..offsets[k + 1]`; `None` for a single outline of all
     /// points.
     pub offsets: Option<&'a [u32]>,
-    /// Whether they are closed: from the last point back to the first.
+    /// Whether the outlines are closed, from the last point back to the first.
     pub closed: bool,
-    /// In ascending order of the points, at most one for each. Of points that are merged the first
-    /// constraint holds.
+    /// The constraints, in ascending order of the points, at most one for each point. If points are
+    /// merged, the first constraint holds.
     pub constraints: &'a [Constraint],
 }
 
@@ -109,12 +108,12 @@ pub struct Constraint {
 /// The requirement on the curve where it passes a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PointConstraint {
-    /// The curve may turn sharply: it is made of two that meet there.
+    /// The curve may turn sharply: two curves meet at the point.
     Corner,
-    /// The curve passes in this direction; of any length but 0.
+    /// The curve passes in this direction, of any length except 0.
     Tangent(DVec3),
-    /// The curve passes at this angle, in radians counter-clockwise from the x-axis, in the plane of
-    /// x and y.
+    /// The curve passes at this angle, in radians counter-clockwise from the x-axis, in the plane
+    /// of x and y.
     TangentAngle(f64),
 }
 
@@ -133,7 +132,7 @@ impl PointConstraint {
 }
 
 impl Outlines<'_> {
-    /// Checks offsets and constraints; the number of outlines.
+    /// Checks offsets and constraints. Returns the number of outlines.
     pub(crate) fn check(&self) -> Result<usize> {
         let count = self.points.len();
         if let Some(offsets) = self.offsets {
@@ -154,7 +153,7 @@ impl Outlines<'_> {
         Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
     }
 
-    /// How many points each of the outlines has, if that is the same.
+    /// The number of points of each outline, if it is the same for all.
     pub(crate) fn columns(&self, rows: usize) -> Result<usize> {
         let columns = if rows == 0 { 0 } else { self.span(0).len() };
         match (0..rows).map(|k| (k, self.span(k).len())).find(|&(_, count)| count != columns) {

@@ -1,25 +1,26 @@
-//! The account of an identification: statuses of points and outlines, measured residuals, and the
+//! The report on an identification: statuses of points and outlines, measured residuals, and the
 //! history of the cycles.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::{Deref, DerefMut};
 
-/// The outcome at a point. The curve passes all points but those marked so.
+/// The outcome at a point. The curve passes every point unless the status says otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u8)]
 pub enum PointStatus {
-    /// As asked.
+    /// The point is as requested.
     #[default]
     Ok = 0,
-    /// Its parameter was brought within the limits.
+    /// The parameter was clamped to the limits.
     ClampedParameter = 1,
-    /// It repeats a point before it (or the first one, at the end of a closed outline), and was
-    /// left out: the curve passes that one, which is within the tolerance for repeats.
+    /// The point repeats a previous point, or at the end of a closed outline the first one. It was
+    /// omitted, and the curve passes the other point, which is within the tolerance for
+    /// repetitions.
     Merged = 2,
-    /// It repeats the first or last point of its section, which has no control point then.
+    /// The point repeats the first or last point of its section, which then lacks a control point.
     Repeated = 3,
-    /// Its triangle is flat: it has no guide.
+    /// The triangle is flat and lacks a guide.
     Collinear = 4,
     /// The foot of the normal is outside the chord.
     NormalOutside = 5,
@@ -27,78 +28,81 @@ pub enum PointStatus {
     RightAngle = 6,
     /// The curve does not cross the guide.
     NoCrossing = 7,
-    /// The tangent runs between the points that should be on one side of it.
+    /// The tangent runs between points that must be on one side of it.
     TangentSeparates = 8,
     /// The curve would have to run backwards along the tangent.
     TangentBackward = 9,
-    /// The tangent cannot be reached by a quadratic: the point is beyond the section's end.
+    /// A quadratic cannot have the tangent, because the point is beyond the section's end.
     TangentBeyond = 10,
-    /// The tangent is not in the plane of the section; or the lock asks for guides, or the joints for
+    /// The tangent is not in the plane of the section. Or the lock needs guides, or the joints need
     /// continuous curvature, and the outline is not plane.
     OutOfPlane = 11,
-    /// The tangent has no direction.
+    /// The tangent vector is 0.
     NoTangent = 12,
-    /// The lock could not be kept: its parameter is that of [`Lock::Parameter`](super::Lock).
+    /// The lock could not be kept, so the point has the parameter of
+    /// [`Lock::Parameter`](super::Lock).
     FellBack = 13,
-    /// The iteration ended before it was still.
+    /// The iteration ended before it converged.
     NotConverged = 14,
-    /// The curve misses it: the outline has too few different points, or its equations have no
-    /// solution.
+    /// The curve misses the point, because the outline has too few distinct points or the equations
+    /// lack a solution.
     Missed = 15,
-    /// A joint beside it could not be where the option asks for it: it is in the middle between its
-    /// control points, or, for continuous curvature, the curvature there is 0.
+    /// A joint next to the point could not be placed as the options require. It is in the middle
+    /// between its control points, or, for continuous curvature, its curvature is 0.
     JointFellBack = 16,
-    /// It is on a composite curve, as the single one failed.
+    /// The point is on a composite curve, because the single one failed.
     CompositeInstead = 17,
-    /// The curve turns back at it: it stands still there, or leaves the way it came.
+    /// The curve reverses at the point: its speed is 0, or it leaves in the direction from which it
+    /// came.
     Cusp = 18,
 }
 
-/// The outcome of an outline.
+/// The outcome for an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u8)]
 pub enum FitStatus {
-    /// As asked.
+    /// The outline is as requested.
     #[default]
     Ok = 0,
-    /// Some points are not as asked: see their status.
+    /// Some points are not as requested; see their status.
     Partial = 1,
-    /// The iteration ended before it was still; the points have what it reached, or fell back.
+    /// The iteration ended before it converged. The points have the last values, or fell back.
     NotConverged = 2,
-    /// The iteration ran away.
+    /// The iteration diverged.
     Diverged = 3,
     /// The equations are so nearly singular that control points lie far outside the outline.
     IllConditioned = 4,
-    /// Fewer than two different points, or three of a closed outline: there is no curve, or what
-    /// two points give.
+    /// There are fewer than two distinct points, or fewer than three for a closed outline. The
+    /// curve is empty, or a line through two points.
     TooFewPoints = 5,
-    /// A single curve of more than [`MAX_DEGREE`](crate::MAX_DEGREE).
+    /// A single curve would exceed [`MAX_DEGREE`](crate::MAX_DEGREE).
     DegreeTooHigh = 6,
 }
 
-/// The account of one outline. Lengths are relative to its size: the longest side of its box.
+/// The report on one outline. Lengths are relative to its size, the longest side of its bounding
+/// box.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Report {
-    /// Its outcome.
+    /// The outcome.
     pub status: FitStatus,
-    /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
-    /// [`Options::max_sweeps`](super::Options).
+    /// The number of sweeps or iterations, the maximum over the parts between corners; 0 if none
+    /// were needed. At most [`Options::max_sweeps`](super::Options).
     pub iterations: u32,
-    /// Steps of the stepping solver.
+    /// The number of steps of the stepping solver.
     pub steps: u64,
-    /// The longest side of its box.
+    /// The longest side of the bounding box.
     pub size: f64,
-    /// The largest distance of a point from its place on the curve.
+    /// The largest residual: the largest distance of a point from its place on the curve.
     pub max_residual: f64,
-    /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
+    /// The largest sine of an angle by which the curve turns at a joint that should be smooth.
     pub max_joint_sine: f64,
-    /// The largest difference of the curvatures on both sides of a joint of a composite curve with
-    /// [`JointParameter::G2`](super::JointParameter), relative to the larger one, or to 1 / size
-    /// where both are less. 0 for other curves.
+    /// The largest difference of the curvatures on both sides of a joint, for a composite curve
+    /// with [`JointParameter::G2`](super::JointParameter). It is relative to the larger curvature,
+    /// or to 1 / size if both are smaller. 0 for other curves.
     pub max_curvature_gap: f64,
-    /// The farthest move of a control point in the last iteration.
+    /// The largest move of a control point in the last iteration.
     pub last_move: f64,
-    /// How many points have a status other than [`PointStatus::Ok`].
+    /// The number of points with a status other than [`PointStatus::Ok`].
     pub not_ok: u32,
 }
 
@@ -106,13 +110,14 @@ pub struct Report {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct Cycle {
-    /// The farthest move of a control point, relative to the size of the outline.
+    /// The largest move of a control point, relative to the size of the outline.
     pub moved: f64,
-    /// The steps of the stepping solver up to its end, of all cycles of the outline so far.
+    /// The steps of the stepping solver up to the end of this cycle, over all cycles of the
+    /// outline.
     pub steps: u64,
 }
 
-/// The report of an outline while it grows, and the history of its cycles if that is asked for.
+/// The report of an outline in progress, and the history of its cycles if requested.
 #[derive(Default)]
 pub(super) struct Account {
     pub(super) report: Report,
@@ -120,7 +125,7 @@ pub(super) struct Account {
 }
 
 impl Account {
-    /// Enters the farthest move of a cycle at its end.
+    /// Records the largest move of a cycle at its end.
     pub(super) fn end_cycle(&mut self, moved: f64) -> Result<()> {
         self.report.last_move = moved;
         let cycle = Cycle { moved, steps: self.report.steps };

@@ -6,8 +6,8 @@ use super::report::{PointStatus, Report};
 use crate::curve::segment;
 use glam::DVec3;
 
-/// Measures the curve of an outline near the origin; the joint of a closed curve's end and start
-/// counts too. O(segments).
+/// Measures the curve of an outline near the origin. The closing joint of a closed curve counts
+/// too. O(segments).
 pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) {
     let size = nodes.placement.size;
     if curve.is_empty() || size == 0.0 {
@@ -34,8 +34,8 @@ pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) 
     report.max_joint_sine = report.max_joint_sine.max(angle.sine());
 }
 
-/// Measures the curvatures on both sides of the joints that are to be smooth; points beside a joint
-/// where they differ, be it by rounding, get a status. O(segments).
+/// Measures the curvatures on both sides of the joints that should be smooth. If they differ, even
+/// by rounding, the points next to the joint get a status. O(segments).
 pub(super) fn measure_curvatures(nodes: &mut Nodes, curve: &CurveBuilder, report: &mut Report) {
     let (size, closed) = (nodes.placement.size, nodes.closed);
     let gap = |joint: usize| curvature_gap(curve, closed, size, joint);
@@ -48,11 +48,11 @@ pub(super) fn measure_curvatures(nodes: &mut Nodes, curve: &CurveBuilder, report
     }
 }
 
-/// A difference of curvatures that is none.
+/// The largest difference of curvatures that counts as none.
 const MAX_CURVATURE_GAP: f64 = 5e-7;
 
-/// The difference of the curvatures before and after a joint, relative to the larger one, or to 1 /
-/// size; 0 at corners and at the ends of open curves. Joint k is where segment k begins.
+/// The difference of the curvatures before and after joint k, the start of segment k. It is
+/// relative to the larger one, or to 1 / size. It is 0 at corners and at the ends of open curves.
 fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) -> f64 {
     let corner = if joint == 0 { curve.len() } else { joint } as u32;
     if (joint == 0 && !closed) || curve.corners().binary_search(&corner).is_ok() {
@@ -60,14 +60,14 @@ fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) ->
     }
     let (before, after) = (curve.segment(corner as usize - 1), curve.segment(joint));
     let ([.., p, q, r], [s, t, u, ..]) = (before, after) else { return 0.0 };
-    // Backwards, a curve turns the other way.
+    // Traversed backwards, a curve turns the other way.
     let here = -end_curvature(before.len(), [*r, *q, *p]);
     let there = end_curvature(after.len(), [*s, *t, *u]);
     here.distance(there) / here.length().max(there.length()).max(1.0 / size)
 }
 
-/// The curvature where a segment begins, across its plane: of degree d with the first control points
-/// p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
+/// The curvature at the start of a segment, as a vector perpendicular to its plane. For degree d
+/// and the first control points p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
 fn end_curvature(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
     let (leg, degree) = (q - p, (count - 1) as f64);
     let length = leg.length();
@@ -82,12 +82,12 @@ pub(super) struct MaxJointSine {
 }
 
 impl MaxJointSine {
-    /// Adds the joint between the legs `u`, which ends there, and `v`, which begins there. Legs
-    /// without length are passed over.
+    /// Adds the joint between the legs `u`, which ends there, and `v`, which begins there. Skips
+    /// legs of length 0.
     #[inline]
     pub(super) fn add(&mut self, u: DVec3, v: DVec3) {
         let (across, lengths) = (u.cross(v).length_squared(), u.length_squared() * v.length_squared());
-        // The division only where it is the largest so far.
+        // Divide only if the joint's angle is the largest so far.
         if across > self.squared * lengths && lengths > 0.0 {
             self.squared = across / lengths;
         }

@@ -1,8 +1,8 @@
-//! The sections of all points by themselves: the paper's methods before anything is joined. O(n).
+//! The sections of all points independently: the paper's methods before sections are joined. O(n).
 
 use super::identify_options::{Options, Solver};
 use super::method::{
-    Method, Section, power, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through,
+    Method, Section, power, section_at, section_by_end_tangent, section_by_start_tangent, section_by_tangent,
 };
 use super::outlines::{Constraint, Outlines, Points};
 use super::report::PointStatus;
@@ -20,30 +20,32 @@ const POINTS_PER_REPORT: usize = 1 << 16;
 /// The sections of outlines, one for each point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sections {
-    /// The control point of each section; the section of point i is the quadratic from point i - 1
-    /// over it to point i + 1. At the ends of open outlines, which have no section, the point
-    /// itself.
+    /// The control point of each section. The section of point i is the quadratic from point i - 1
+    /// to point i + 1 with this control point. The ends of open outlines lack a section, and the
+    /// entry is the point itself.
     pub controls: Vec<DVec3>,
     /// The parameter of the point on its section; 0 and 1 at the ends of open outlines.
     pub parameters: Vec<f64>,
     /// The outcome at each point.
     pub statuses: Vec<PointStatus>,
-    /// The steps of the stepping solver, of all sections.
+    /// The steps of the stepping solver, over all sections.
     pub steps: u64,
 }
 
 /// Finds the section of each point with its two neighbours.
 ///
-/// A tangent constraint at a point makes its section pass in that direction; one at the first or
-/// last point of an open outline is that of its neighbour's section there. Where the tangent or the
-/// normal cannot be had, the method (the bisector instead of the normal) takes its place, and the
-/// status says so. Corners mean nothing here. Of the options the method and the solver are read:
-/// with [`Solver::Step`] sections without a tangent are found by the paper's steps, and one whose
-/// steps are used up is by the closed form, and [`PointStatus::NotConverged`]. O(n), and so many
-/// steps; memory for the result.
+/// A tangent constraint at a point makes its section pass in that direction. At the first or last
+/// point of an open outline, it applies to the neighbour's section there. If the tangent or the
+/// normal is impossible, the method replaces it (for the normal, the bisector), and the status says
+/// so. Corners are ignored.
+///
+/// Only the options `method` and `solver` are read. With [`Solver::Step`], sections without a
+/// tangent are found by the paper's steps. A section that uses up its steps is found in closed
+/// form, with the status [`PointStatus::NotConverged`]. O(n), plus the steps; memory for the
+/// result.
 ///
 /// # Errors
-/// Those of [`fit`](super::fit()), but for the constraints' corners.
+/// The errors of [`fit`](super::fit()), except for corner constraints.
 ///
 /// Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms.
 pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Sections> {
@@ -58,11 +60,11 @@ pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Re
     Ok(found)
 }
 
-/// Hands the section and the outcome of each point to `visit`, in the order of the points; otherwise as
-/// [`sections`]. Returns the steps of the stepping solver. No memory.
+/// Calls `visit` with the section and the outcome of each point, in order; otherwise like
+/// [`sections`]. Returns the steps of the stepping solver. Allocates nothing.
 ///
 /// # Errors
-/// Those of [`sections`]. Some points may have been visited then.
+/// The errors of [`sections`]. Some points may already have been visited.
 pub fn visit_sections(
     outlines: &Outlines<'_>,
     options: &Options,
@@ -89,10 +91,10 @@ pub fn visit_sections(
             }
             let some = from..span.end.min(from + POINTS_PER_REPORT);
             if let (true, [], Some(_), Solver::Fast) = (closed, own, method.alpha(), options.solver) {
-                finder.unconstrained(&span, some, &mut visit);
+                finder.visit_unconstrained(&span, some, &mut visit);
             } else {
                 for i in some {
-                    let (section, status) = finder.constrained(&span, own, closed, i, &mut steps)?;
+                    let (section, status) = finder.constrained_section(&span, own, closed, i, &mut steps)?;
                     visit(section, status);
                 }
             }
@@ -113,7 +115,7 @@ impl Sections {
     }
 }
 
-/// What sections are found by.
+/// Finds the sections of the points.
 struct Finder<'a> {
     points: &'a Points<'a>,
     options: &'a Options,
@@ -124,7 +126,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// The section of point `i` of an outline with the constraints `own`.
-    fn constrained(
+    fn constrained_section(
         &self,
         outline: &Range<usize>,
         own: &[Constraint],
@@ -150,7 +152,7 @@ impl Finder<'_> {
         };
         let (mut section, mut status) = section_or_fallback(triple, tangents, self.method);
         if self.options.solver == Solver::Step && tangents == [None; 3] {
-            // Where the bisector stands in for the normal it does so here.
+            // Where the bisector replaces the normal, it does so here too.
             let method = if status == PointStatus::Ok { self.method } else { Method::Bisector };
             match step_section(triple[0], triple[1], triple[2], method, self.options, self.job)? {
                 Ok((stepped, count)) => {
@@ -165,8 +167,13 @@ impl Finder<'_> {
     }
 
     /// The sections of some points of a closed outline without constraints, by a method with an
-    /// exponent: each chord is measured once.
-    fn unconstrained(&self, outline: &Range<usize>, some: Range<usize>, visit: &mut impl FnMut(Section, PointStatus)) {
+    /// exponent. Each chord is measured once.
+    fn visit_unconstrained(
+        &self,
+        outline: &Range<usize>,
+        some: Range<usize>,
+        visit: &mut impl FnMut(Section, PointStatus),
+    ) {
         let alpha = self.method.alpha().unwrap_or(0.5);
         // Exact, as the scale is a power of two.
         let back = 1.0 / self.scale;
@@ -177,7 +184,7 @@ impl Finder<'_> {
         for i in some {
             let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
             let leaving = power(p.distance(after), alpha);
-            let (section, status) = match through(before, p, after, arriving / (arriving + leaving)) {
+            let (section, status) = match section_at(before, p, after, arriving / (arriving + leaving)) {
                 Ok(section) => (section, PointStatus::Ok),
                 Err(_) => section_or_fallback([before, p, after], [None; 3], self.method),
             };
@@ -187,8 +194,8 @@ impl Finder<'_> {
     }
 }
 
-/// A power of two that brings coordinates near 1 if squares of them could overflow or vanish; else
-/// 1.
+/// A power of two that scales coordinates close to 1 if their squares could overflow or underflow;
+/// otherwise 1.
 fn scale(outlines: &Outlines<'_>) -> Result<f64> {
     let mut largest = 0.0f64;
     for i in 0..outlines.points.len() {
@@ -208,8 +215,8 @@ fn tangent(constraints: &[Constraint], point: usize) -> Option<DVec3> {
     constraints[at].kind.tangent()
 }
 
-/// The section through three points; tangents at the first, the middle and the last one, the middle
-/// one first of all.
+/// The section through three points. Tangents at the first, the middle and the last point apply if
+/// possible, the middle one with priority.
 #[inline]
 fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], method: Method) -> (Section, PointStatus) {
     let wanted = match tangents {
@@ -225,8 +232,8 @@ fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], meth
                 Method::Normal => Method::Bisector.section(a, p, c),
                 _ => method.section(a, p, c),
             };
-            // Where P repeats A or C the median still goes through all three.
-            let section = stand_in.or_else(|_| through(a, p, c, 0.5));
+            // If P coincides with A or C, the median still passes all three points.
+            let section = stand_in.or_else(|_| section_at(a, p, c, 0.5));
             (section.unwrap_or(Section { control: p, t: 0.5 }), status)
         }
     }

@@ -1,38 +1,37 @@
-//! The unknowns of a piecewise curve, one of each for every point of a subcurve, and the memory to
-//! solve for them in.
+//! The unknowns of a piecewise curve, one of each kind for every point of a subcurve, and the
+//! workspace to solve for them.
 
 use super::subcurve::Subcurve;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Parameters, joint parameters and control points of a composite curve; other curves use the lists
-/// for their own unknowns.
+/// The parameters, joint parameters and control points of a composite curve. Other curves use the
+/// lists for their own unknowns.
 #[derive(Default)]
 pub(super) struct Solution {
     /// The parameter of each point on its section.
     pub(super) t: Vec<f64>,
-    /// The parameter by the data's own triangle, to fall back to.
+    /// The parameter by the data's own triangle, as the fallback.
     pub(super) data_t: Vec<f64>,
     /// The joint parameter beta_i behind section i; empty if all are 1/2.
     pub(super) beta: Vec<f64>,
-    /// The handles lambda_i and mu_i of each section, if it is a cubic; empty if all are
-    /// quadratics.
+    /// The handles lambda_i and mu_i of each cubic section; empty if all sections are quadratics.
     pub(super) handles: Vec<[f64; 2]>,
     /// The control points B_i.
     pub(super) controls: Vec<DVec3>,
     /// The factors of the elimination.
     pub(super) upper: Vec<f64>,
-    /// Those of the last unknown, in a cyclic system.
+    /// The factors of the last unknown in a cyclic system.
     pub(super) across: Vec<f64>,
-    /// While a composite curve is iterated: the joint parameters, the ends of an open subcurve
-    /// included.
+    /// During the iteration of a composite curve: the joint parameters, including the ends of an
+    /// open subcurve.
     pub(super) joints: Vec<f64>,
     /// Whether a point has fallen back to the parameter by the data's own triangle.
     pub(super) fell_back: Vec<bool>,
-    /// Whether the section did not cross the guide of its point when it was last placed.
+    /// Whether the section missed the guide of its point when it was last placed.
     pub(super) missed_guide: Vec<bool>,
-    /// The direction of the guide through a point, of length 1; 0 where there is none.
+    /// The unit direction of the guide through a point; 0 without a guide.
     pub(super) guides: Vec<DVec3>,
     /// The control points before an iteration.
     pub(super) previous: Vec<DVec3>,
@@ -46,7 +45,7 @@ impl Solution {
         alloc::grow(&mut self.controls, n, DVec3::ZERO)
     }
 
-    /// Enters the joint parameters of a subcurve to be iterated; no point has fallen back.
+    /// Prepares the joint parameters of a subcurve for an iteration. No point has fallen back yet.
     pub(super) fn begin(&mut self, sub: &Subcurve<'_>) -> Result<()> {
         let n = sub.len();
         self.joints.clear();
@@ -56,13 +55,13 @@ impl Solution {
         alloc::reset(&mut self.previous, n, DVec3::ZERO)
     }
 
-    /// Keeps the control points as they are before an iteration.
-    pub(super) fn remember(&mut self) {
+    /// Saves the control points before an iteration.
+    pub(super) fn save_controls(&mut self) {
         let n = self.previous.len();
         self.previous.copy_from_slice(&self.controls[..n]);
     }
 
-    /// The control point of section `i`, and its first and last joint, seen from its point.
+    /// The control point of section `i`, and its first and last joint, relative to its point.
     #[inline(always)]
     pub(super) fn legs(&self, sub: &Subcurve<'_>, i: usize) -> [DVec3; 3] {
         let (previous, next) = (sub.previous(i), sub.next(i));
@@ -76,7 +75,7 @@ impl Solution {
         alloc::reset(&mut self.beta, n, 0.5)
     }
 
-    /// beta_i, the joint parameter behind section `i`: 0 and 1 where a section itself begins or
+    /// beta_i, the joint parameter behind section `i`; 0 or 1 where the section itself begins or
     /// ends the subcurve.
     #[inline]
     pub(super) fn joint_parameter(sub: &Subcurve<'_>, beta: &[f64], i: usize) -> f64 {
@@ -89,7 +88,7 @@ impl Solution {
         }
     }
 
-    /// J_i, the joint behind section `i`; the ends of an open subcurve are joints too.
+    /// J_i, the joint behind section `i`; the ends of an open subcurve count as joints.
     #[inline]
     pub(super) fn joint(&self, sub: &Subcurve<'_>, i: usize) -> DVec3 {
         let (last, next) = (sub.len() - 1, sub.next(i));

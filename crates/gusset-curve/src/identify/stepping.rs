@@ -1,10 +1,11 @@
 //! The paper's search for a control point: steps along a direction, refined tenfold where the
 //! deviation changes its sign.
 //!
-//! Unlike the paper's, a step is along the unit vector of the guide, not in y, as a guide may be
-//! level; it has the sign of the deviation, and may go down; and the search ends when the step or
-//! the deviation is small, not at the first change of sign. O(log(1 / tolerance)) steps once the
-//! sign has changed, first_step apart before.
+//! There are three differences from the paper. A step follows the unit vector of the guide instead
+//! of y, because a guide may be horizontal. It has the sign of the deviation, so it may be
+//! negative. The search ends when the step or the deviation is small, not at the first change of
+//! sign. It takes O(log(1 / tolerance)) steps after the first change of sign, and steps of
+//! first_step before.
 //!
 //! Source: Nadopta, points 4 to 6 of the method of the normal.
 
@@ -15,12 +16,12 @@ use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Steps of a tenth of a second, where each takes a whole curve of some points.
+/// The number of steps in a tenth of a second, if each evaluates a whole curve of some points.
 const STEPS_PER_REPORT: u64 = 1 << 11;
 const STAGE: &str = "stepping along guides";
 
-/// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the
-/// steps are used up. The deviation falls with x.
+/// Finds the offset x from 0 on at which `deviation` is 0, and the number of steps. Returns `None`
+/// if the steps are used up. The deviation must decrease with x.
 pub(super) fn step(
     options: &Options,
     size: f64,
@@ -28,13 +29,13 @@ pub(super) fn step(
     steps: &mut u64,
     job: &Job<'_>,
 ) -> Result<Option<f64>> {
-    // The deviation has a slope of 0.28 to 1 in all uses: the error of an offset is that much more
-    // than the deviation.
+    // The slope of the deviation is 0.28 to 1 in all uses, so the error of an offset exceeds the
+    // deviation accordingly.
     let tolerance = (options.tolerance * 0.125).max(f64::EPSILON) * size;
     let (mut x, mut step) = (0.0f64, options.first_step * size);
     let mut flag = 0.0;
     for _ in 0..options.max_steps {
-        // Of all points: each may take fewer.
+        // Counts over all points, because each may take fewer.
         if steps.is_multiple_of(STEPS_PER_REPORT) {
             job.step(0.0, STAGE)?;
         }
@@ -59,13 +60,13 @@ pub(super) fn step(
     Ok(None)
 }
 
-/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from
-/// P along the guide, until the curve crosses the guide at P. It crosses it at the same parameter
-/// wherever B is, as the paper observes of the normal and as holds for all guides.
+/// Finds the section from A through P to C by the paper's stepping, and the number of steps. B
+/// moves from P along the guide until the curve crosses the guide at P. The crossing has the same
+/// parameter for every B, as the paper observes for the normal and as holds for all guides.
 ///
 /// # Errors
-/// [`Error::Cancelled`](gusset_base::Error::Cancelled). Of the section: those of [`Method::section`];
-/// [`PointStatus::NotConverged`] if the steps are used up.
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled). The section has the errors of
+/// [`Method::section`], and [`PointStatus::NotConverged`] if the steps are used up.
 pub fn step_section(
     a: DVec3,
     p: DVec3,
@@ -81,8 +82,8 @@ pub fn step_section(
     let s = 1.0 - t;
     let (u, w) = (a - p, c - p);
     let size = u.abs().max_element().max(w.abs().max_element()).max((c - a).abs().max_element());
-    // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. A point that is
-    // the foot has nowhere to go.
+    // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. If the point is
+    // the foot, there is no direction.
     let still = u * (s * s) + w * (t * t);
     let guide = -still.normalize_or_zero();
     let mut steps = 0;
@@ -108,20 +109,20 @@ mod tests {
         // 0.1 until 0.4, back, then by hundredths and so on.
         let x = go(&options, |x| 0.345_678_9 - x).unwrap();
         assert!((x - 0.345_678_9).abs() <= 1e-6, "{x}");
-        // The other way, and nowhere to go.
+        // Backwards, and without a direction.
         assert!((go(&options, |x| -0.7 - x).unwrap() + 0.7).abs() <= 1e-6);
         assert_eq!(go(&options, |_| 0.0), Some(0.0));
-        // Out of reach, and not a number.
+        // Out of reach, and NaN.
         let few = Options { max_steps: 5, ..options };
         assert_eq!(go(&few, |x| 5.0 - x), None);
         assert_eq!(go(&options, |_| f64::NAN), None);
         assert!((30..120).contains(&steps), "{steps}");
     }
 
-    /// Cancels.
-    struct Enough;
+    /// Cancels at the first report.
+    struct CancelAtOnce;
 
-    impl Progress for Enough {
+    impl Progress for CancelAtOnce {
         fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
             ControlFlow::Break(())
         }
@@ -131,7 +132,7 @@ mod tests {
     fn small_steps_can_be_cancelled() {
         let options = Options { max_steps: u32::MAX, first_step: 1e-300, ..Options::default() };
         let mut steps = 0;
-        let stopped = step(&options, 1.0, |x| 1.0 - x, &mut steps, &Job::new(1, &Enough));
+        let stopped = step(&options, 1.0, |x| 1.0 - x, &mut steps, &Job::new(1, &CancelAtOnce));
         assert_eq!(stopped, Err(Error::Cancelled));
         assert!(steps < 1_000_000, "{steps}");
     }

@@ -1,5 +1,5 @@
-//! Subcurves: the part of an outline between two of its cuts, or a whole closed one, as one system
-//! of equations sees it.
+//! Subcurves: the part of an outline between two of its cuts, or a whole closed outline, as one
+//! system of equations.
 
 use super::curve_builder::CurveBuilder;
 use super::identify_options::Options;
@@ -10,15 +10,16 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// The points that one curve is to pass, near the origin and of a size near 1, and how.
+/// The points that one curve passes, near the origin and of a size near 1, with the conditions on
+/// the curve.
 #[derive(Clone, Copy)]
 pub(super) struct Subcurve<'a> {
-    /// No two neighbours are the same. At least 3 if closed, else at least 2.
+    /// No two neighbours coincide. At least 3 points if closed, otherwise at least 2.
     pub(super) points: &'a [DVec3],
     pub(super) closed: bool,
-    /// Directions, of length 1, in which an open subcurve begins and ends.
+    /// The unit directions in which an open subcurve begins and ends.
     pub(super) tangents: [Option<DVec3>; 2],
-    /// The longest side of the outline's box.
+    /// The longest side of the outline's bounding box.
     pub(super) size: f64,
     pub(super) options: &'a Options,
 }
@@ -29,24 +30,24 @@ impl Subcurve<'_> {
         self.points.len()
     }
 
-    /// The point before `i`, round the end.
+    /// The point before `i`, cyclically.
     #[inline]
     pub(super) fn previous(&self, i: usize) -> usize {
         if i == 0 { self.len() - 1 } else { i - 1 }
     }
 
-    /// The point after `i`, round the end.
+    /// The point after `i`, cyclically.
     #[inline]
     pub(super) fn next(&self, i: usize) -> usize {
         if i + 1 == self.len() { 0 } else { i + 1 }
     }
 
-    /// The sections by the numbers of their points: one for each point that is no end.
+    /// The sections by the indices of their points: one for each point except the ends.
     pub(super) fn sections(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 1..self.len() - 1 }
     }
 
-    /// The spans from each point to the next, by the numbers of their first points.
+    /// The spans from each point to the next, by the indices of their first points.
     pub(super) fn spans(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 0..self.len() - 1 }
     }
@@ -56,14 +57,14 @@ impl Subcurve<'_> {
         [self.points[self.previous(i)], self.points[i], self.points[self.next(i)]]
     }
 
-    /// The parameters allowed on sections: from `parameter_limit` to 1 less that.
+    /// The range of parameters on sections: from `parameter_limit` to 1 minus it.
     pub(super) fn parameter_range(&self) -> [f64; 2] {
         [self.options.parameter_limit, 1.0 - self.options.parameter_limit]
     }
 
-    /// The control points next to the ends where tangents are given: a third of the way to the next
-    /// point along the tangent, as on a straight line of even speed; a quarter if the next point is
-    /// the other end and both have tangents, half if only one has.
+    /// The control points next to ends with a tangent. They lie on the tangent at a third of the
+    /// distance to the next point, as on a straight line of uniform speed. If the next point is the
+    /// other end, the fraction is a quarter if both ends have tangents, and half if only one has.
     pub(super) fn end_controls(&self) -> [Option<DVec3>; 2] {
         let last = self.len() - 1;
         let fraction = match (last, self.tangents) {
@@ -94,7 +95,7 @@ impl Default for PointResult {
 }
 
 impl PointResult {
-    /// Sets the status, unless one is set: the first cause stays.
+    /// Sets the status, unless it is already set: the first cause stays.
     pub(super) fn flag(&mut self, status: PointStatus) {
         if self.status == PointStatus::Ok {
             self.status = status;
@@ -102,25 +103,25 @@ impl PointResult {
     }
 }
 
-/// What becomes of a subcurve.
+/// The output of the solvers for a subcurve.
 pub(super) struct Output<'a> {
     /// The outcome at each of its points.
     pub(super) results: &'a mut [PointResult],
-    /// The account of the outline.
+    /// The report of the outline.
     pub(super) report: &'a mut Account,
     /// The outline's curve so far.
     pub(super) builder: &'a mut CurveBuilder,
-    /// Whom long computations ask whether to go on.
+    /// The receiver of progress reports.
     pub(super) job: &'a Job<'a>,
 }
 
 impl Output<'_> {
-    /// Sets the status of all points that have none: see [`PointResult::flag`].
+    /// Sets the status of all points that lack one; see [`PointResult::flag`].
     pub(super) fn flag_all(&mut self, status: PointStatus) {
         self.results.iter_mut().for_each(|result| result.flag(status));
     }
 
-    /// Appends a segment over span `i`, by its control points but the first.
+    /// Appends a segment over span `i`. `rest` has its control points except the first.
     pub(super) fn push_span(&mut self, sub: &Subcurve<'_>, i: usize, rest: &[DVec3]) -> Result<()> {
         let segment = self.builder.len() as u32;
         self.builder.push(rest)?;

@@ -1,13 +1,15 @@
-//! Area and moments of the region that a curve encloses; an open curve is closed by its chord.
+//! Area and moments of the region that a curve encloses. The chord closes an open curve.
 //!
-//! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2
-//! (Green's theorem); the mean of a triangle's points is 2 r / 3 and of their products r r^T / 2.
-//! So
+//! With r measured from the curve's start, the region is swept in triangles (0, r, r + dr) of area
+//! r x dr / 2 (Green's theorem). The mean of a triangle's points is 2 r / 3, and the mean of their
+//! products is r r^T / 2. With W dt = r x dr,
 //!
-//! area = 1/2 of the integral of W,   first = 1/3 of that of r W,   second = 1/4 of that of r r^T
-//! W,   W dt = r x dr,
+//! - area = 1/2 of the integral of W,
+//! - first moment = 1/3 of the integral of r W,
+//! - second moment = 1/4 of the integral of r r^T W.
 //!
-//! polynomials in t whose integrals are exact. The chord back to the start sweeps nothing.
+//! All integrands are polynomials in t, which are integrated exactly. The chord back to the start
+//! adds nothing.
 
 use crate::curve::segment::SegmentBuffer;
 use crate::curve::unit_frame::UnitFrame;
@@ -20,8 +22,8 @@ use gusset_base::job::Job;
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
-/// The moments of the region that a plane curve encloses. Regions that the curve runs round
-/// clockwise count negative, those it runs round twice count twice.
+/// The moments of the region that a plane curve encloses. Parts that the curve traverses clockwise
+/// count as negative. Parts that it traverses twice count twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moments {
     /// The area, positive if the curve runs counter-clockwise.
@@ -32,8 +34,7 @@ pub struct Moments {
     pub second: [f64; 3],
 }
 
-/// The components of the control points seen from `start`, in the frame, and those of the
-/// derivative.
+/// The components of the control points relative to `start`, in the frame, and of the derivative.
 fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
     let r = SegmentBuffer::mapped(controls, |p| frame.point(p) - start);
     let mut d = r;
@@ -48,15 +49,15 @@ fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MA
 }
 
 impl CurveView<'_> {
-    /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in
-    /// space its component along any direction is the area of the shadow thrown that way. An open
-    /// curve is closed by the chord from its end to its start. Exact but for rounding. O(sum of
+    /// The area vector: half the integral of r x dr. For a plane curve it is (0, 0, signed area).
+    /// In space, its component along a direction is the area of the projection along that
+    /// direction. The chord from end to start closes an open curve. Exact up to rounding. O(sum of
     /// degree^2).
     ///
     /// # Errors
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn area_vector(&self, job: &Job<'_>) -> Result<DVec3> {
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let Some(&start) = self.points().first() else {
             return Ok(DVec3::ZERO);
         };
@@ -73,16 +74,17 @@ impl CurveView<'_> {
         Ok((doubled * 0.5).map(|x| frame.length_back(frame.length_back(x))))
     }
 
-    /// Area, centroid and second moments of what a plane curve encloses. Exact but for rounding.
-    /// O(sum of degree^2).
+    /// The area, centroid and second moments of the region that a plane curve encloses. Exact up to
+    /// rounding. O(sum of degree^2).
     ///
     /// # Errors
-    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane), [`EmptyCurve`](gusset_base::Error::EmptyCurve),
+    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane),
+    /// [`EmptyCurve`](gusset_base::Error::EmptyCurve),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn moments(&self, job: &Job<'_>) -> Result<Moments> {
         self.check_not_empty()?;
         self.check_plane()?;
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let start = frame.point(self.points()[0]);
         let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
         for (k, controls) in self.segments().enumerate() {
@@ -104,7 +106,8 @@ impl CurveView<'_> {
             }
         }
         let [x, y] = if area == 0.0 { [0.0; 2] } else { first.map(|f| f / area) };
-        // The parallel axes: second about the centroid = second about the start - area c c^T.
+        // The parallel axis theorem: second about the centroid = second about the start - area c
+        // c^T.
         let central = [second[0] - x * first[0], second[1] - x * first[1], second[2] - y * first[1]];
         let back = |x: f64, power: u32| (0..power).fold(x, |x, _| frame.length_back(x));
         Ok(Moments {

@@ -2,11 +2,12 @@
 
 use gusset_base::sort;
 
-/// The real roots of a t^3 + b t^2 + c t + d, ascending, one to three of them; `None` if a is too
-/// small beside the others for the formula.
+/// The one to three real roots of a t^3 + b t^2 + c t + d, ascending. Returns `None` if a is too
+/// small relative to the other coefficients for the formula.
 ///
-/// With t = x - b / (3 a): x^3 + 3 p x + 2 q = 0, whose discriminant is q^2 + p^3 (Cardano; for
-/// three real roots Viète's cosines). Each root is then improved by two steps of Newton's method.
+/// With t = x - b / (3 a), the equation is x^3 + 3 p x + 2 q = 0 with the discriminant q^2 + p^3.
+/// One real root follows from Cardano's formula, three from Viète's cosines. Two Newton steps then
+/// refine each root.
 pub(super) fn real_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 3], usize)> {
     let size = b.abs().max(c.abs()).max(d.abs());
     if a.abs() <= 1e-6 * size || a == 0.0 {
@@ -19,11 +20,11 @@ pub(super) fn real_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 3], us
     let discriminant = q * q + p * p * p;
     let mut roots = [0.0; 3];
     let count = if discriminant >= 0.0 {
-        // u^3 = -q -+ sqrt: the sign so that nothing cancels; v = -p / u.
+        // u^3 = -q -+ sqrt, with the sign that avoids cancellation; v = -p / u.
         let root = discriminant.sqrt();
         let u = libm::cbrt(if q > 0.0 { -q - root } else { root - q });
         let v = if u == 0.0 { 0.0 } else { -p / u };
-        // A double root, at -(u + v) / 2, may have been lost to rounding: it is offered as well.
+        // Rounding may have hidden a double root at -(u + v) / 2, so add it as a candidate.
         roots = [shift + u + v, shift - 0.5 * (u + v), 0.0];
         2
     } else {
@@ -56,11 +57,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn roots_given_are_roots_found(r in [-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64]) {
+        fn known_roots_are_found(r in [-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64]) {
             let [x, y, z] = r;
             let (found, count) = real_roots(1.0, -(x + y + z), x * y + y * z + z * x, -x * y * z).unwrap();
             for root in r {
-                // A double root may come out 1e-8 off.
+                // A double root may be off by 1e-8.
                 prop_assert!(found[..count].iter().any(|t| (t - root).abs() < 1e-5), "{:?} {:?}", r, found);
             }
         }

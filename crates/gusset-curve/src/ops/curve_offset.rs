@@ -1,11 +1,13 @@
-//! The curve at a distance from a plane curve, re-fitted by Bézier segments.
+//! The offset of a plane curve, fitted by Bézier segments.
 //!
-//! With the left normal N the offset is O = C + d N, and O' = C' + d N', N' being T' turned, T' =
-//! (C'' - T (T . C'')) / |C'|. O runs along T, too: by 1 - k d times the speed, k the curvature, so
-//! it turns back where the radius 1 / k is smaller than d. A cubic piece takes both ends and both
-//! derivatives of O (error of order h^4), a quadratic one both ends and the directions there.
-//! Either way pieces join with one tangent. Pieces are halved until the deviation measured is small
-//! enough.
+//! With the unit tangent T and the left normal N, the offset at distance d is O = C + d N. Its
+//! derivative is O' = C' + d N', where N' is T' turned by a quarter, and T' = (C'' - T (T . C'')) /
+//! |C'|. O' is parallel to T with 1 - k d times the speed of C, for the curvature k. The offset
+//! therefore runs backwards where the radius of curvature 1 / k is smaller than d.
+//!
+//! A cubic piece matches both ends and both derivatives of O, with an error of order h^4. A
+//! quadratic piece matches both ends and both directions. Either way, pieces join with a common
+//! tangent. Pieces are halved until the measured deviation is small enough.
 
 use super::evaluate::tangent;
 use crate::curve::segment::{self, jet};
@@ -15,57 +17,56 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
-/// How an offset is fitted.
+/// The options of an offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OffsetOptions {
     /// The degree of the result's segments, 2 or 3.
     pub degree: usize,
-    /// The deviation aimed at, above 0, in the unit of the points; what is below 1e-13 of size and
-    /// distance is out of reach.
+    /// The target deviation, above 0, in the unit of the points. Deviations below 1e-13 of the size
+    /// and the distance cannot be reached.
     pub tolerance: f64,
-    /// No segment is halved once there are so many, at least 1; the segments that are needed anyway
-    /// may be more.
+    /// Halving stops at this number of segments, at least 1. The result has more segments if the
+    /// curve itself needs more.
     pub max_segments: usize,
 }
 
 /// An offset curve.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Offset {
-    /// The curve; it may cross itself, and what lies nearer than the distance to other parts is not
-    /// taken away.
+    /// The curve. It may intersect itself; parts closer to the original than the distance are not
+    /// trimmed.
     pub curve: Curve,
-    /// How far it is from the true offset, at most, as measured at 16 places inside each segment,
-    /// in the unit of the points.
+    /// The largest deviation from the true offset at 16 places inside each segment, in the unit of
+    /// the points.
     pub deviation: f64,
-    /// False if the tolerance was not reached: see [`OffsetOptions::max_segments`].
+    /// False if the tolerance was not reached; see [`OffsetOptions::max_segments`].
     pub reached: bool,
-    /// True if somewhere the radius of curvature, on the side of the offset, is at most the
-    /// distance: the offset has cusps there, or runs backwards.
+    /// True if the radius of curvature on the side of the offset is somewhere at most the distance.
+    /// The offset then has cusps or runs backwards there.
     pub tight: bool,
-    /// The number of corners of the original, where the ends of the offset pieces are joined by a
-    /// straight segment.
+    /// The number of corners of the original. A straight segment joins the pieces at each corner.
     pub corners: usize,
 }
 
-/// A piece is halved this often at most.
+/// The maximum number of times that a piece is halved.
 const MAX_DEPTH: u32 = 16;
 const PIECES_PER_REPORT: usize = 1 << 6;
 const STAGE: &str = "offset";
-/// Places inside a piece where it is measured.
+/// The number of places inside a piece where the deviation is measured.
 const SAMPLES_PER_PIECE: u32 = 16;
 
 impl CurveView<'_> {
-    /// The curve at the distance `distance` to the left of a plane curve, seen along it from x to
-    /// y; to the right if negative. Segments without extent are passed over. O(degree) for each of
-    /// the places measured.
+    /// Offsets a plane curve by `distance` to the left, looking along the curve with y to the left
+    /// of x. A negative distance offsets to the right. Segments without extent are skipped.
+    /// O(degree) for each measured place.
     ///
     /// # Errors
-    /// [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent),
-    /// [`Error::OptionOutOfRange`] (distance not finite or beyond 1e100 sizes of the curve; an
-    /// option), [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (all segments lack an extent),
+    /// [`Error::OptionOutOfRange`] (the distance is not finite or beyond 1e100 sizes of the curve;
+    /// an option), [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
         self.check_plane()?;
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let d = frame.length(distance);
         Error::require(d.abs() <= 1e100, "distance", distance)?;
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
@@ -93,34 +94,34 @@ impl CurveView<'_> {
     }
 }
 
-/// A place of the true offset.
+/// A point of the true offset, with derivatives.
 #[derive(Clone, Copy)]
 struct OffsetPoint {
     t: f64,
     point: DVec3,
-    /// T, of length 1.
+    /// The unit tangent T.
     along: DVec3,
-    /// O'.
+    /// The derivative O'.
     speed: DVec3,
 }
 
 struct OffsetFit<'a> {
-    /// The part of the job that is the segment at work.
+    /// The current segment's part of the job.
     job: Job<'a>,
     frame: UnitFrame,
     d: f64,
     tolerance: f64,
     options: OffsetOptions,
-    /// So many segments there are, without the corners.
+    /// The number of segments so far, not counting corners.
     pieces: usize,
-    /// The end of the last one, in the frame.
+    /// The end of the last segment, in the frame.
     end: DVec3,
-    /// What there is so far; its deviation in the frame.
+    /// The result so far; its deviation is in the frame.
     offset: Offset,
 }
 
-/// A quarter turn to the left.
-fn left(v: DVec3) -> DVec3 {
+/// Rotates by a quarter turn to the left.
+fn turn_left(v: DVec3) -> DVec3 {
     DVec3::new(-v.y, v.x, 0.0)
 }
 
@@ -131,7 +132,7 @@ impl OffsetFit<'_> {
         self.piece(controls, start, end, MAX_DEPTH)
     }
 
-    /// Begins the curve, or goes on with a straight segment if there is a corner.
+    /// Begins the curve, or bridges a corner by a straight segment.
     fn begin(&mut self, at: DVec3) -> Result<()> {
         let curve = &mut self.offset.curve;
         if curve.points.is_empty() {
@@ -149,17 +150,17 @@ impl OffsetFit<'_> {
         let along = tangent(controls, t);
         let pace = first.length();
         let speed = if pace > 1e-13 {
-            first + left((second - along * along.dot(second)) / pace) * self.d
+            first + turn_left((second - along * along.dot(second)) / pace) * self.d
         } else {
-            // A cusp of the curve itself.
+            // The curve itself has a cusp here.
             self.offset.tight = true;
             DVec3::ZERO
         };
         self.offset.tight |= speed.dot(along) <= 0.0;
-        OffsetPoint { t, point: point + left(along) * self.d, along, speed }
+        OffsetPoint { t, point: point + turn_left(along) * self.d, along, speed }
     }
 
-    /// Fits a piece, or its halves.
+    /// Fits a piece, or its halves if the fit is not close enough.
     fn piece(&mut self, controls: &[DVec3], from: OffsetPoint, to: OffsetPoint, depth: u32) -> Result<()> {
         let degree = self.options.degree;
         let fitted = if degree == 2 { quadratic(&from, &to) } else { Some(cubic(&from, &to)) };
@@ -182,9 +183,9 @@ impl OffsetFit<'_> {
         self.offset.curve.push(&fitted.map(|p| self.frame.point_back(p))[1..=degree])
     }
 
-    /// The largest distance of the piece's points from the true offset: at the same parameter, or
-    /// at the foot on the curve found from there by a step of Newton's method for (C - Q) . C' = 0,
-    /// if that is nearer.
+    /// The largest distance of the piece from the true offset. Each sample is compared with the
+    /// offset at the same parameter. It is also compared at the foot point, found by one Newton
+    /// step for (C - Q) . C' = 0, and the smaller distance counts.
     fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, fitted: &[DVec3]) -> f64 {
         let mut max = 0.0f64;
         for k in 1..=SAMPLES_PER_PIECE {
@@ -222,21 +223,21 @@ impl OffsetFit<'_> {
     }
 }
 
-/// The control points of a straight segment but the first.
+/// The control points of a straight segment except the first.
 fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
     [1, 2, 3]
         .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
 }
 
-/// The cubic with the ends and derivatives given.
+/// The cubic with the given ends and derivatives.
 fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
     let third = (to.t - from.t) / 3.0;
     [from.point, from.point + from.speed * third, to.point - to.speed * third, to.point]
 }
 
-/// The quadratic with the ends and directions given, and its last control point once more. The
-/// tangents cross at the inner one, if that is ahead of the one end and behind the other; it is in
-/// the middle of a straight piece.
+/// The quadratic with the given ends and directions; its last control point is repeated. The inner
+/// control point is where the tangents cross, if that is ahead of the first end and behind the
+/// last. For a straight piece it is the middle.
 fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
@@ -247,7 +248,7 @@ fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
         return aligned.then_some([from.point, from.point + chord * 0.5, to.point, to.point]);
     }
     let (ahead, behind) = (cross(chord, to.along) / turn, cross(from.along, chord) / turn);
-    // Both have the sign of the direction in which the offset runs; far ones are no good fit.
+    // Both signs must match the direction of the offset, and a far crossing gives a bad fit.
     let good = ahead * behind > 0.0 && ahead.abs().max(behind.abs()) <= length;
     good.then_some([from.point, from.point + from.along * ahead, to.point, to.point])
 }

@@ -1,6 +1,6 @@
-//! Segments of other degrees: higher ones without change of the curve, lower ones by least squares.
+//! Degree elevation, which preserves the curve, and degree reduction by least squares.
 //!
-//! Source: degree elevation, and Bernstein polynomials' products (Farouki and Rajan, 1988).
+//! Source: degree elevation, and products of Bernstein polynomials (Farouki and Rajan, 1988).
 
 use crate::curve::segment::SegmentBuffer;
 use crate::curve::unit_frame::UnitFrame;
@@ -15,18 +15,17 @@ use gusset_base::job::Job;
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
-/// A curve with other degrees.
+/// A curve with changed degrees.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reduced {
-    /// The curve. Its segments are those of the original, in order.
+    /// The curve. Its segments correspond to the original ones, in order.
     pub curve: Curve,
-    /// Of each segment: how far its points are from those of the original at the same parameter, at
-    /// most. It is a bound, the largest distance of the control points of both at the same degree.
-    /// For a segment that was kept, what the reduced one would have had; 0 for a segment that was
-    /// not to be lowered.
+    /// For each segment a bound of the distance between new and original points at equal
+    /// parameters. The bound is the largest distance between the control points at equal degree.
+    /// For a segment that was kept, it is the rejected fit's deviation. It is 0 for a segment that
+    /// needed no reduction.
     pub deviations: Vec<f64>,
-    /// The segments that were kept as they are, because the deviation would have been above the
-    /// tolerance.
+    /// The segments that were kept unchanged, because their deviation would exceed the tolerance.
     pub kept: Vec<u32>,
 }
 
@@ -35,7 +34,7 @@ fn check_degree(degree: usize) -> Result<()> {
 }
 
 impl CurveView<'_> {
-    /// The same curve with the degree of every segment raised by `by`.
+    /// Elevates the degree of every segment by `by`. The curve stays the same.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`],
@@ -44,11 +43,10 @@ impl CurveView<'_> {
         self.elevated(|degree| degree.saturating_add(by), job)
     }
 
-    /// The same curve with all segments of degree `degree` at least, 1 to [`MAX_DEGREE`]; higher
-    /// ones stay.
+    /// Elevates every segment to at least `degree`, 1 to [`MAX_DEGREE`]. Higher degrees stay.
     ///
     /// # Errors
-    /// As for [`elevated_by`](Self::elevated_by).
+    /// The errors of [`elevated_by`](Self::elevated_by).
     pub fn elevated_to(&self, degree: usize, job: &Job<'_>) -> Result<Curve> {
         check_degree(degree)?;
         self.elevated(|old| old.max(degree), job)
@@ -65,27 +63,27 @@ impl CurveView<'_> {
         Ok(curve)
     }
 
-    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]; see
+    /// Reduces every segment to at most `degree`, 1 to [`MAX_DEGREE`]; see
     /// [`with_degrees`](Self::with_degrees).
     ///
     /// # Errors
-    /// As for [`with_degrees`](Self::with_degrees).
+    /// The errors of [`with_degrees`](Self::with_degrees).
     pub fn reduced(&self, degree: usize, tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
         self.with_degrees([1, degree], tolerance, job)
     }
 
-    /// The curve with segments of degrees from `lowest` to `highest`, 1 to [`MAX_DEGREE`]. A segment of a
-    /// lower degree is raised to `lowest`, and stays the same curve.
+    /// Brings the degree of every segment into the range `lowest` to `highest`, within 1 to
+    /// [`MAX_DEGREE`]. A segment of lower degree is elevated to `lowest`, which preserves it.
     ///
-    /// A segment of a higher degree is lowered to `highest`: it becomes the one with the same ends whose mean
-    /// square distance at equal parameters is least. A segment that would deviate by more than `tolerance`
-    /// (at least 0, in the unit of the points; infinity is allowed) is kept. Joints may become corners by as
-    /// much as the deviation lets them.
+    /// A segment of higher degree is reduced to `highest`: it becomes the segment with the same
+    /// ends and the least mean square distance at equal parameters. A segment is kept if it would
+    /// deviate by more than `tolerance`, which is at least 0 and in the unit of the points;
+    /// infinity is allowed. Joints may become corners within the deviation.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (a degree, or `tolerance`), [`Error::TooLarge`], [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`]. O(degree) for each new control point of a raised segment, O(degree^3) for each
-    /// lowered segment.
+    /// [`Error::OptionOutOfRange`] (a degree, or `tolerance`), [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(degree) for each new control point of an
+    /// elevated segment, O(degree^3) for each reduced segment.
     pub fn with_degrees(&self, [lowest, highest]: [usize; 2], tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
         check_degree(lowest)?;
         check_degree(highest)?;
@@ -99,7 +97,7 @@ impl CurveView<'_> {
                 reduced.curve.push_elevated(controls, lowest)?;
                 continue;
             }
-            let frame = UnitFrame::of(controls);
+            let frame = UnitFrame::from_points(controls);
             let local = frame.segment(controls);
             let fitted = least_squares(&local, highest);
             let deviation = frame.length_back(deviation(&local, fitted));
@@ -116,7 +114,7 @@ impl CurveView<'_> {
         Ok(reduced)
     }
 
-    /// A curve that begins where this one does, without segments yet.
+    /// Creates an empty curve at the start of this one.
     fn begin(&self) -> Result<Curve> {
         let Some(&start) = self.points().first() else {
             return self.to_owned();
@@ -126,7 +124,7 @@ impl CurveView<'_> {
 }
 
 impl Curve {
-    /// Appends a segment, raised to `degree` if its degree is lower.
+    /// Appends a segment, elevated to `degree` if its degree is lower.
     fn push_elevated(&mut self, controls: &[DVec3], degree: usize) -> Result<()> {
         if controls.len() > degree {
             return self.push(&controls[1..]);
@@ -137,23 +135,21 @@ impl Curve {
     }
 }
 
-/// The largest distance of the control points of two segments, the second one raised to the degree
-/// of the first: by the convex hull of the difference no points at equal parameters are farther
-/// apart.
+/// The largest distance between the control points of two segments, after elevating the second to
+/// the first one's degree. By the convex hull property it bounds the distance at equal parameters.
 fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
     fitted.elevate(controls.len() - 1);
     let distance = |(&p, &q): (&DVec3, &DVec3)| p.distance(q);
-    // A fit that is not a number is none.
+    // A fit that is NaN is useless.
     let farther = |most: f64, far: f64| if far.is_nan() { f64::INFINITY } else { most.max(far) };
     controls.iter().zip(&*fitted).map(distance).fold(0.0, farther)
 }
 
-/// The segment of degree m with the ends of `controls` whose integral of the squared distance is
-/// least: the normal equations of its inner control points, whose coefficients are
+/// The segment of degree m with the ends of `controls` and the least integral of the squared
+/// distance. It solves the normal equations of the inner control points by Cholesky's method. Their
+/// coefficients are integrals of products of Bernstein polynomials of degrees m and n:
 ///
-/// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
-///
-/// between Bernstein polynomials of degrees m and n; solved by Cholesky's method.
+/// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1).
 fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
     let n = controls.len() - 1;
     let mut fitted = SegmentBuffer::new(&controls[..=m]);
@@ -168,8 +164,7 @@ fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
         fitted[i] = right - (fitted[0] * product(i, 0) + fitted[m] * product(i, m));
         (1..=i).for_each(|j| lower[i - 1][j - 1] = product(i, j));
     }
-    // Where rounding says that the matrix is not positive definite (from degree 25 on) the
-    // deviation will tell.
+    // If rounding makes the matrix indefinite (from degree 25 on), the deviation will show it.
     cholesky::solve(&mut lower, &mut fitted[1..m]);
     fitted
 }

@@ -14,11 +14,10 @@ const PLACES_PER_REPORT: usize = 1 << 10;
 const STAGE: &str = "values at places";
 
 impl CurveView<'_> {
-    /// The point at a place.
+    /// The point at a place. O(degree), like every place below.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`]: no such segment, or t outside 0 to 1. O(degree), as for every place
-    /// below.
+    /// [`Error::NoSuchPlace`]: the segment does not exist, or t is outside 0 to 1.
     pub fn point(&self, place: Place) -> Result<DVec3> {
         self.check_place(0, place)?;
         Ok(segment::point(self.segment(place.segment as usize), place.t))
@@ -32,7 +31,7 @@ impl CurveView<'_> {
         self.at_each(places, segment::point, job)
     }
 
-    /// The direction at a place, of length 1 or 0; see [`tangents_at`](Self::tangents_at).
+    /// The unit tangent at a place, or 0; see [`tangents_at`](Self::tangents_at).
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`].
@@ -41,9 +40,9 @@ impl CurveView<'_> {
         Ok(tangent(self.segment(place.segment as usize), place.t))
     }
 
-    /// The derivatives by the segment's parameter t at many places: for each place the point, the
-    /// first derivative, and so on up to `order`, at most [`MAX_DEGREE`]. Beyond the degree of a
-    /// segment they are 0. O(degree^2) a place.
+    /// The derivatives at many places with respect to the segment's parameter t. Each place gets
+    /// the point, the first derivative, and so on up to `order`, at most [`MAX_DEGREE`].
+    /// Derivatives beyond the degree of a segment are 0. O(degree^2) a place.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`],
@@ -63,9 +62,8 @@ impl CurveView<'_> {
         Ok(out)
     }
 
-    /// The directions in which the curve runs at many places, of length 1: at t = 1 the one it
-    /// arrives in, elsewhere the one it goes on in, also where the first derivative is 0. 0 for a
-    /// segment without extent.
+    /// The unit tangents at many places, also where the first derivative is 0. At t = 1 it is the
+    /// direction of arrival, elsewhere the direction of departure. A segment without extent gets 0.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -73,9 +71,9 @@ impl CurveView<'_> {
         self.at_each(places, tangent, job)
     }
 
-    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) positive where
-    /// it turns left, from x to y; in space never negative. Infinite where the first derivative is
-    /// 0 on a segment that is not straight; 0 on a straight one.
+    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) the curvature
+    /// is positive where the segment turns left, from x to y; in space it is never negative. It is
+    /// infinite where the first derivative is 0, except on a straight segment, where it is 0.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -92,9 +90,9 @@ impl CurveView<'_> {
     }
 }
 
-/// The first three derivatives at `t` in the segment's own frame.
+/// The first three derivatives at `t`, in the segment's own frame.
 fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
-    let frame = UnitFrame::of(controls);
+    let frame = UnitFrame::from_points(controls);
     let mut derived = frame.segment(controls);
     let values = [(); 3].map(|()| {
         derived.derive();
@@ -103,10 +101,10 @@ fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
     (frame, values)
 }
 
-/// A derivative of a curve of size 1 and degree n below this times n is rounding.
+/// In a curve of size 1 and degree n, a derivative below this times n counts as rounding.
 const MIN_DERIVATIVE: f64 = 1e-13;
 
-/// The direction at `t`, of length 1, or 0.
+/// The unit tangent at `t`, or 0.
 pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
     let along = match t {
         0.0 => segment::first_leg(controls),
@@ -120,7 +118,7 @@ pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
     if size.is_finite() { (along / size).normalize_or_zero() } else { (along * 0.25).normalize_or_zero() }
 }
 
-/// |C' x C''| / |C'|^3, with the sign of z in the plane.
+/// |C' x C''| / |C'|^3, with the sign of z for a plane curve.
 fn curvature(controls: &[DVec3], t: f64) -> f64 {
     let (frame, [first, second, _]) = derivatives(controls, t);
     let across = first.cross(second);

@@ -1,5 +1,4 @@
-//! Curves as others write them: SVG paths, contours of TrueType fonts, B-splines. In memory; no
-//! file is touched.
+//! Export formats, in memory: SVG paths, contours of TrueType fonts, B-splines.
 
 use crate::curve::CurveView;
 use crate::curve::unit_frame::UnitFrame;
@@ -10,29 +9,29 @@ use gusset_base::job::Job;
 use std::fmt::{self, Write};
 use std::ops::RangeInclusive;
 
-/// A closed contour of a TrueType font (`glyf` table): between two points off the curve there is
-/// one on it in the middle.
+/// A closed contour of a TrueType font (`glyf` table). Between two consecutive off-curve points,
+/// their midpoint is an implied on-curve point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Contour {
-    /// The points; the last is followed by the first.
+    /// The points; the first follows the last.
     pub points: Vec<DVec3>,
-    /// Of each point: 1 if it is on the curve, 0 if it is the control point of a quadratic.
+    /// For each point 1 if it is on the curve, 0 if it is the control point of a quadratic.
     pub on_curve: Vec<u8>,
 }
 
-/// A clamped B-spline of one degree n.
+/// A clamped B-spline.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spline {
-    /// Of all its pieces.
+    /// The degree n of all its pieces.
     pub degree: usize,
-    /// In ascending order, as many as there are control points, and n + 1 more; the first and the
-    /// last n + 1 are equal.
+    /// The knots, ascending: n + 1 more than there are control points. The first n + 1 are equal,
+    /// and so are the last n + 1.
     pub knots: Vec<f64>,
     /// The control points (de Boor points).
     pub controls: Vec<DVec3>,
 }
 
-/// The shortest digits that read back as the same number; with an exponent where that is shorter.
+/// The shortest text that reads back as the same number, with an exponent if that is shorter.
 struct Number(f64);
 
 impl fmt::Display for Number {
@@ -51,18 +50,17 @@ impl fmt::Display for Number {
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
-/// A number is at most 24 characters, and a blank.
+/// The longest number has 24 characters, plus a space.
 const WIDTH: usize = 25;
 
 impl CurveView<'_> {
     /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is
-    /// closed. Numbers read back as the same bits. y grows upwards here and downwards in SVG; the
-    /// caller may turn it over. A curve without points is an empty text.
+    /// closed. Numbers read back as the same bits. The y axis points up here and down in SVG, so
+    /// the caller may have to flip it. A curve without points gives an empty text.
     ///
     /// # Errors
-    /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not
-    /// have: see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`].
-    /// O(points).
+    /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG lacks:
+    /// see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn svg_path(&self, job: &Job<'_>) -> Result<String> {
         self.check_plane()?;
         self.check_degrees(1..=3)?;
@@ -92,11 +90,10 @@ impl CurveView<'_> {
         Ok(text)
     }
 
-    /// The contour of a TrueType font: the control points of the quadratics, off the curve, and
-    /// those joints, on the curve, that are not in the middle between two of them. A joint is in
-    /// the middle if it is so within `tolerance` (at least 0, in the unit of the points) or within
-    /// rounding; so the composite curve of n points with halved joints becomes n points off the
-    /// curve.
+    /// The contour of a TrueType font. It has the control points of the quadratics as off-curve
+    /// points. A joint becomes an on-curve point unless it is the midpoint of its neighbours within
+    /// `tolerance` (at least 0, in the unit of the points) or within rounding. A composite curve of
+    /// n points with halved joints thus becomes n off-curve points.
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed),
@@ -133,15 +130,16 @@ impl CurveView<'_> {
         Ok(contour)
     }
 
-    /// The curve as a B-spline, if all segments have the same degree n. A joint where the direction
-    /// does not change, within an angle of 1e-9, becomes a knot of multiplicity n - 1, and is no
-    /// control point: the lengths of the knot intervals are chosen so that the first derivative is
-    /// continuous there, l' / l = |B'_1 - J| / |J - B_(n-1)|. Others have multiplicity n. The first
-    /// interval has length 1.
+    /// Converts the curve to a B-spline; all segments must have the same degree n.
+    ///
+    /// A joint whose direction is continuous, within an angle of 1e-9, becomes a knot of
+    /// multiplicity n - 1 and is not a control point. The lengths of the knot intervals make the
+    /// first derivative continuous there: l' / l = |B'_1 - J| / |J - B_(n-1)|. Other joints become
+    /// knots of multiplicity n. The first interval has length 1.
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the
-    /// first), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (the degree of a segment differs from the
+    /// first one's), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn spline(&self, job: &Job<'_>) -> Result<Spline> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);
@@ -149,7 +147,7 @@ impl CurveView<'_> {
         let n = self.segment(0).len() - 1;
         self.check_degrees(n..=n)?;
         let mut spline = Spline { degree: n, ..Spline::default() };
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let (mut knot, mut interval) = (0.0, 1.0);
         spline.knot(knot, n + 1)?;
         alloc::append(&mut spline.controls, self.segment(0))?;
@@ -161,7 +159,7 @@ impl CurveView<'_> {
             let joint = frame.point(after[0]);
             let (arriving, leaving) = (joint - frame.point(before[n - 1]), frame.point(after[1]) - joint);
             match ratio(arriving, leaving).map(|ratio| interval * ratio) {
-                // Beyond these the knots would run together.
+                // Outside this range the knots would coincide.
                 Some(next) if n > 1 && (1e-6..1e6).contains(&next) => {
                     interval = next;
                     spline.controls.pop();
@@ -181,7 +179,7 @@ impl CurveView<'_> {
     }
 }
 
-/// |v| / |u| if both have the same direction.
+/// |v| / |u| if both vectors have the same direction.
 fn ratio(u: DVec3, v: DVec3) -> Option<f64> {
     let (a, b) = (u.length(), v.length());
     (u.dot(v) > 0.0 && u.cross(v).length() <= 1e-9 * a * b).then_some(b / a)

@@ -1,7 +1,7 @@
-//! Intersections of two plane curves, and of one with itself: pairs of segments whose boxes meet,
-//! found in a tree.
+//! Intersections of two plane curves, and self-intersections. A tree finds the pairs of segments
+//! whose boxes meet.
 
-use super::part::{Part, by_places, coincide, sort_distinct};
+use super::part::{Part, coincide, compare_places, sort_distinct};
 use super::segment_intersection::{
     BOX_SLACK, Joined, MAX_COMMON_DISTANCE, SAME_PARAMETER, SegmentIntersections, advances, intersect,
 };
@@ -15,37 +15,38 @@ use gusset_base::geom::{Aabb, box_tree::BoxTree};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// A common point of two curves, or of two places of one.
+/// A common point of two curves, or of two places of one curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Intersection {
-    /// On the first curve; of one curve, the earlier place.
+    /// The place on the first curve; for a self-intersection, the earlier place.
     pub a: Place,
-    /// On the second curve; of one curve, the later place.
+    /// The place on the second curve; for a self-intersection, the later place.
     pub b: Place,
 }
 
-/// A part that two segments have in common.
+/// A common part of two segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
-    /// From where to where on the first segment, in its direction.
+    /// The ends on the first segment, in its direction.
     pub a: [Place; 2],
-    /// The same ends on the second segment.
+    /// The corresponding ends on the second segment.
     pub b: [Place; 2],
 }
 
 /// The intersections of two curves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Intersections {
-    /// Crossings and touches, by their places on the first curve; none within an overlap.
+    /// Crossings and touches, sorted by their places on the first curve. None lies within an
+    /// overlap.
     pub points: Vec<Intersection>,
-    /// Parts in common, one for each pair of segments.
+    /// Common parts, one for each pair of segments.
     pub overlaps: Vec<Overlap>,
-    /// True if some pair of segments was given up: they run beside each other within rounding for a
-    /// long way without being the same curve. Some of their common points may be missing.
+    /// True if the search gave up on a pair of segments that run beside each other within rounding
+    /// without being the same curve. Some of their common points may be missing.
     pub undecided: bool,
 }
 
-/// A part of a curve without points in common with itself.
+/// A part of a curve that does not intersect itself.
 struct Piece {
     controls: Vec<DVec3>,
     segment: u32,
@@ -55,7 +56,7 @@ struct Piece {
 
 impl Piece {
     fn bounds(&self) -> Aabb {
-        Aabb::of(&self.controls)
+        Aabb::from_points(&self.controls)
     }
 
     fn place(&self, t: f64) -> Place {
@@ -64,68 +65,69 @@ impl Piece {
     }
 }
 
-/// How often a segment is halved to have no points in common with itself.
+/// The maximum number of times that a segment is halved to exclude self-intersections.
 const MAX_DEPTH: u32 = 20;
-/// Pairs of segments between two progress reports: each takes up to 20 ms.
+/// Pairs of segments between two progress reports; each pair takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
 
 const STAGE: &str = "intersections";
 
 impl CurveView<'_> {
-    /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the
-    /// parameters. Curves touch where they come within 1e-12 of the size of both; intersections that
-    /// differ by less than 1e-6 in both parameters count as one. Parts in common are reported as
-    /// such. Bounded work for each pair of segments whose boxes meet; about O(log(1 / distance))
-    /// halvings for each intersection.
+    /// The common points of two plane curves. Crossings are exact up to rounding, touches up to
+    /// about 1e-7 in the parameters. Curves touch if their distance is at most 1e-12 of the size of
+    /// both. Intersections that differ by less than 1e-6 in both parameters count as one. Common
+    /// parts are reported as overlaps. The work for each pair of segments whose boxes meet is
+    /// bounded; each intersection takes about O(log(1 / distance)) halvings.
     ///
     /// # Errors
-    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane), [`OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane),
+    /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn intersections(&self, other: &CurveView<'_>, job: &Job<'_>) -> Result<Intersections> {
         self.check_plane()?;
         other.check_plane()?;
-        let frame = UnitFrame::of(self.points().iter().chain(other.points()));
+        let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
         let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
-        let mut all = Intersections::of(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
+        let mut all = Intersections::from_pieces(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
         all.merge([self.period(), other.period()])?;
         Ok(all)
     }
 
-    /// The points that a plane curve passes more than once: crossings, touches, parts run through
-    /// twice, loops within a segment. The joint of neighbours is none, nor is the closing of a
-    /// closed curve, nor a cusp. Loops that take less than 1e-5 of a segment's parameter are not
-    /// seen. Otherwise as [`intersections`](Self::intersections).
+    /// The self-intersections of a plane curve: crossings, touches, parts that are traversed twice,
+    /// and loops within a segment. Joints of neighbouring segments, the closing point of a closed
+    /// curve, and cusps do not count. Loops shorter than 1e-5 of a segment's parameter range are
+    /// missed. Otherwise see [`intersections`](Self::intersections).
     ///
     /// # Errors
-    /// As for [`intersections`](Self::intersections).
+    /// The errors of [`intersections`](Self::intersections).
     pub fn self_intersections(&self, job: &Job<'_>) -> Result<Intersections> {
         self.check_plane()?;
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let pieces = self.pieces(&frame, MAX_DEPTH)?;
         let last = pieces.len().saturating_sub(1);
         let joined = |k: usize, i: usize| {
             (i > k).then_some(Joined { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
         };
-        let mut all = Intersections::of(&pieces, &pieces, joined, job)?;
+        let mut all = Intersections::from_pieces(&pieces, &pieces, joined, job)?;
         let period = self.period();
         for found in &mut all.points {
             // The end of a closed curve is its start.
-            if found.b.along() >= period - SAME_PARAMETER {
+            if found.b.position() >= period - SAME_PARAMETER {
                 *found = Intersection { a: Place::START, b: found.a };
             }
         }
         all.points.retain(|found| {
-            let gap = (found.b.along() - found.a.along()).abs();
+            let gap = (found.b.position() - found.a.position()).abs();
             gap.min((period - gap).abs()) > 10.0 * SAME_PARAMETER
         });
         all.merge([period; 2])?;
         Ok(all)
     }
 
-    /// The segments in a frame, those that may meet themselves halved until they do not, at most
-    /// `depth` times. Segments that are points are left out, as the ends of their neighbours are
-    /// there; of a curve that is nothing else the first is kept, unless `depth` asks for
-    /// self-intersections.
+    /// The segments in a frame. Segments that may intersect themselves are halved until they
+    /// cannot, at most `depth` times. Segments that are points are skipped, because they coincide
+    /// with the ends of their neighbours. If all segments are points, the first is kept, unless
+    /// `depth` asks for self-intersections.
     fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
         for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {
@@ -138,10 +140,10 @@ impl CurveView<'_> {
     }
 }
 
-/// Appends a part of a segment, or its halves where it may meet itself; one smaller than rounding
-/// can tell is one piece.
+/// Appends a part of a segment, or its halves if it may intersect itself. A part that is too small
+/// for rounding to resolve counts as one piece.
 fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
-    let small = |controls: &[DVec3]| Aabb::of(controls).size().max_element() <= MAX_COMMON_DISTANCE;
+    let small = |controls: &[DVec3]| Aabb::from_points(controls).size().max_element() <= MAX_COMMON_DISTANCE;
     if depth == 0 || advances(&part.controls) || small(&part.controls) {
         let Part { ref controls, from, to } = part;
         return alloc::push(pieces, Piece { controls: alloc::copied(controls)?, segment, from, to });
@@ -150,8 +152,9 @@ fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) ->
 }
 
 impl Intersections {
-    /// Those of pieces; `joined`: `None` for two that are not to be compared.
-    fn of(
+    /// Finds the intersections of two lists of pieces. `joined` returns `None` for a pair that must
+    /// not be compared.
+    fn from_pieces(
         ours: &[Piece],
         theirs: &[Piece],
         joined: impl Fn(usize, usize) -> Option<Joined>,
@@ -186,15 +189,15 @@ impl Intersections {
         Ok(())
     }
 
-    /// Sorts, and removes the ends of overlaps, and points that joints have reported twice.
+    /// Sorts the points, and removes ends of overlaps and duplicates from joints.
     fn merge(&mut self, periods: [f64; 2]) -> Result<()> {
-        let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
-        sort::stable(&mut self.overlaps, &|x, y| by_places(start(x), start(y)));
+        let start = |overlap: &Overlap| [overlap.a[0].position(), overlap.b[0].position()];
+        sort::stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
         let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
-        ends.extend(self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].along(), o.b[i].along()])));
-        sort::stable(&mut ends, &|&x, &y| by_places(x, y));
+        ends.extend(self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].position(), o.b[i].position()])));
+        sort::stable(&mut ends, &|&x, &y| compare_places(x, y));
         self.points.retain(|m| {
-            let [a, b] = [m.a.along(), m.b.along()];
+            let [a, b] = [m.a.position(), m.b.position()];
             // The end of a closed curve is its start.
             let at_end = |shift: f64| {
                 let from = ends.partition_point(|end| end[0] < a + shift - SAME_PARAMETER);
@@ -203,7 +206,7 @@ impl Intersections {
             };
             ![0.0, periods[0], -periods[0]].into_iter().any(at_end)
         });
-        sort_distinct(&mut self.points, |m| [m.a.along(), m.b.along()], periods, SAME_PARAMETER);
+        sort_distinct(&mut self.points, |m| [m.a.position(), m.b.position()], periods, SAME_PARAMETER);
         Ok(())
     }
 }

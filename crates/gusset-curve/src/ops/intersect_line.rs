@@ -1,5 +1,5 @@
-//! Intersections of a curve with a plane, and of a plane curve with a line: the roots of its
-//! distance, a polynomial in Bernstein form on each segment.
+//! Intersections of a curve with a plane, and of a plane curve with a line. They are the roots of
+//! the distance, which is a polynomial in Bernstein form on each segment.
 
 use crate::curve::unit_frame::{UnitFrame, power_to_one};
 use crate::curve::{CurveView, MAX_DEGREE, Place, check_finite};
@@ -15,22 +15,21 @@ const SEGMENTS_PER_REPORT: usize = 1 << 10;
 /// The intersections of a curve with a line or a plane.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlaneIntersections {
-    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the
-    /// segment that ends there, and the joint of a closed curve's end and start to its start.
+    /// Places of crossing or touching, once each, in the order of the curve. A joint belongs to the
+    /// segment that ends there. The closing point of a closed curve belongs to its start.
     pub places: Vec<Place>,
-    /// The segments that lie in the line or plane altogether; their points are not among the
-    /// places.
+    /// The segments that lie entirely in the line or plane; their points are not among the places.
     pub inside: Vec<u32>,
 }
 
-/// Distances up to this are taken for 0, relative to the size of the curve.
+/// Distances up to this count as 0, relative to the size of the curve.
 const MAX_TOUCH_DISTANCE: f64 = 1.0 / (1u64 << 46) as f64;
 
 impl CurveView<'_> {
-    /// PlaneIntersections with the plane through `point` across `normal`, which need not have
-    /// length 1. Where the curve comes within 1.4e-14 of its size it counts as touching. Roots of
-    /// the distance in closed form up to degree 2, isolated otherwise. O(points) and O(degree^2)
-    /// for each intersection.
+    /// Intersects the curve with the plane through `point` perpendicular to `normal`, which need
+    /// not have length 1. The curve touches the plane where its distance is at most 1.4e-14 of its
+    /// size. Roots of the distance have a closed form up to degree 2 and are isolated otherwise.
+    /// O(points), plus O(degree^2) for each intersection.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is
@@ -40,11 +39,11 @@ impl CurveView<'_> {
         check_finite(1, normal)?;
         let largest = normal.abs().max_element();
         Error::require(largest > 0.0, "normal", largest)?;
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let level = level(&frame, point, normal);
         let normal = (normal / largest).normalize();
         let mut found = PlaneIntersections::default();
-        // Farther than any point of the curve; not a number where the plane is too far for the
+        // The plane is farther away than any point of the curve; NaN if it is too far for the
         // frame.
         if level.abs() > 2.0 || level.is_nan() {
             return Ok(found);
@@ -67,12 +66,12 @@ impl CurveView<'_> {
         Ok(found)
     }
 
-    /// PlaneIntersections of a plane curve with the line through `point` along `direction`, endless
-    /// to both sides. As [`intersect_plane`](Self::intersect_plane).
+    /// Intersects a plane curve with the infinite line through `point` along `direction`. See
+    /// [`intersect_plane`](Self::intersect_plane).
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line,
-    /// have z other than 0), and those of the plane.
+    /// have z other than 0), and the errors of [`intersect_plane`](Self::intersect_plane).
     pub fn intersect_line(&self, point: DVec3, direction: DVec3, job: &Job<'_>) -> Result<PlaneIntersections> {
         self.check_plane()?;
         check_finite(0, point)?;
@@ -84,9 +83,9 @@ impl CurveView<'_> {
     }
 }
 
-/// The distance of a plane from the origin of a frame, along its normal, to rounding however far
-/// its point is: the terms of normal . (point - origin) may cancel by any number of digits, so they
-/// are summed without error (Dekker's products, Shewchuk's expansions, 1997).
+/// The distance of a plane from the origin of a frame, along its normal. It is exact up to rounding
+/// even for a distant point: the terms of normal . (point - origin) may cancel by any number of
+/// digits, so they are summed without error (Dekker's products, Shewchuk's expansions, 1997).
 fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
     let normal = normal * power_to_one(normal.abs().max_element());
     let (mut sum, mut len) = ([0.0; 12], 0);
@@ -109,7 +108,8 @@ fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
 }
 
 impl PlaneIntersections {
-    /// Adds a root; not the start of a segment whose end before is there already, or lies inside.
+    /// Adds a root. Skips the start of a segment if the previous segment's end is listed or lies
+    /// inside.
     fn add(&mut self, segment: u32, t: f64) -> Result<()> {
         if t == 0.0 && segment > 0 {
             let before = Place { segment: segment - 1, t: 1.0 };

@@ -11,17 +11,17 @@ use gusset_base::job::Job;
 
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
-/// The arc lengths of a curve up to each joint, ready for questions either way.
+/// The arc lengths of a curve up to each joint, for conversions between places and lengths.
 #[derive(Debug, Clone)]
 pub struct Lengths<'a> {
     curve: CurveView<'a>,
     frame: UnitFrame,
-    /// Up to the end of each segment, in the frame.
+    /// The arc length up to the end of each segment, in the frame.
     ends: Vec<f64>,
 }
 
 impl<'a> CurveView<'a> {
-    /// The arc length of the whole curve. See [`CurveView::lengths`].
+    /// The arc length of the whole curve; see [`CurveView::lengths`].
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -29,13 +29,14 @@ impl<'a> CurveView<'a> {
         Ok(self.lengths(&Job::default())?.total())
     }
 
-    /// Measures all segments: degrees 1 and 2 in closed form, others by adaptive Gauss-Legendre
-    /// integration, to 1e-13 of the length of the segment's control polygon. O(points).
+    /// Measures all segments. Degrees 1 and 2 have a closed form. Higher degrees use adaptive
+    /// Gauss-Legendre integration, to 1e-13 of the length of the segment's control polygon.
+    /// O(points).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn lengths(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;
         for (k, controls) in self.segments().enumerate() {
@@ -62,18 +63,18 @@ impl<'a> Lengths<'a> {
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`].
-    pub fn up_to(&self, place: Place) -> Result<f64> {
+    pub fn length_to(&self, place: Place) -> Result<f64> {
         self.curve.check_place(0, place)?;
         let k = place.segment as usize;
         if place.t == 1.0 {
             return Ok(self.frame.length_back(self.ends[k]));
         }
         let arc = Arc::new(&self.frame, self.curve.segment(k));
-        Ok(self.frame.length_back(self.before(k) + arc.length(0.0, place.t)))
+        Ok(self.frame.length_back(self.length_before(k) + arc.length(0.0, place.t)))
     }
 
-    /// The place at an arc length from the start; a length below 0 or above the total is the start
-    /// or the end. O(log n), and a few integrations above degree 2.
+    /// The place at an arc length from the start. Lengths below 0 and above the total are clamped.
+    /// O(log n), plus a few integrations above degree 2.
     ///
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
@@ -85,17 +86,16 @@ impl<'a> Lengths<'a> {
         Ok(self.place_at_frame_length(self.frame.length(length)))
     }
 
-    /// Places at equal distances along the curve: the parts k / n of the whole for k = 0 to
-    /// `count` - 1.
+    /// The place at the fraction k / n of the total length.
     pub(super) fn place_of_part(&self, k: usize, n: usize) -> Place {
         let total = self.ends.last().copied().unwrap_or(0.0);
         self.place_at_frame_length(total * (k as f64 / n as f64))
     }
 
     fn place_at_frame_length(&self, length: f64) -> Place {
-        // The first segment that ends beyond it.
+        // The first segment that ends beyond the length.
         let k = self.ends.partition_point(|&end| end < length).min(self.ends.len() - 1);
-        let (before, after) = (self.before(k), self.ends[k]);
+        let (before, after) = (self.length_before(k), self.ends[k]);
         let segment = k as u32;
         if length <= before {
             return Place { segment, t: 0.0 };
@@ -108,8 +108,8 @@ impl<'a> Lengths<'a> {
         Place { segment, t }
     }
 
-    /// Up to the start of segment `k`.
-    fn before(&self, k: usize) -> f64 {
+    /// The arc length up to the start of segment `k`.
+    fn length_before(&self, k: usize) -> f64 {
         if k == 0 { 0.0 } else { self.ends[k - 1] }
     }
 }
@@ -117,9 +117,9 @@ impl<'a> Lengths<'a> {
 /// A segment's derivative: n control points of degree n - 1.
 struct Arc {
     velocity: SegmentBuffer,
-    /// Where the speed is least or greatest, for degrees from 3 on. At a cusp it has a kink, which
-    /// a rule does not see if it hides between an end and the first node; so every interval of
-    /// integration ends there.
+    /// The extrema of the speed, from degree 3 on. Intervals of integration end there, because the
+    /// speed has a kink at a cusp, and a kink between an end and the first node is invisible to the
+    /// quadrature rule.
     turns: Roots,
 }
 
@@ -142,7 +142,7 @@ impl Arc {
             [v] => v.length() * (b - a),
             [u, v] => quadratic(u, v - u, a, b),
             _ => {
-                // The control polygon: sum of |B_(i+1) - B_i| = |velocity| / n.
+                // The length of the control polygon: sum of |B_(i+1) - B_i| = |velocity| / n.
                 let polygon: f64 = self.velocity.iter().map(|v| v.length()).sum();
                 let error = 1e-13 * polygon / self.velocity.len() as f64;
                 let inner = self.turns.as_slice().iter().filter(|&&t| a < t && t < b);
@@ -156,8 +156,8 @@ impl Arc {
         }
     }
 
-    /// Halves until the halves agree with the whole, or there have been enough halvings: where
-    /// control points are so far apart that the speed is noise, they never agree.
+    /// Halves until the halves agree with the whole, or the limit on halvings is reached. If
+    /// control points are so far apart that the speed is noise, the halves never agree.
     fn adaptive(&self, a: f64, b: f64, whole: f64, error: f64, halvings: &mut u32) -> f64 {
         let middle = 0.5 * (a + b);
         let (left, right) = (self.gauss(a, middle), self.gauss(middle, b));
@@ -175,11 +175,11 @@ impl Arc {
     }
 }
 
-/// The most halvings of the intervals of one segment.
+/// The maximum number of halvings for one segment.
 const MAX_HALVINGS: u32 = 2000;
 
-/// The positive nodes of the Gauss-Legendre rule with 16 points on -1 to 1, and their weights:
-/// roots of the Legendre polynomial P_16, and 2 / ((1 - x^2) P_16'(x)^2).
+/// The positive nodes of the 16-point Gauss-Legendre rule on -1 to 1, and their weights. The nodes
+/// are roots of the Legendre polynomial P_16; the weights are 2 / ((1 - x^2) P_16'(x)^2).
 const GAUSS: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
     (0.944_575_023_073_232_6, 0.062_253_523_938_647_89),
@@ -193,10 +193,10 @@ const GAUSS: [(f64, f64); 8] = [
 
 /// The integral of |u + w t| from `a` to `b`, in closed form.
 ///
-/// Along w the velocity has the component y = u . w / k + k t, k = |w|, and across it the constant
-/// g = |u x w| / k, so the length is the integral of sqrt(y^2 + g^2) dy / k. Taken from |y| to |y|
-/// on one side of y = 0, every term is positive and divided by k before it is a difference: nothing
-/// cancels, however straight the parabola is and however small k.
+/// With k = |w|, the component of the velocity along w is y = u . w / k + k t, and across w it is
+/// the constant g = |u x w| / k. The length is the integral of sqrt(y^2 + g^2) dy / k. The integral
+/// is split at y = 0 and taken over |y|. Every term is then positive and divided by k before any
+/// difference, so that nothing cancels, even for nearly straight parabolas and small k.
 fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     let k = w.length();
     if k == 0.0 {
@@ -204,7 +204,7 @@ fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     }
     let along = w / k;
     let (start, across) = (u.dot(along), u.cross(along).length());
-    // Where y = 0.
+    // The parameter where y = 0.
     let turn = -start / k;
     let y = |t: f64| if t == 0.0 { start } else { start + k * t };
     if turn <= a {
@@ -216,9 +216,9 @@ fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     }
 }
 
-/// The integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0: with s = sqrt(y^2 +
-/// g^2) and s' at the other end, half of y' s' - y s + g^2 ln((y' + s') / (y + s)), where s' - s =
-/// step (y' + y) / (s' + s).
+/// The integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0. With s = sqrt(y^2 +
+/// g^2), and s' at the other end y', it is half of y' s' - y s + g^2 ln((y' + s') / (y + s)). Here
+/// s' - s = step (y' + y) / (s' + s).
 fn branch(y: f64, step: f64, g: f64, k: f64) -> f64 {
     let far = y + step;
     let (s, t) = ((y * y + g * g).sqrt(), (far * far + g * g).sqrt());

@@ -7,13 +7,13 @@ use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
-/// The chords of a segment by which its centre is measured.
+/// The number of chords in a segment that measure its centre.
 const CHORDS_PER_SEGMENT: u32 = 16;
 
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
-/// The measures that a caller asks for.
+/// The measures that a caller requests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MeasureSelection {
     /// Asks for [`Measures::length`].
@@ -33,14 +33,16 @@ impl MeasureSelection {
     pub const ALL: Self = MeasureSelection { length: true, bounds: true, centre: true, area: true, moments: true };
 }
 
-/// Measures of a curve. A measure is `None` if the caller does not ask for it, or if the curve lacks it.
+/// Measures of a curve. A measure is `None` if the caller does not ask for it, or if the curve
+/// lacks it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Measures {
     /// The arc length.
     pub length: Option<f64>,
     /// The smallest box with sides along the axes. A curve without points lacks it.
     pub bounds: Option<Bounds>,
-    /// The mean of the points by arc length; see [`CurveView::centre`]. A curve without points lacks it.
+    /// The mean of the points by arc length; see [`CurveView::centre`]. A curve without points
+    /// lacks it.
     pub centre: Option<DVec3>,
     /// Half the integral of r x dr; see [`CurveView::area_vector`].
     pub area_vector: Option<DVec3>,
@@ -49,17 +51,20 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// The length of the area vector: the area of the largest shadow, never negative. 0 without an area vector.
+    /// The length of the area vector: the area of the largest shadow, never negative. 0 without an
+    /// area vector.
     pub fn area(&self) -> f64 {
         self.area_vector.unwrap_or_default().length()
     }
 }
 
 impl CurveView<'_> {
-    /// Computes the measures that `selection` asks for and the curve has. The cost is the sum of their costs.
+    /// Computes the measures that `selection` asks for and the curve has. The cost is the sum of
+    /// their costs.
     ///
     /// # Errors
-    /// [`OutOfMemory`](gusset_base::Error::OutOfMemory), [`Cancelled`](gusset_base::Error::Cancelled).
+    /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
+    /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn measures(&self, selection: MeasureSelection, job: &Job<'_>) -> Result<Measures> {
         let MeasureSelection { length, bounds, centre, area, moments } = selection;
         let has_points = !self.points().is_empty();
@@ -78,8 +83,9 @@ impl CurveView<'_> {
         })
     }
 
-    /// Computes the mean of the curve's points by arc length, from 16 chords of each segment at equal steps of
-    /// the parameter. A curve without length gets its first point, or the origin if it has no point.
+    /// Computes the mean of the curve's points by arc length, from 16 chords of each segment at
+    /// equal steps of the parameter. A curve without length gets its first point, or the origin if
+    /// it is empty.
     ///
     /// # Errors
     /// [`Cancelled`](gusset_base::Error::Cancelled). O(degree) for each chord.

@@ -1,4 +1,5 @@
-//! Where two curves meet, or where a curve meets itself: exactly in the plane, by least distances in space.
+//! The places where two curves meet, or where a curve meets itself. In the plane they are
+//! intersections, in space minima of the distance.
 
 use super::intersect::{Intersection, Intersections};
 use super::near_misses::{NearMiss, NearMisses};
@@ -8,16 +9,16 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 impl CurveView<'_> {
-    /// Finds the places where two curves meet or come as near to each other as `within`. Without `other` finds
-    /// the places where a plane curve meets itself, and `within` must be 0.
+    /// Finds the places where two curves meet or come as near to each other as `within`. Without
+    /// `other` finds the places where a plane curve meets itself, and `within` must be 0.
     ///
-    /// If `within` is 0 and both curves are plane, the places are [`intersections`](Self::intersections), else
-    /// [`near_misses`](Self::near_misses).
+    /// If `within` is 0 and both curves are plane, the places are
+    /// [`intersections`](Self::intersections), else [`near_misses`](Self::near_misses).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (`within` is negative or not finite, or not 0 without `other`),
-    /// [`Error::CurveNotPlane`] (without `other`), [`Error::EmptyCurve`] (near misses), [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::CurveNotPlane`] (without `other`), [`Error::EmptyCurve`] (near misses),
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn meetings(&self, other: Option<&CurveView<'_>>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         let Some(other) = other else {
             Error::require(within == 0.0, "within", within)?;

@@ -1,27 +1,28 @@
-//! Operations on curves: what can be asked of a piecewise Bézier curve, and what can be made of it.
+//! Operations on curves: queries about a piecewise Bézier curve, and curves derived from it.
 //!
-//! They are methods of [`CurveView`](super::CurveView), one file for each subject:
+//! They are methods of [`CurveView`](super::CurveView), with one file for each subject:
 //!
-//! * evaluate: points, derivatives, tangents and curvatures at places.
-//! * split, degree: parts of a curve, its reverse, other degrees.
-//! * nearest: the point nearest to a given one.
-//! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over the region
-//!   that a curve encloses.
-//! * bounds: the exact bounding box. measures, [`Measures`]: several measures in one call.
-//! * intersect_line: intersections with lines and planes.
-//! * tangent_angle: the points whose tangents make an angle with a direction.
-//! * intersect, segment_intersection: common points of two plane curves, and of one with itself.
-//! * near_misses: where two curves in space come near to each other. meetings: either of the two.
-//! * curve_offset: the curve at a distance.
-//! * resample, [`Samples`]: points along a curve.
-//! * export: SVG paths, TrueType contours, B-splines.
+//! - evaluate: points, derivatives, tangents and curvatures at places.
+//! - split, degree: parts of a curve, its reverse, other degrees.
+//! - nearest: the nearest point of a curve.
+//! - length, [`Lengths`]: arc length and its inverse.
+//! - area, [`Moments`]: integrals over the region that a curve encloses.
+//! - bounds: the exact bounding box.
+//! - measures, [`Measures`]: several measures in one call.
+//! - intersect_line: intersections with lines and planes.
+//! - tangent_angle: the points whose tangents make a given angle with a direction.
+//! - intersect, segment_intersection: intersections of plane curves, and self-intersections.
+//! - near_misses: minima of the distance between curves in space. meetings: intersections or near
+//!   misses.
+//! - curve_offset: the offset curve.
+//! - resample, [`Samples`]: points along a curve.
+//! - export: SVG paths, TrueType contours, B-splines.
 //!
-//! They stand on the shared Bernstein module (polynomials on 0 to 1 and their roots), and
-//! cubic (the closed form).
+//! They use Bernstein polynomials from gusset-base, and the closed form of cubic.
 //!
-//! Every operation measures in a unit frame, in which the curve has about size 1, and is exact, or
-//! stops, at an error relative to that size. Lengths of 1e200 and 1e-200 are as good as others;
-//! results that f64 cannot hold, such as an area of 1e400, become infinite or 0.
+//! Every operation works in a unit frame, in which the curve has a size of about 1. It is exact, or
+//! stops at an error relative to that size. Sizes of 1e200 and 1e-200 are therefore equally
+//! accurate. Results that f64 cannot represent, such as an area of 1e400, become infinite or 0.
 
 mod area;
 mod bounds;

@@ -1,4 +1,4 @@
-//! Bounds of the distance of two segments, and descents to its minima, for
+//! Bounds of the distance between two segments, and descents to its minima, for
 //! [`near_misses`](super::near_misses).
 
 use super::part::{Part, chord, separates};
@@ -6,18 +6,18 @@ use crate::curve::segment::jet;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::Aabb;
 
-/// Where a descent ended.
+/// The end of a descent.
 pub(super) struct Descent {
     pub(super) at: DVec2,
-    /// From the second point to the first.
+    /// The vector from the second point to the first.
     pub(super) gap: DVec3,
     pub(super) gradient: DVec2,
 }
 
-/// The mean of a derivative over a part, and the radius of a ball round it that holds all values.
+/// Bounds a derivative over a part by a ball: the centre and the radius.
 ///
-/// The first derivative has the control points n (B_i+1 - B_i), and the second one n (n - 1)
-/// (B_i+2 - 2 B_i+1 + B_i).
+/// The first derivative has the control points n (B_i+1 - B_i), the second n (n - 1) (B_i+2 - 2
+/// B_i+1 + B_i).
 pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
     let mut derived = part.controls;
     (0..order).for_each(|_| derived.derive());
@@ -28,9 +28,9 @@ pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
     (mean, derived.iter().map(|v| v.distance(mean)).fold(0.0, f64::max))
 }
 
-/// Whether the hulls are farther apart than `within`.
-pub(super) fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
-    if !Aabb::of(a).is_within(&Aabb::of(b), within) {
+/// Returns true if the hulls are proven to be farther apart than `within`.
+pub(super) fn are_apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
+    if !Aabb::from_points(a).is_within(&Aabb::from_points(b), within) {
         return true;
     }
     let (u, v) = (chord(a), chord(b));
@@ -43,18 +43,18 @@ pub(super) fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
     axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
 }
 
-/// The number of least distances in a pair, 0 or 1, by bounds of the slopes and the Hessian of
-/// |A(s) - B(t)|^2 / 2 all over it; `None` if they prove neither.
+/// The number of minima of |A(s) - B(t)|^2 / 2 in a pair, 0 or 1, proven by bounds of its slopes
+/// and Hessian. Returns `None` if they prove neither.
 pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
     let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
     let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_range(part, 2));
     let (gap, spread) = (here - there, r + rr);
-    // Bounds how far a product is from the product of the means.
+    // Bounds the deviation of a product from the product of the means.
     let slack = |x: DVec3, rx: f64, y: DVec3, ry: f64| x.length() * ry + y.length() * rx + rx * ry;
     let sign = |slope: f64, slack: f64| if slope > slack { 1 } else { -i32::from(slope < -slack) };
     let signs = [sign(gap.dot(a), slack(gap, spread, a, ra)), sign(-gap.dot(b), slack(gap, spread, b, rb))];
-    // The function falls towards one end, which is an end of the segment.
+    // The function falls towards an end of the part that is also an end of the segment.
     let held = |k: usize, part: &Part| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
     let held = [held(0, p), held(1, q)];
     if (0..2).any(|k| signs[k] != 0 && !held[k]) {
@@ -63,7 +63,7 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let x = a.length_squared() + gap.dot(aa) - slack(a, ra, a, ra) - slack(gap, spread, aa, raa);
     let y = b.length_squared() - gap.dot(bb) - slack(b, rb, b, rb) - slack(gap, spread, bb, rbb);
     let z = a.dot(b).abs() + slack(a, ra, b, rb);
-    // If the Hessian is indefinite, least distances are only at ends of segments.
+    // If the Hessian is indefinite, minima lie only at ends of segments.
     let inner = [p, q].iter().all(|part| part.from > 0.0 && part.to < 1.0);
     let [max_x, max_y] = [
         a.length_squared() + gap.dot(aa) + slack(a, ra, a, ra) + slack(gap, spread, aa, raa),
@@ -78,7 +78,7 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     (convex || at_end).then_some(1)
 }
 
-/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton.
+/// Minimises |A - B|^2 / 2 within a box by Newton and Gauss-Newton steps.
 pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> Descent {
     let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
@@ -103,14 +103,14 @@ pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, 
             (true, false) => (y > 0.0).then(|| DVec2::new(0.0, gradient.y / y)),
             (true, true) => None,
         };
-        // Newton's step, or where that does not descend Gauss and Newton's, which along valleys is
-        // damped.
+        // A Newton step; if it does not descend, a damped Gauss-Newton step, which suits valleys.
         let shorter = |step: DVec2| {
             let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
             lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))
         };
-        // If a step leaves the box, it ends on the side that it crosses, where its model is least.
-        // A narrow valley that continues outside leads there, not to the nearest point of the box.
+        // A step that leaves the box ends on the side that it crosses, where its model is least. If
+        // a narrow valley continues outside, its intersection with the side is better than the
+        // nearest point of the box.
         let along_sides = |step: DVec2, [x, y]: [f64; 2]| {
             let ahead = at - step;
             let end = ahead.clamp(low, high);

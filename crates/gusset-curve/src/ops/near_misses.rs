@@ -1,26 +1,25 @@
-//! Near misses of two curves in space: the places where their distance is least, if it is small
-//! enough.
+//! Near misses of two curves in space: the minima of their distance, up to a limit.
 //!
 //! Pairs of parts are halved until a proof holds:
 //!
-//! * *apart*: their hulls are farther from each other than asked for, along an axis or across both
+//! - *apart*: the hulls are farther from each other than the limit, along an axis or across both
 //!   chords;
-//! * *empty*: one of the slopes of f = |A(s) - B(t)|^2 / 2 has one sign all over the pair, and
-//!   leads into the next part;
-//! * *unique*: the Hessian of f is positive definite for all s and t of the pair, or f falls
-//!   towards the end of a segment and is convex along that end: then Newton's method finds the only
-//!   least distance. All by bounds over the control points.
+//! - *empty*: one of the slopes of f = |A(s) - B(t)|^2 / 2 has a constant sign over the pair, and f
+//!   falls into an adjacent part;
+//! - *unique*: the Hessian of f is positive definite over the pair, or f falls towards the end of a
+//!   segment and is convex along that end. Newton's method then finds the only minimum.
 //!
-//! Parts that run beside each other have no such proof: those left at the least size are clustered
-//! into overlaps, if the distance is least there and near enough.
+//! All proofs use bounds over the control points. Parts that run beside each other admit none of
+//! these proofs. The parts that remain at the smallest size are clustered into overlaps, if the
+//! distance has a minimum there and is small enough.
 //!
-//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved; the
+//! Source: Hanniel and Elber, 2007, for halving that ends once at most one solution is proven; the
 //! bounds of slopes and Hessian are ours. Cost: at most [`MAX_PAIRS`] pairs of parts for two
 //! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
-use super::near_miss_bounds::{Descent, apart, count_minima, minimise_distance};
-use super::part::{Part, by_places, halve, sort_distinct};
+use super::near_miss_bounds::{Descent, are_apart, count_minima, minimise_distance};
+use super::part::{Part, compare_places, halve, sort_distinct};
 use crate::curve::segment::{self, SegmentBuffer, jet};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
@@ -34,90 +33,91 @@ use gusset_base::geom::{Aabb, box_tree::BoxTree};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// Two places of two curves, between which their distance is least.
+/// A local minimum of the distance between two curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearMiss {
-    /// On the first curve.
+    /// The place on the first curve.
     pub a: Place,
-    /// On the second.
+    /// The place on the second curve.
     pub b: Place,
-    /// How far the points there are apart.
+    /// The distance between the points at both places.
     pub distance: f64,
 }
 
-/// Where two curves come near to each other.
+/// The near misses of two curves.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct NearMisses {
-    /// By their places on the first curve.
+    /// The minima, sorted by their places on the first curve.
     pub places: Vec<NearMiss>,
-    /// Parts that stay near, or touch so closely that no place can be told from the next; the
-    /// nearest places of each are among the places. On the second curve: the places between which
-    /// the near points are.
+    /// Parts that stay close, or touch so closely that individual places cannot be resolved. The
+    /// nearest places of each overlap are among the places. On the second curve, the overlap covers
+    /// the places of the close points.
     pub overlaps: Vec<Overlap>,
-    /// True if parts were given up that may be near enough and are not among the overlaps.
+    /// True if the search gave up on parts that may be close enough and are not among the overlaps.
     pub undecided: bool,
 }
 
-/// Distances below this, in a frame of size 1, are rounding.
+/// In a frame of size 1, distances below this count as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Parts are not halved below this length of their parameter.
+/// Parts are not halved below this length of their parameter range.
 const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
 
-/// Pairs of parts that are examined for two segments before halving ends.
+/// The maximum number of pairs of parts examined for two segments.
 const MAX_PAIRS: usize = 20_000;
 
-/// Pairs of segments given up, after which the rest has the effort of plain minima only.
+/// The number of undecided pairs of segments after which further pairs get only the effort of
+/// simple minima.
 const MAX_GIVEN_UP: u32 = 32;
 
-/// The pairs of parts that plain minima need.
-const MAX_PAIRS_OF_PLAIN: usize = 300;
+/// The number of pairs of parts that simple minima need.
+const MAX_PAIRS_FOR_SIMPLE_MINIMA: usize = 300;
 
-/// Pairs of segments between two progress reports: each takes up to 20 ms.
+/// Pairs of segments between two progress reports; each pair takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
 
 /// Descents between two progress reports.
 const DESCENTS_PER_REPORT: usize = 256;
 const STAGE: &str = "near misses of curves";
 
-/// Places whose parameters differ by less are one.
+/// Places whose parameters differ by less count as one.
 const SAME_PARAMETER: f64 = 1e-7;
 
-/// Descents along one valley end no farther apart than this, in the parameters.
+/// Descents along one valley end within this distance in the parameters.
 const SAME_VALLEY: f64 = 1e-5;
 
-/// Slopes below this, relative to the size of the segment and the distance, are rounding.
+/// Slopes below this, relative to the size of the segment and the distance, count as rounding.
 const SLOPE_ROUNDING: f64 = 1e-12;
 
-/// The slope, relative likewise, below which a descent has come to rest: along a valley the distance
-/// itself is rounding sooner than its slope.
-const MAX_SLOPE: f64 = 1e-6;
+/// A descent has converged below this slope, relative likewise. Along a valley, the distance
+/// reaches rounding before its slope does.
+const MAX_CONVERGED_SLOPE: f64 = 1e-6;
 
-/// The least determinant of the Hessian, relative to the product of its diagonal, where the distance
-/// has one least place and not a flat valley of them.
-const MIN_BEND: f64 = 1e-12;
+/// The smallest determinant of the Hessian, relative to the product of its diagonal, at which a
+/// minimum is isolated instead of part of a flat valley.
+const MIN_RELATIVE_DETERMINANT: f64 = 1e-12;
 
-/// A least distance, in the frame; the places as numbers, segment and parameter added.
+/// A minimum of the distance, in the frame. Each place is a number: segment plus parameter.
 #[derive(Clone, Copy)]
 struct Minimum {
     at: DVec2,
     distance: f64,
 }
 
-/// A cluster of unresolved pairs: the least distance that it leads down to, and its box, as numbers.
+/// A cluster of undecided pairs: the minimum that it descends to, and its bounding box.
 struct Valley {
     minimum: Minimum,
     low: DVec2,
     high: DVec2,
-    /// Whether the least distance is among the pairs.
+    /// Whether the minimum lies in one of the pairs.
     has_minimum: bool,
 }
 
 impl CurveView<'_> {
-    /// Where two curves in space come as near to each other as `within`: each place where their
-    /// distance is least, once; of curves that stay near, the parts where they do. `within` below
-    /// 1e-12 of the curves' size is taken as that. Bounded work for each pair of segments whose
-    /// boxes are near.
+    /// Finds the places where two curves in space come within a distance of `within`. Each local
+    /// minimum of the distance is reported once. Curves that stay close are reported as overlaps.
+    /// `within` is raised to at least 1e-12 of the curves' size. The work for each pair of segments
+    /// whose boxes are close is bounded.
     ///
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (`within` is negative or not finite),
@@ -127,23 +127,24 @@ impl CurveView<'_> {
             return Err(Error::EmptyCurve);
         }
         Error::require((0.0..f64::INFINITY).contains(&within), "within", within)?;
-        let frame = UnitFrame::of(self.points().iter().chain(other.points()));
+        let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
         let points = [frame.points(self.points())?, frame.points(other.points())?];
         let sides = [
             CurveView::trusted(&points[0], self.ends(), self.is_closed()),
             CurveView::trusted(&points[1], other.ends(), other.is_closed()),
         ];
-        // No two points of the frame are farther apart than 2 sqrt(3): more could be infinite in it.
+        // Points of the frame are at most 2 sqrt(3) apart, and a larger limit could be infinite in
+        // it.
         let within = frame.length(within).clamp(ROUNDING, 4.0);
         let mut search =
             NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), given_up: 0, undecided: false };
-        let numbers = [lasting(&sides[0])?, lasting(&sides[1])?];
-        let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::of(sides[1].segment(j as usize))))?;
+        let numbers = [segments_with_extent(&sides[0])?, segments_with_extent(&sides[1])?];
+        let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::from_points(sides[1].segment(j as usize))))?;
         let (searching, mut pairs) = (job.part(0.0, 0.8), 0usize);
         for (k, &i) in numbers[0].iter().enumerate() {
             searching.step_every(16, k, numbers[0].len(), STAGE)?;
             let i = i as usize;
-            tree.overlapping(&Aabb::of(sides[0].segment(i)), within, |leaf| {
+            tree.overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
                 pairs += 1;
                 if pairs.is_multiple_of(PAIRS_PER_REPORT) {
                     searching.step(k as f64 / numbers[0].len() as f64, STAGE)?;
@@ -155,16 +156,15 @@ impl CurveView<'_> {
     }
 }
 
-/// The segments that are not points, as the ends of their neighbours are where those are; of a curve
-/// that is nothing else the first.
-fn lasting(curve: &CurveView<'_>) -> Result<Vec<u32>> {
+/// The segments with extent; segments that are points coincide with the ends of their neighbours.
+/// If all segments are points, returns the first.
+fn segments_with_extent(curve: &CurveView<'_>) -> Result<Vec<u32>> {
     let all = (0..curve.len() as u32).filter(|&k| !segment::is_point(curve.segment(k as usize)));
     let found = alloc::gather(all)?;
     if found.is_empty() { alloc::filled(0, 1) } else { Ok(found) }
 }
 
-/// The direction in which a curve goes on beyond segment k at one of its ends; `None` if it ends
-/// there.
+/// The direction in which a curve continues beyond an end of segment k; `None` if it ends there.
 fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     let (count, last) = (curve.len(), if at_end { curve.len() - 1 } else { 0 });
     if k == last && !curve.is_closed() {
@@ -178,31 +178,31 @@ struct NearMissSearch<'a> {
     sides: [CurveView<'a>; 2],
     within: f64,
     minima: Vec<Minimum>,
-    /// Pairs of parts without a proof at the least size: the places as numbers, and the distance in
-    /// the middle.
+    /// Undecided pairs of parts at the smallest size, with their places and the distance at the
+    /// centre.
     unresolved: Vec<UnresolvedBox>,
-    /// Pairs of segments given up so far.
+    /// The number of undecided pairs of segments so far.
     given_up: u32,
     undecided: bool,
 }
 
-/// The search of two segments, by their numbers.
+/// The search of a pair of segments, given by their indices.
 struct PairSearch<'s, 'a> {
     search: &'s mut NearMissSearch<'a>,
     numbers: [usize; 2],
     whole: [&'a [DVec3]; 2],
-    /// Whether halving ended at the limit.
+    /// Whether the search reached its limit.
     exhausted: bool,
 }
 
 impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
     type Solution = ();
-    /// The number of the part that is halved.
+    /// The index of the part to halve.
     type Split = usize;
     type Stop = Error;
 
     fn classify(&mut self, [p, q]: &[Part; 2]) -> Result<BoxTest<(), usize>> {
-        if apart(&p.controls, &q.controls, self.search.within) {
+        if are_apart(&p.controls, &q.controls, self.search.within) {
             return Ok(BoxTest::Empty);
         }
         Ok(match count_minima(p, q) {
@@ -228,7 +228,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
         let middle = (low + high) * 0.5;
         let [x, y] = [segment::point(self.whole[0], middle.x), segment::point(self.whole[1], middle.y)];
         let half = ((high - low) * 0.5).extend(0.0);
-        let middle = (number_of(self.numbers) + middle).extend(0.0);
+        let middle = (segment_offsets(self.numbers) + middle).extend(0.0);
         alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
     }
 
@@ -245,7 +245,7 @@ impl NearMissSearch<'_> {
     fn search_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));
-        let max_pairs = if self.given_up < MAX_GIVEN_UP { MAX_PAIRS } else { MAX_PAIRS_OF_PLAIN };
+        let max_pairs = if self.given_up < MAX_GIVEN_UP { MAX_PAIRS } else { MAX_PAIRS_FOR_SIMPLE_MINIMA };
         let limits = Limits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
         let mut search = PairSearch { search: self, numbers, whole, exhausted: false };
         subdivide(&mut search, first, &mut Vec::new(), limits)?;
@@ -253,20 +253,21 @@ impl NearMissSearch<'_> {
         Ok(())
     }
 
-    /// Adds the least distance of a pair that has only one, if it is one of the curves too and near
+    /// Adds the only minimum of a pair, if it is also a minimum of the whole curves and small
     /// enough.
     fn add_local_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
         let [low, high] = corners(&pair);
         let descent = minimise_distance(whole, 0.5 * (low + high), low, high);
         let distance = descent.gap.length();
-        if distance <= self.within && !self.goes_on_beyond(whole, numbers, &descent, low, high) {
-            alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + descent.at, distance })?;
+        if distance <= self.within && !self.falls_beyond(whole, numbers, &descent, low, high) {
+            alloc::push(&mut self.minima, Minimum { at: segment_offsets(numbers) + descent.at, distance })?;
         }
         Ok(())
     }
 
-    /// Whether a descent ended where the box does and the distance of the curves falls on beyond.
-    fn goes_on_beyond(
+    /// Returns true if a descent ended at the border of its box while the distance keeps falling
+    /// beyond.
+    fn falls_beyond(
         &self,
         whole: [&[DVec3]; 2],
         numbers: [usize; 2],
@@ -277,12 +278,12 @@ impl NearMissSearch<'_> {
         (0..2).any(|k| {
             let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
             let falls = if at_low { gradient[k] } else { -gradient[k] };
-            let slope_rounding = || SLOPE_ROUNDING * Aabb::of(whole[k]).size().max_element() * gap.length();
+            let slope_rounding = || SLOPE_ROUNDING * Aabb::from_points(whole[k]).size().max_element() * gap.length();
             if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= slope_rounding() {
                 return false;
             }
-            // At an inner end of a part the next part has it; at a joint the next segment, if it
-            // goes down there.
+            // At an inner end of a part, the next part has the minimum. At a joint, the next
+            // segment has it if the distance falls there.
             let at_joint = at[k] == 0.0 || at[k] == 1.0;
             let sign = if k == 0 { 1.0 } else { -1.0 };
             let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
@@ -290,44 +291,44 @@ impl NearMissSearch<'_> {
         })
     }
 
-    /// The least distance to which an unresolved pair leads, wherever it is on the two segments;
-    /// `None` if the distance falls on beyond them, or the descent did not come to rest.
+    /// Descends from an undecided pair to a minimum, which may be anywhere on the two segments.
+    /// Returns `None` if the distance falls beyond the segments, or the descent does not converge.
     fn minimum_below(&mut self, start: &UnresolvedBox) -> Option<Minimum> {
         let middle = start.middle.truncate();
         let numbers = [0, 1].map(|k| (middle[k].max(0.0) as usize).min(self.sides[k].len() - 1));
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let (low, high) = (DVec2::ZERO, DVec2::ONE);
-        let descent = minimise_distance(whole, middle - number_of(numbers), low, high);
+        let descent = minimise_distance(whole, middle - segment_offsets(numbers), low, high);
         let distance = descent.gap.length();
-        if self.goes_on_beyond(whole, numbers, &descent, low, high) {
+        if self.falls_beyond(whole, numbers, &descent, low, high) {
             return None;
         }
         let at_rest = distance <= ROUNDING
             || (0..2).all(|k| {
-                let size = Aabb::of(whole[k]).size().max_element();
+                let size = Aabb::from_points(whole[k]).size().max_element();
                 let inside = descent.at[k] > 0.0 && descent.at[k] < 1.0;
-                !inside || descent.gradient[k].abs() <= MAX_SLOPE * size * distance
+                !inside || descent.gradient[k].abs() <= MAX_CONVERGED_SLOPE * size * distance
             });
         self.undecided |= !at_rest && distance <= self.within;
-        at_rest.then_some(Minimum { at: number_of(numbers) + descent.at, distance })
+        at_rest.then_some(Minimum { at: segment_offsets(numbers) + descent.at, distance })
     }
 
-    /// Whether the distance rises to all sides of a least one by more than rounding, within the
-    /// segments.
-    fn stands_out(&self, minimum: &Minimum) -> bool {
+    /// Returns true if the distance rises by more than rounding in all directions from a minimum
+    /// within the segments.
+    fn is_isolated(&self, minimum: &Minimum) -> bool {
         let numbers = [0, 1].map(|k| (minimum.at[k] as usize).min(self.sides[k].len() - 1));
-        let at = minimum.at - number_of(numbers);
+        let at = minimum.at - segment_offsets(numbers);
         let [a, b] = [0, 1].map(|k| jet::<3>(self.sides[k].segment(numbers[k]), at[k]));
         let gap = a[0] - b[0];
         let (x, y) = (a[1].length_squared() + gap.dot(a[2]), b[1].length_squared() - gap.dot(b[2]));
         let mixed = a[1].dot(b[1]);
-        x > 0.0 && y > 0.0 && x * y - mixed * mixed > MIN_BEND * x * y
+        x > 0.0 && y > 0.0 && x * y - mixed * mixed > MIN_RELATIVE_DETERMINANT * x * y
     }
 
-    /// Adds the clusters of unresolved pairs as overlaps, with their least distances: descents begin
-    /// at every pair that is nearer than those that touch it. Clusters that lead down to the same
-    /// place are parts of one valley, and one overlap; where that place is in none of them, they are
-    /// slopes towards a place that was proved.
+    /// Adds the clusters of undecided pairs as overlaps, with their minima. A descent starts at
+    /// every pair that is closer than the pairs that touch it. Clusters that descend to the same
+    /// place belong to one valley and form one overlap. If none of them contains that place, they
+    /// are slopes towards a proven minimum.
     fn add_overlaps(
         &mut self,
         place: impl Fn(usize, f64) -> Place,
@@ -335,7 +336,7 @@ impl NearMissSearch<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
-        sort::stable(&mut unresolved, &|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
+        sort::stable(&mut unresolved, &|x, y| compare_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
         let cluster_of = cluster(&unresolved, &mut clusters, || job.step(0.0, STAGE))?;
         let mut valleys = Vec::new();
@@ -348,8 +349,8 @@ impl NearMissSearch<'_> {
                 && minimum.distance <= self.within
             {
                 let UnresolvedCluster { best, low, high } = clusters[cluster_of[k] as usize];
-                // Along a flat valley rounding makes many, of which the cluster's best is one.
-                if best.middle != start.middle && !self.stands_out(&minimum) {
+                // Along a flat valley, rounding creates many minima; keep only the cluster's best.
+                if best.middle != start.middle && !self.is_isolated(&minimum) {
                     continue;
                 }
                 let (low, high, reach) = (low.truncate(), high.truncate(), 2.0 * start.half.truncate());
@@ -357,7 +358,7 @@ impl NearMissSearch<'_> {
                 alloc::push(&mut valleys, Valley { minimum, low, high, has_minimum: inside })?;
             }
         }
-        sort::stable(&mut valleys, &|x, y| by_places(x.minimum.at.into(), y.minimum.at.into()));
+        sort::stable(&mut valleys, &|x, y| compare_places(x.minimum.at.into(), y.minimum.at.into()));
         let same = |x: &Valley, y: &Valley| (x.minimum.at - y.minimum.at).abs().max_element() <= SAME_VALLEY;
         for valley in valleys.chunk_by(same) {
             if let Some(holder) = valley.iter().find(|part| part.has_minimum) {
@@ -369,14 +370,14 @@ impl NearMissSearch<'_> {
             }
         }
         sort::stable(overlaps, &|x, y| {
-            let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
-            by_places(start(x), start(y))
+            let start = |overlap: &Overlap| [overlap.a[0].position(), overlap.b[0].position()];
+            compare_places(start(x), start(y))
         });
         overlaps.dedup();
         Ok(())
     }
 
-    /// Clusters the unresolved pairs, sorts, and merges repeats.
+    /// Clusters the undecided pairs, then sorts and merges duplicates.
     fn finish(mut self, frame: &UnitFrame, job: &Job<'_>) -> Result<NearMisses> {
         let mut found = NearMisses::default();
         let sides = self.sides;
@@ -401,13 +402,13 @@ fn corners([p, q]: &[Part; 2]) -> [DVec2; 2] {
     [DVec2::new(p.from, q.from), DVec2::new(p.to, q.to)]
 }
 
-/// The numbers of two segments, for places as numbers.
-fn number_of(numbers: [usize; 2]) -> DVec2 {
+/// The indices of two segments, as offsets of places that are numbers.
+fn segment_offsets(numbers: [usize; 2]) -> DVec2 {
     DVec2::new(numbers[0] as f64, numbers[1] as f64)
 }
 
-/// Whether no pair that touches one, of pairs sorted by their places, is nearer; of equally near
-/// ones the first counts as nearer.
+/// Returns true if none of the pairs that touch pair `k` is closer; ties go to the first. The pairs
+/// are sorted by their places.
 fn is_lowest(pairs: &[UnresolvedBox], k: usize) -> bool {
     let own = &pairs[k];
     let reach = own.half.x + MIN_PART_LENGTH;

@@ -1,9 +1,10 @@
-//! The point of a curve that is nearest to a given one.
+//! The nearest point of a curve.
 //!
-//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for
-//! the quadratic a cubic with a closed form. Near a singular point C' vanishes too, and rounding
-//! hides the root in an interval: there the distance itself is minimised. Segments whose boxes are
-//! farther than the best so far are passed over, so the result is the nearest point of all.
+//! On a segment, the nearest point is an end or a root of (C(t) - q) . C'(t), a polynomial of
+//! degree 2 n - 1. For a quadratic, that is a cubic with a closed form. Near a singular point C'
+//! vanishes too, and rounding blurs the root to an interval; there the distance itself is
+//! minimised. Segments whose boxes are farther than the best distance so far are skipped, so the
+//! result is the global minimum.
 
 use super::cubic;
 use crate::curve::segment::{self, DistanceSlope};
@@ -16,31 +17,31 @@ use gusset_base::geom::{Aabb, box_tree::BoxTree};
 use gusset_base::job::Job;
 use gusset_base::par;
 
-/// The nearest point.
+/// The nearest point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
-    /// Where on the curve; of several at the same distance, one.
+    /// The place on the curve; any one of several at equal distance.
     pub place: Place,
     /// The point there.
     pub point: DVec3,
-    /// Its distance.
+    /// The distance to the query.
     pub distance: f64,
 }
 
-/// The distance, in sizes of the curve, to which farther queries are drawn along their direction:
-/// the nearest point is the same but for rounding.
+/// More distant queries are moved to this distance along their direction, in sizes of the curve.
+/// The nearest point stays the same up to rounding.
 const MAX_QUERY_DISTANCE: f64 = (1u64 << 26) as f64;
 
-/// Queries that one thread takes at once.
+/// Queries that one thread processes at once.
 const QUERIES_PER_BATCH: usize = 256;
-/// Segments that they look at together, if each is equally far from all.
+/// The number of segment tests in a batch, if every query has to test each segment.
 const SEGMENTS_PER_BATCH: usize = 1 << 17;
-/// Segments that one query looks at between two progress reports.
+/// Segments tested between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
-/// A bound of the rounding of boxes in a frame of size 1.
+/// A bound of the rounding error of boxes in a frame of size 1.
 const BOX_ROUNDING: f64 = 1e-14;
-/// A bound of the relative rounding of distances.
+/// A bound of the relative rounding error of distances.
 const DISTANCE_ROUNDING: f64 = 1e-9;
 /// The largest coordinate of a query, in sizes of all curves, whose square does not overflow.
 const MAX_COORDINATE: f64 = 1e150;
@@ -48,28 +49,28 @@ const MAX_COORDINATE: f64 = 1e150;
 const STAGE: &str = "nearest points";
 
 impl CurveView<'_> {
-    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for
-    /// each query, on the job's threads; memory O(points).
+    /// Finds the nearest point of the curve to each of `queries`, on the job's threads. About O(log
+    /// segments + degree^2) for each query; memory O(points).
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`] (no segments), [`Error::NotFinite`] (a query), [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::EmptyCurve`] (the curve lacks segments), [`Error::NotFinite`] (a query),
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
         job.step(0.0, STAGE)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
         let search = CurveSearch::new(self)?;
-        answers(queries, self.len(), job, |q, job| search.nearest(q, job))
+        answer_all(queries, self.len(), job, |q, job| search.nearest(q, job))
     }
 }
 
-/// The nearest point of any of some curves to each of `queries`, and the curve that it is on, of
-/// equally near ones the first; a curve without segments is its point. As [`CurveView::nearest`]
-/// for one curve after the other, but for curves whose boxes are too far.
+/// Finds the nearest point among several curves to each of `queries`, with the index of its curve.
+/// Ties go to the first curve. A curve without segments is a point. Curves whose boxes are too far
+/// are skipped.
 ///
 /// # Errors
-/// [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::NotFinite`] (a
+/// [`Error::EmptyCurve`] (all curves lack points, and there are queries), [`Error::NotFinite`] (a
 /// query), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>) -> Result<Vec<(usize, Nearest)>> {
     job.step(0.0, STAGE)?;
@@ -81,10 +82,10 @@ pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>
     }
     let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
     let segments = curves.iter().map(CurveView::len).sum();
-    answers(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
+    answer_all(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
 }
 
-fn answers<A: Send>(
+fn answer_all<A: Send>(
     queries: &[DVec3],
     segments: usize,
     job: &Job<'_>,
@@ -104,14 +105,14 @@ fn answers<A: Send>(
     Ok(found)
 }
 
-/// The distance of two points; it overflows only if it is too large itself.
+/// The distance of two points; it overflows only if the distance itself does.
 fn distance(p: DVec3, q: DVec3) -> f64 {
     let halved = p * 0.5 - q * 0.5;
     let largest = halved.abs().max_element();
     if largest == 0.0 { 0.0 } else { (halved / largest).length() * largest * 2.0 }
 }
 
-/// A curve in its frame, with the tree of its segments.
+/// A curve in its unit frame, with a tree of its segments.
 pub struct CurveSearch<'a> {
     curve: CurveView<'a>,
     frame: UnitFrame,
@@ -122,14 +123,14 @@ pub struct CurveSearch<'a> {
 impl<'a> CurveSearch<'a> {
     /// Builds the tree of a curve.
     pub fn new(curve: &CurveView<'a>) -> Result<Self> {
-        let frame = UnitFrame::of(curve.points());
+        let frame = UnitFrame::from_points(curve.points());
         let points = frame.points(curve.points())?;
         let boxes = CurveView::trusted(&points, curve.ends(), false);
-        let tree = BoxTree::new(boxes.segments().map(Aabb::of))?;
+        let tree = BoxTree::new(boxes.segments().map(Aabb::from_points))?;
         Ok(CurveSearch { curve: *curve, frame, points, tree })
     }
 
-    /// The nearest point. The curve has one.
+    /// Finds the nearest point. The curve must have a point.
     pub fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<Nearest> {
         if self.curve.is_empty() {
             let point = self.curve.points()[0];
@@ -159,7 +160,7 @@ impl<'a> CurveSearch<'a> {
             if looked.is_multiple_of(SEGMENTS_PER_REPORT) {
                 heard = job.step(0.0, STAGE);
                 if heard.is_err() {
-                    // None is nearer than that: the search ends.
+                    // A distance of 0 cannot be improved, so the search ends.
                     return 0.0;
                 }
             }
@@ -173,10 +174,10 @@ impl<'a> CurveSearch<'a> {
     }
 }
 
-/// Curves that have points, with the tree of their boxes in a frame of all of them. Each answers in
-/// its own frame: in that of all, what is small and far from the others would be coarse.
+/// Curves with points, and a tree of their boxes in a common frame. Each curve answers in its own
+/// frame, because the common frame is coarse for small curves far from the others.
 struct CurveSetSearch<'a> {
-    /// The curves and their numbers.
+    /// The curves and their indices.
     searches: Vec<(usize, CurveSearch<'a>)>,
     frame: UnitFrame,
     tree: BoxTree,
@@ -191,9 +192,9 @@ impl<'a> CurveSetSearch<'a> {
             done += curve.points().len();
             searches.push((c, CurveSearch::new(curve)?));
         }
-        let frame = UnitFrame::of(curves.iter().flat_map(CurveView::points));
+        let frame = UnitFrame::from_points(curves.iter().flat_map(CurveView::points));
         let around = |curve: &CurveView<'_>| {
-            let Aabb { low, high } = Aabb::of(curve.points());
+            let Aabb { low, high } = Aabb::from_points(curve.points());
             Aabb { low: frame.point(low) - BOX_ROUNDING, high: frame.point(high) + BOX_ROUNDING }
         };
         let tree = BoxTree::new(searches.iter().map(|(_, search)| around(&search.curve)))?;
@@ -201,8 +202,8 @@ impl<'a> CurveSetSearch<'a> {
     }
 
     fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
-        // Of queries so far away that squares overflow the boxes say nothing, and every curve is
-        // asked.
+        // For queries so distant that squares overflow, the boxes are useless and every curve is
+        // searched.
         let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
         let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
         self.tree.nearest(local, f64::INFINITY, &mut |k| {
@@ -223,12 +224,12 @@ impl<'a> CurveSetSearch<'a> {
             bound * bound + f64::MIN_POSITIVE
         });
         heard?;
-        // The tree has a leaf, and no bound excludes it.
+        // Not reached: the tree has a leaf that no bound excludes.
         best.map_or_else(|| Ok((self.searches[0].0, self.searches[0].1.nearest(q, job)?)), Ok)
     }
 }
 
-/// The parameter of the nearest point of one segment, and the square of its distance.
+/// The parameter of the nearest point of one segment, and its squared distance.
 pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
     let mut best = Best { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
     best.offer(1.0);
@@ -236,13 +237,13 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
     (best.t, best.squared)
 }
 
-/// Samples of an interval where the slope of the distance is rounding; the least one and its
-/// neighbours bracket a least distance.
+/// The number of samples of an interval in which the slope of the distance is rounding. The
+/// smallest sample and its neighbours bracket a minimum.
 const FLAT_SAMPLES: usize = 32;
-/// By how much a place of such an interval must be nearer than others, relative to the square.
+/// The relative gain in squared distance for which a place of such an interval replaces another.
 const MIN_GAIN: f64 = 1e-12;
 
-/// The nearest point of a segment so far.
+/// The best point of a segment so far.
 struct Best<'a> {
     controls: &'a [DVec3],
     q: DVec3,
@@ -262,7 +263,7 @@ impl Best<'_> {
         }
     }
 
-    /// Offers the places between the ends where the distance is stationary.
+    /// Tests the inner places where the distance is stationary.
     fn offer_inner(&mut self) {
         match *self.controls {
             [a, b] => {
@@ -274,7 +275,8 @@ impl Best<'_> {
                 return;
             }
             [a, b, c] => {
-                // C - q = w t^2 + 2 u t + r: half of its product with its derivative is this cubic.
+                // C - q = w t^2 + 2 u t + r, and half of its product with its derivative is this
+                // cubic.
                 let (r, u, w) = (a - self.q, b - a, (c - b) - (b - a));
                 let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
                 if let Some((found, count)) = cubic {
@@ -290,7 +292,7 @@ impl Best<'_> {
         let size = self.controls.iter().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
         let mut searched = 0.0;
         for &t in roots.as_slice() {
-            // What is on the curve within rounding, no place is nearer to.
+            // A point on the curve within rounding cannot be improved.
             if t >= searched
                 && self.squared > (4.0 * f64::EPSILON * size).powi(2)
                 && let Some(flat) = slope.flat_interval(t)
@@ -301,8 +303,8 @@ impl Best<'_> {
         }
     }
 
-    /// Minimises the distance itself over an interval, by samples and the golden section round
-    /// those that are least among their neighbours.
+    /// Minimises the distance itself over an interval. Samples it, and applies a golden-section
+    /// search around local minima of the samples.
     fn search(&mut self, [low, high]: [f64; 2]) {
         let at = |k: usize| low + (high - low) * (k.min(FLAT_SAMPLES) as f64 / FLAT_SAMPLES as f64);
         let squares: [f64; FLAT_SAMPLES + 1] = std::array::from_fn(|k| self.squared_distance(at(k)));
@@ -321,7 +323,7 @@ impl Best<'_> {
     }
 }
 
-/// Where a function with one minimum between two ends is least.
+/// The minimum of a unimodal function between two ends.
 fn golden_section([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     const RATIO: f64 = 0.618_033_988_749_894_9;
     let (mut x, mut y) = (high - RATIO * (high - low), low + RATIO * (high - low));

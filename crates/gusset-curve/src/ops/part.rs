@@ -1,5 +1,5 @@
-//! The means of subdivision: parts of segments, tests of their hulls, and the merging of solutions
-//! that neighbours report twice.
+//! Tools for subdivision: parts of segments, separation tests of hulls, and the removal of
+//! duplicate solutions from neighbours.
 
 use crate::curve::segment::SegmentBuffer;
 use glam::DVec3;
@@ -7,7 +7,7 @@ use gusset_base::geom::Aabb;
 use gusset_base::sort;
 use std::cmp::Ordering;
 
-/// The part of a segment between two parameters.
+/// A part of a segment between two parameters.
 #[derive(Clone, Copy)]
 pub(super) struct Part {
     pub(super) controls: SegmentBuffer,
@@ -24,9 +24,9 @@ impl Part {
         0.5 * (self.from + self.to)
     }
 
-    /// The longest side of the box of the control points.
+    /// The longest side of the bounding box of the control points.
     pub(super) fn size(&self) -> f64 {
-        Aabb::of(self.controls.iter()).size().max_element()
+        Aabb::from_points(self.controls.iter()).size().max_element()
     }
 
     pub(super) fn halves(mut self) -> [Part; 2] {
@@ -36,12 +36,12 @@ impl Part {
     }
 }
 
-/// Two parts, the one of that number in halves.
+/// Halves part `number` of a pair.
 pub(super) fn halve([p, q]: [Part; 2], number: usize) -> [[Part; 2]; 2] {
     if number == 0 { p.halves().map(|half| [half, q]) } else { q.halves().map(|half| [p, half]) }
 }
 
-/// Whether two hulls are farther apart than `slack` along an axis of length 1.
+/// Returns true if two hulls are farther apart than `slack` along a unit axis.
 pub(super) fn separates(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bool {
     let range = |points: &[DVec3]| {
         let along = points.iter().map(|&p| axis.dot(p - a[0]));
@@ -51,38 +51,37 @@ pub(super) fn separates(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bo
     x.0 - y.1 > slack || y.0 - x.1 > slack
 }
 
-/// The direction of the chord of a part, of length 1; 0 for one without.
+/// The unit direction of the chord of a part; 0 if its ends coincide.
 pub(super) fn chord(controls: &[DVec3]) -> DVec3 {
     (controls[controls.len() - 1] - controls[0]).normalize_or_zero()
 }
 
-/// The order of places on two curves, by the first one first.
-pub(super) fn by_places(x: [f64; 2], y: [f64; 2]) -> Ordering {
+/// Compares pairs of places on two curves, by the first curve first.
+pub(super) fn compare_places(x: [f64; 2], y: [f64; 2]) -> Ordering {
     x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1]))
 }
 
-/// Whether two places on a curve of a period are one within `tolerance`.
+/// Returns true if two places on a curve with a period coincide within `tolerance`.
 pub(super) fn coincide(x: f64, y: f64, period: f64, tolerance: f64) -> bool {
     let gap = (x - y).abs();
     gap <= tolerance || (period - gap).abs() <= tolerance
 }
 
-/// Sorts solutions by their places on two curves, and removes those that repeat another within
-/// `tolerance`, round the ends of closed curves too; see
-/// [`CurveView::period`](crate::CurveView). O(n log n), and O(1) for each place with few
-/// repeats.
+/// Sorts solutions by their places on two curves, and removes duplicates within `tolerance`, also
+/// across the ends of closed curves; see [`CurveView::period`](crate::CurveView). O(n log n) if
+/// there are few duplicates.
 pub(super) fn sort_distinct<T: Copy>(
     found: &mut Vec<T>,
     places: impl Fn(&T) -> [f64; 2],
     periods: [f64; 2],
     tolerance: f64,
 ) {
-    sort::stable(found, &|x, y| by_places(places(x), places(y)));
+    sort::stable(found, &|x, y| compare_places(places(x), places(y)));
     let mut kept = 0;
     for i in 0..found.len() {
         let at = places(&found[i]);
         let same = |other: &T| (0..2).all(|k| coincide(at[k], places(other)[k], periods[k], tolerance));
-        // Repeats are near in this order, or at the start of a closed curve.
+        // Duplicates are close in this order, or at the start of a closed curve.
         let near = found[..kept].iter().rev().take_while(|other| at[0] - places(other)[0] <= tolerance);
         let first = found[..kept].iter().take_while(|other| places(other)[0] <= tolerance);
         if !near.chain(first).any(same) {

@@ -1,4 +1,4 @@
-//! Points along a curve: by their number, by their distance, or by the deviation of the polygon
+//! Points along a curve, by their number, by their spacing, or by the deviation of the polygon
 //! through them.
 
 use super::length::Lengths;
@@ -14,39 +14,39 @@ use gusset_base::job::Job;
 const POINTS_PER_REPORT: usize = 1 << 8;
 const STAGE: &str = "points along a curve";
 
-/// Where points along a curve are.
+/// The spacing of points along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spacing {
-    /// So many points at equal arc lengths: an open curve from its start to its end (at least 2), a
-    /// closed one from its start once round (at least 1). Lengths as exact as
+    /// A number of points at equal arc lengths. An open curve gets at least 2, from start to end; a
+    /// closed one at least 1, once around from its start. Lengths are as exact as
     /// [`lengths`](CurveView::lengths). O(points + count log points).
     Count(usize),
-    /// Points every so far along the curve, in the unit of the points, above 0: at 0, step, 2 step
-    /// and so on; the end of an open curve is always the last point, however near the one before,
-    /// and of a closed one never.
+    /// Points at equal arc lengths, in the unit of the points, above 0: at 0, step, 2 step and so
+    /// on. The end of an open curve is always the last point, even if it is close to the previous
+    /// one. The end of a closed curve is never added.
     Step(f64),
-    /// Points such that no point of the curve is farther than this (above 0, in the unit of the
-    /// points) from the chord between its neighbours: segments are halved until their control
-    /// points prove it, at most 20 times, which leaves 1e-12 of a segment's size. O(points found).
+    /// Points whose polygon deviates from the curve by at most this distance, above 0, in the unit
+    /// of the points. Segments are halved until their control points prove it. The limit of 20
+    /// halvings leaves 1e-12 of a segment's size. O(points found).
     Chord(f64),
 }
 
-/// Points along a curve, in its order. Of a closed curve the start is not repeated at the end.
+/// Points along a curve, in order. The start of a closed curve is not repeated at the end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Samples {
-    /// Where they are.
+    /// The places of the points.
     pub places: Vec<Place>,
-    /// The points there.
+    /// The points.
     pub points: Vec<DVec3>,
 }
 
 impl CurveView<'_> {
-    /// Points along the curve.
+    /// Samples points along the curve.
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count, step or
-    /// tolerance), [`Error::TooLarge`] (above [`MAX_POINTS`]), [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::EmptyCurve`] (the curve lacks segments), [`Error::OptionOutOfRange`] (a count, step
+    /// or tolerance that is too small), [`Error::TooLarge`] (above [`MAX_POINTS`]),
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn sampled(&self, spacing: Spacing, job: &Job<'_>) -> Result<Samples> {
         let least_count = if self.is_closed() { 1.0 } else { 2.0 };
         let (option, value, least) = match spacing {
@@ -80,7 +80,7 @@ fn within_limit(count: u64) -> Result<()> {
     Error::check_count("points", count, MAX_POINTS as u64)
 }
 
-/// A walk along a curve: the points so far.
+/// The points collected so far along a curve.
 struct Walk<'a> {
     curve: &'a CurveView<'a>,
     samples: Samples,
@@ -96,7 +96,7 @@ impl<'a> Walk<'a> {
     fn add(&mut self, place: Place) -> Result<()> {
         let count = self.samples.places.len();
         if count.is_multiple_of(POINTS_PER_REPORT) {
-            self.job.step(place.along() / self.curve.len() as f64, STAGE)?;
+            self.job.step(place.position() / self.curve.len() as f64, STAGE)?;
         }
         within_limit(count as u64 + 1)?;
         alloc::push(&mut self.samples.places, place)?;
@@ -114,7 +114,7 @@ impl<'a> Walk<'a> {
         let total = lengths.total();
         for k in 0..=whole {
             let at = k as f64 * step;
-            // The last step may end at the end but for rounding.
+            // The last step may coincide with the end, up to rounding.
             if k == 0 || total - at > 1e-12 * total {
                 self.add(lengths.place(at)?)?;
             }
@@ -126,7 +126,7 @@ impl<'a> Walk<'a> {
     }
 
     fn by_chord(mut self, tolerance: f64) -> Result<Samples> {
-        let frame = UnitFrame::of(self.curve.points());
+        let frame = UnitFrame::from_points(self.curve.points());
         self.add(Place::START)?;
         for (k, controls) in self.curve.segments().enumerate() {
             self.flatten(k as u32, frame.segment(controls), [0.0, 1.0], frame.length(tolerance), 20)?;
@@ -138,10 +138,10 @@ impl<'a> Walk<'a> {
         Ok(self.samples)
     }
 
-    /// Adds the ends of the chords of one part of a segment, but not its start.
+    /// Adds the ends of the chords of one part of a segment, without its start.
     ///
     /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t)
-    /// d(B_i) over the inner control points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 -
+    /// d(B_i) over the inner control points. Their weights add up to 1 - (1 - t)^n - t^n <= 1 -
     /// 2^(1 - n).
     fn flatten(
         &mut self,

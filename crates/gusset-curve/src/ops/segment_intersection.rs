@@ -1,22 +1,23 @@
 //! Intersections of two plane segments, by subdivision with proofs.
 //!
-//! Both are halved, the longer one first, until a pair of parts
+//! The longer part of a pair is halved until the pair satisfies one of these:
 //!
-//! * is apart: their boxes are, along the axes or along either chord (the fat line of Sederberg and
-//!   Nishita, 1990); by the convex hull no points are lost;
-//! * crosses once at most: every leg of one control polygon turns to the same side of every leg of
-//!   the other. Two common points would give both parts the same chord, which is a positive sum of
-//!   legs of each: its cross product with itself would not be 0. Newton's method then finds the
-//!   crossing, or the halving goes on;
-//! * is so short and so straight that all its points are common within [`MAX_COMMON_DISTANCE`]
-//!   where the hulls are not apart: there they touch, or cross at an angle below rounding, and that
-//!   place is sought. Short alone would not do: beside a long segment a whole curve is short.
+//! - It is separated: the boxes are disjoint, along the axes or along either chord (the fat line of
+//!   Sederberg and Nishita, 1990). By the convex hull property no points are lost.
+//! - It crosses at most once: every leg of one control polygon turns to the same side of every leg
+//!   of the other. Two common points would give both parts the same chord, which is a positive sum
+//!   of legs of each, so its cross product with itself would not be 0. Newton's method then finds
+//!   the crossing; otherwise the halving continues.
+//! - It is so short and straight that all its points are within [`MAX_COMMON_DISTANCE`] of the
+//!   other part unless the hulls are separated. The parts then touch, or cross at an angle below
+//!   rounding, and the search looks for that place. Shortness alone would not suffice: beside a
+//!   long segment a whole curve is short.
 //!
-//! Segments that run together would be halved for ever. They are recognised before: polynomial
-//! segments of degrees n and m that have more than n m points in common lie on the same curve
-//! (Bézout), and then the common part begins and ends at ends of segments.
+//! Overlapping segments would be halved forever and are detected beforehand. Polynomial segments of
+//! degrees n and m with more than n m common points lie on the same curve (Bézout). The common part
+//! then begins and ends at ends of segments.
 //!
-//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved.
+//! Source: Hanniel and Elber, 2007, for halving that ends once at most one solution is proven.
 //! Cost: at most [`MAX_PAIRS`] pairs of parts, O(degree^2) each.
 
 use super::nearest::nearest_on;
@@ -29,45 +30,46 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::subdivision::{BoxTest, Limits, Stack, Subdivision, subdivide};
 use gusset_base::sort;
 
-/// Boxes nearer than this are not apart, in a frame of size 1.
+/// In a frame of size 1, boxes closer than this count as touching.
 pub(super) const BOX_SLACK: f64 = 1.0 / (1u64 << 46) as f64;
-/// Points nearer than this are common.
+/// Points closer than this count as common.
 pub(super) const MAX_COMMON_DISTANCE: f64 = 1e-12;
-/// Parts smaller than this are not halved if they are straight.
+/// Straight parts smaller than this are not halved.
 const MIN_PART_SIZE: f64 = 1.0 / (1u64 << 20) as f64;
-/// Control points of a straight part are nowhere farther from its chord: of two such parts whose
-/// hulls are not apart the nearest points are common.
+/// The largest distance of the control points of a straight part from its chord. If the hulls of
+/// two such parts are not separated, their nearest points are common.
 const MAX_SAGITTA: f64 = 0.25 * MAX_COMMON_DISTANCE;
-/// Intersections whose parameters both differ by less are one.
+/// Intersections whose parameters both differ by less count as one.
 pub(super) const SAME_PARAMETER: f64 = 1e-6;
-/// Touches farther apart than this, in the parameters, are different ones.
+/// Touches that are farther apart than this in the parameters are distinct.
 const MAX_TOUCH_PARAMETER: f64 = 1e-3;
-/// Pairs of parts examined before two segments are given up, over the product of their degrees.
+/// The maximum number of examined pairs of parts, divided by the product of the degrees.
 const MAX_PAIRS: usize = 100_000;
-/// The limits of that quotient.
+/// The range to which that limit is clamped.
 const MAX_PAIRS_RANGE: (usize, usize) = (1_000, 20_000);
-/// Pairs of segments given up, after which the rest has the effort of plain crossings only.
+/// The number of undecided pairs of segments after which further pairs get only the effort of
+/// simple crossings.
 const MAX_GIVEN_UP: u32 = 32;
-/// The pairs of parts that plain crossings need.
-const MAX_PAIRS_OF_CROSSINGS: usize = 300;
+/// The number of pairs of parts that simple crossings need.
+const MAX_PAIRS_FOR_SIMPLE_CROSSINGS: usize = 300;
 
-/// Where the segments have a joint with each other, which does not count as an intersection.
+/// The joints between two segments, which do not count as intersections.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Joined {
-    /// The first ends where the second begins.
+    /// The first segment ends where the second begins.
     pub(super) after: bool,
-    /// The first begins where the second ends.
+    /// The first segment begins where the second ends.
     pub(super) before: bool,
 }
 
-/// The intersections of two segments, in their parameters.
+/// The intersections of two segments, as parameters.
 #[derive(Default)]
 pub(super) struct SegmentIntersections {
     pub(super) at: Vec<[f64; 2]>,
-    /// From where to where on each, running with the first.
+    /// The ends of each overlap on both segments, in the direction of the first.
     pub(super) overlaps: Vec<[[f64; 2]; 2]>,
     pub(super) undecided: bool,
-    /// The pairs of segments given up so far.
+    /// The number of undecided pairs of segments so far.
     given_up: u32,
 }
 
@@ -81,7 +83,7 @@ pub(super) fn intersect(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Se
     let max_pairs = if found.given_up < MAX_GIVEN_UP {
         (MAX_PAIRS / degrees).clamp(MAX_PAIRS_RANGE.0, MAX_PAIRS_RANGE.1)
     } else {
-        MAX_PAIRS_OF_CROSSINGS
+        MAX_PAIRS_FOR_SIMPLE_CROSSINGS
     };
     let first = [a, b].map(|controls| Part::whole(SegmentBuffer::new(controls)));
     let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
@@ -91,7 +93,7 @@ pub(super) fn intersect(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Se
     found.at.retain(|&[s, t]| {
         let at_joint = (joined.after && s > 1.0 - SAME_PARAMETER && t < SAME_PARAMETER)
             || (joined.before && s < SAME_PARAMETER && t > 1.0 - SAME_PARAMETER);
-        let in_overlap = |o: &[[f64; 2]; 2]| inside(o[0], s, s) && inside(o[1], t, t);
+        let in_overlap = |o: &[[f64; 2]; 2]| is_inside(o[0], s, s) && is_inside(o[1], t, t);
         !at_joint && !overlaps.iter().any(in_overlap)
     });
     found.merge(a, b);
@@ -107,7 +109,7 @@ struct PairSearch<'a> {
 
 impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
     type Solution = [f64; 2];
-    /// The number of the part that is halved.
+    /// The index of the part to halve.
     type Split = usize;
     type Stop = Error;
 
@@ -117,13 +119,13 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
             return Ok(BoxTest::Empty);
         };
         self.pairs_left = pairs_left;
-        if apart(&p.controls, &q.controls) || self.found.covers(p, q) {
+        if are_separated(&p.controls, &q.controls) || self.found.covers(p, q) {
             return Ok(BoxTest::Empty);
         }
         let Joined { after, before } = self.joined;
         let joint = (after && p.to == 1.0 && q.from == 0.0) || (before && p.from == 0.0 && q.to == 1.0);
         let once = crosses_once(&p.controls, &q.controls);
-        if joint && (once || runs_on(&p.controls, &q.controls)) {
+        if joint && (once || continues(&p.controls, &q.controls)) {
             return Ok(BoxTest::Empty);
         }
         let [a, b] = self.whole;
@@ -158,14 +160,15 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
     }
 }
 
-/// Whether a range of parameters lies in another, in either direction, but for a little.
-fn inside(range: [f64; 2], from: f64, to: f64) -> bool {
+/// Returns true if one range of parameters lies in another, in either direction, within a
+/// tolerance.
+fn is_inside(range: [f64; 2], from: f64, to: f64) -> bool {
     range[0].min(range[1]) - 4.0 * SAME_PARAMETER <= from && to <= range[0].max(range[1]) + 4.0 * SAME_PARAMETER
 }
 
 impl SegmentIntersections {
     fn covers(&self, p: &Part, q: &Part) -> bool {
-        self.overlaps.iter().any(|o| inside(o[0], p.from, p.to) && inside(o[1], q.from, q.to))
+        self.overlaps.iter().any(|o| is_inside(o[0], p.from, p.to) && is_inside(o[1], q.from, q.to))
     }
 
     fn add(&mut self, at: [f64; 2]) -> Result<()> {
@@ -174,8 +177,8 @@ impl SegmentIntersections {
         if self.at.iter().any(same) { Ok(()) } else { alloc::push(&mut self.at, at) }
     }
 
-    /// Makes one intersection of those between which the segments stay together, touching so
-    /// closely that no place can be told from the next: the one in the middle.
+    /// Merges intersections between which the segments stay together, because they touch too
+    /// closely to resolve. Keeps the middle one.
     fn merge(&mut self, a: &[DVec3], b: &[DVec3]) {
         sort::stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
@@ -202,9 +205,9 @@ impl SegmentIntersections {
     }
 }
 
-/// Whether the hulls are apart along the axes or along or across a chord.
-fn apart(a: &[DVec3], b: &[DVec3]) -> bool {
-    if !Aabb::of(a).is_within(&Aabb::of(b), BOX_SLACK) {
+/// Returns true if the hulls are separated along an axis, or along or across a chord.
+fn are_separated(a: &[DVec3], b: &[DVec3]) -> bool {
+    if !Aabb::from_points(a).is_within(&Aabb::from_points(b), BOX_SLACK) {
         return true;
     }
     [chord(a), chord(b)].into_iter().any(|chord| {
@@ -213,24 +216,24 @@ fn apart(a: &[DVec3], b: &[DVec3]) -> bool {
     })
 }
 
-/// Whether the hull of a part is its chord, within [`MAX_SAGITTA`].
+/// Returns true if a part deviates from its chord by at most [`MAX_SAGITTA`].
 fn is_straight(part: &Part) -> bool {
     let controls = &part.controls;
     let (first, along) = (controls[0], controls[controls.len() - 1] - controls[0]);
     controls.iter().all(|&p| {
         let t = ((p - first).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        // Not a number where the ends coincide.
+        // NaN if the ends coincide.
         let near = if t.is_nan() { first } else { first + along * t };
         p.distance(near) <= MAX_SAGITTA
     })
 }
 
-/// The legs of a control polygon that have a length.
+/// The non-zero legs of a control polygon.
 fn legs(controls: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
     controls.windows(2).map(|pair| pair[1] - pair[0]).filter(|&leg| leg != DVec3::ZERO)
 }
 
-/// Whether all legs of `b` turn to the same side from all legs of `a`.
+/// Returns true if all legs of `b` turn to the same side of all legs of `a`.
 fn crosses_once(a: &[DVec3], b: &[DVec3]) -> bool {
     let mut side = 0.0;
     for u in legs(a) {
@@ -245,9 +248,9 @@ fn crosses_once(a: &[DVec3], b: &[DVec3]) -> bool {
     side != 0.0
 }
 
-/// Whether some direction increases along all legs of both: then one follows the other, and they
-/// have only their joint in common.
-fn runs_on(a: &[DVec3], b: &[DVec3]) -> bool {
+/// Returns true if some direction increases along all legs of both. One part then continues the
+/// other, and they meet only in their joint.
+fn continues(a: &[DVec3], b: &[DVec3]) -> bool {
     let along = chord(a) + chord(b);
     legs(a).chain(legs(b)).all(|leg| leg.dot(along) > 0.0)
 }
@@ -256,7 +259,7 @@ fn cross_z(u: DVec3, v: DVec3) -> f64 {
     u.x * v.y - u.y * v.x
 }
 
-/// The solution (s, t) of two linear equations, if there is one.
+/// The solution (s, t) of two linear equations, if it exists.
 fn solve(rows: [[f64; 2]; 2], right: [f64; 2]) -> Option<[f64; 2]> {
     let [[a, b], [c, d]] = rows;
     let determinant = a * d - b * c;
@@ -264,8 +267,8 @@ fn solve(rows: [[f64; 2]; 2], right: [f64; 2]) -> Option<[f64; 2]> {
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// The crossing of two parts, by Newton's method for A(s) = B(t) from the middle; `None` if it
-/// leads elsewhere.
+/// The crossing of two parts, by Newton's method for A(s) = B(t) from the middle. Returns `None` if
+/// it leads outside the parts.
 fn newton(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let (mut s, mut t) = (p.middle(), q.middle());
     for _ in 0..30 {
@@ -283,7 +286,7 @@ fn newton(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     near.then(|| [s, t].map(snap))
 }
 
-/// An end, if it is one but for rounding.
+/// Snaps a parameter to 0 or 1 within rounding.
 fn snap(t: f64) -> f64 {
     if t < 1e-14 {
         0.0
@@ -294,8 +297,8 @@ fn snap(t: f64) -> f64 {
     }
 }
 
-/// Where two short parts touch: A' x B' = 0 and (A - B) . A' = 0 by Newton's method, or else
-/// nearest points of each in alternation.
+/// The place where two short parts touch. Applies Newton's method to A' x B' = 0 and (A - B) . A' =
+/// 0, or else alternates between nearest points of both.
 fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let start = [p.middle(), q.middle()];
     let reach = 8.0 * (p.to - p.from).max(q.to - q.from);
@@ -320,7 +323,7 @@ fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     (stays && common(s, t)).then(|| [snap(s), snap(t)])
 }
 
-/// The common parts of segments that lie on the same curve.
+/// Finds the common parts of segments that lie on the same curve.
 fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Result<()> {
     let common = |controls: &[DVec3], p: DVec3| {
         let (t, squared) = nearest_on(controls, p);
@@ -339,7 +342,7 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
     }
     let ends = &mut ends[..count];
     sort::stable(ends, &|x, y| x[0].total_cmp(&y[0]));
-    // More than n m points in common; beyond 64 one may well believe it.
+    // More than n m common points prove it; 64 samples are taken as enough.
     let samples = ((a.len() - 1) * (b.len() - 1)).min(64) + 1;
     for pair in ends.windows(2) {
         let ([s, t], [s1, t1]) = (pair[0], pair[1]);
@@ -354,8 +357,8 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
     Ok(())
 }
 
-/// Whether no two points of the segment coincide: all legs of its control polygon advance along its
-/// chord.
+/// Returns true if no two points of the segment coincide: all legs of its control polygon advance
+/// along its chord.
 pub(super) fn advances(controls: &[DVec3]) -> bool {
     let chord = controls[controls.len() - 1] - controls[0];
     legs(controls).all(|leg| leg.dot(chord) > 0.0)

@@ -1,4 +1,4 @@
-//! Parts of a curve, and the curve backwards. Exact but for rounding.
+//! Parts of a curve, and the reversed curve. Exact up to rounding.
 
 use crate::curve::segment::{self, SegmentBuffer};
 use crate::curve::{Curve, CurveView, Place};
@@ -12,7 +12,7 @@ const SEGMENTS_PER_REPORT: usize = 1 << 12;
 const STAGE: &str = "part of a curve";
 
 impl CurveView<'_> {
-    /// The parts before and after a place. Both are open; a part without extent has one control
+    /// Splits the curve at a place. Both parts are open. A part without extent has one control
     /// point and no segments.
     ///
     /// # Errors
@@ -20,11 +20,11 @@ impl CurveView<'_> {
     pub fn split(&self, at: Place, job: &Job<'_>) -> Result<[Curve; 2]> {
         self.check_place(0, at)?;
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        Ok([self.between(Place::START, at, &first)?, self.between(at, self.last_place(), &second)?])
+        Ok([self.forward_part(Place::START, at, &first)?, self.forward_part(at, self.last_place(), &second)?])
     }
 
-    /// The part from one place to another, open. On a closed curve it may run over the start, and
-    /// from a place to itself it goes round once; on an open one that is a single point.
+    /// The open part from one place to another. On a closed curve it may pass the start. From a
+    /// place to itself, it is the whole closed curve, or a single point of an open one.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`),
@@ -34,17 +34,17 @@ impl CurveView<'_> {
         self.check_place(1, to)?;
         let order = from.segment.cmp(&to.segment).then(from.t.total_cmp(&to.t));
         if order.is_lt() || (order.is_eq() && !self.is_closed()) {
-            return self.between(from, to, job);
+            return self.forward_part(from, to, job);
         }
         Error::require(self.is_closed(), "to", to.t)?;
-        let mut curve = self.between(from, self.last_place(), &job.part(0.0, 0.5))?;
-        let rest = self.between(Place::START, to, &job.part(0.5, 1.0))?;
+        let mut curve = self.forward_part(from, self.last_place(), &job.part(0.0, 0.5))?;
+        let rest = self.forward_part(Place::START, to, &job.part(0.5, 1.0))?;
         rest.view().segments().try_for_each(|segment| curve.push(&segment[1..]))?;
         Ok(curve)
     }
 
     /// The part from one place to a later one.
-    fn between(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
+    fn forward_part(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
         let mut curve: Option<Curve> = None;
         let count = (to.segment - from.segment) as usize + 1;
         for k in from.segment..=to.segment {
@@ -66,7 +66,7 @@ impl CurveView<'_> {
         }
     }
 
-    /// The same curve run through from its end to its start. O(points).
+    /// Reverses the curve. O(points).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].

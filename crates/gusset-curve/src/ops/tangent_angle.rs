@@ -1,10 +1,10 @@
 //! Task b) of Leus for curves: the points whose tangents make a given angle with a direction.
 //!
-//! With T the derivative, w the unit direction and a the angle, the condition T . w = cos(a) |T| is
-//! polynomial when squared: sin^2(a) (T . w)^2 = cos^2(a) |T x w|^2, T . w of the sign of cos(a).
-//! All roots of it are isolated in Bernstein form. At a right angle the square is left out: T . w =
-//! 0; along the direction, where the roots are double ones, both components of T across it are 0.
-//! O(degree^2) a root.
+//! With the derivative T, the unit direction w and the angle a, the condition T . w = cos(a) |T|
+//! becomes polynomial when squared: sin^2(a) (T . w)^2 = cos^2(a) |T x w|^2, where T . w has the
+//! sign of cos(a). All its roots are isolated in Bernstein form. At a right angle the equation is T
+//! . w = 0. Parallel to the direction the roots would be double, so both components of T across it
+//! must be 0. O(degree^2) a root.
 
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, MAX_DEGREE, Place, check_finite};
@@ -15,63 +15,63 @@ use gusset_base::geom::bernstein::{Roots, add_product, derive, roots, value_and_
 use gusset_base::job::Job;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The points of a curve whose tangents make an angle with a direction.
+/// The points of a curve whose tangents make a given angle with a direction.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TangentAngles {
-    /// Single points, in the order of the curve, each once: a joint belongs to the segment that
-    /// ends there, and the joint of a closed curve's end and start to its start.
+    /// Isolated points, once each, in the order of the curve. A joint belongs to the segment that
+    /// ends there. The closing point of a closed curve belongs to its start.
     pub places: Vec<Place>,
-    /// From where to where all points have such tangents: straight parts, and parts of helices.
-    /// None of the places is in one of them.
+    /// Intervals of points with such tangents: straight parts, and parts of helices. They contain
+    /// none of the places.
     pub intervals: Vec<[Place; 2]>,
 }
 
-/// Angles as near to 0, a right angle, or pi are taken for these.
-const SPECIAL_ANGLE: f64 = 1e-7;
-/// A bound of the rounding of polynomials whose coefficients are 1 at most.
+/// Angles this close to 0, a right angle or pi count as exactly that.
+const MAX_SPECIAL_ANGLE_ERROR: f64 = 1e-7;
+/// A bound of the rounding error of polynomials with coefficients up to 1.
 const NOISE: f64 = 1.0 / (1_u64 << 46) as f64;
-/// The sine below which a tangent is along the direction; and the angle within which the tangent
-/// before or after a cusp is taken to make the angle.
-const PARALLEL: f64 = 1e-9;
-const CUSP_ANGLE: f64 = 1e-6;
-/// Parts of its greatest size below which a derivative is taken for 0.
+/// The sine of the angle below which a tangent counts as parallel to the direction.
+const MAX_PARALLEL_SINE: f64 = 1e-9;
+const MAX_CUSP_ANGLE_ERROR: f64 = 1e-6;
+/// A derivative below this fraction of its maximum counts as 0.
 const MIN_SPEED: f64 = 1e-7;
-/// Parameters at a joint that are as near to it are there.
+/// Parameters this close to a joint count as the joint.
 const SAME_PARAMETER: f64 = 1e-6;
-/// Parameters of a segment that are as near to each other are one root: those of the squared
-/// equation that lead to one of the other, and double roots in two halves.
+/// Parameters this close to each other count as one root. They are roots of the squared equation
+/// that lead to the same root of the original equation, or a double root that was split in two.
 const SAME_ROOT: f64 = 1e-8;
-/// Steps of Newton's method for the equation that is not squared.
+/// The maximum number of Newton steps for the equation before squaring.
 const MAX_STEPS: usize = 8;
 
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
-/// The components of the derivative of a segment: along the direction, and across it.
+/// The components of the derivative of a segment, along the direction and across it.
 struct Tangents {
     components: [[f64; MAX_DEGREE]; 3],
     count: usize,
 }
 
-/// The angle that is looked for.
+/// The angle sought.
 #[derive(Clone, Copy)]
 enum Sought {
     Right,
     /// Along the direction (1) or against it (-1).
     Parallel(f64),
-    /// By its cosine and sine.
+    /// Another angle, by its cosine and sine.
     Other(f64, f64),
 }
 
 impl CurveView<'_> {
-    /// The points whose tangents make an angle with a direction, all of them. At a cusp, where the
-    /// derivative is 0, the tangents before and after it count, to 1e-6; at a joint those of both
-    /// segments, but not those between. Angles within 1e-7 of 0, pi / 2 and pi are taken for these;
-    /// tangents count as along the direction, or against it, to 1e-9.
+    /// Finds all points whose tangents make an angle with a direction. At a cusp, where the
+    /// derivative is 0, the tangents before and after it count, to 1e-6. At a joint the tangents of
+    /// both segments count, but not the directions between them. Angles within 1e-7 of 0, pi / 2
+    /// and pi are taken as exact. A tangent is parallel to the direction to 1e-9.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a direction of length 0, an angle outside 0 to pi),
-    /// [`Error::NotFinite`] (point 0 is the direction), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NotFinite`] (point 0 is the direction), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn tangents_at_angle(&self, direction: DVec3, angle: f64, job: &Job<'_>) -> Result<TangentAngles> {
         check_finite(0, direction)?;
         Error::require((0.0..=PI).contains(&angle), "angle", angle)?;
@@ -79,17 +79,17 @@ impl CurveView<'_> {
         Error::require(largest > 0.0, "direction", largest)?;
         let along = (direction / largest).normalize();
         let sought = match angle {
-            _ if angle <= SPECIAL_ANGLE => Sought::Parallel(1.0),
-            _ if PI - angle <= SPECIAL_ANGLE => Sought::Parallel(-1.0),
-            _ if (angle - FRAC_PI_2).abs() <= SPECIAL_ANGLE => Sought::Right,
+            _ if angle <= MAX_SPECIAL_ANGLE_ERROR => Sought::Parallel(1.0),
+            _ if PI - angle <= MAX_SPECIAL_ANGLE_ERROR => Sought::Parallel(-1.0),
+            _ if (angle - FRAC_PI_2).abs() <= MAX_SPECIAL_ANGLE_ERROR => Sought::Right,
             _ => Sought::Other(libm::cos(angle), libm::sin(angle)),
         };
         let (u, v) = along.any_orthonormal_pair();
-        let frame = UnitFrame::of(self.points());
+        let frame = UnitFrame::from_points(self.points());
         let mut found = TangentAngles::default();
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "tangents at an angle")?;
-            let Some(tangents) = Tangents::of(controls, &frame, [along, u, v]) else { continue };
+            let Some(tangents) = Tangents::new(controls, &frame, [along, u, v]) else { continue };
             let roots = tangents.candidates(sought);
             if roots.everywhere {
                 tangents.parts(sought, k as u32, &mut found.intervals)?;
@@ -107,8 +107,8 @@ impl CurveView<'_> {
 }
 
 impl Tangents {
-    /// Of size about 1; `None` for a segment without extent.
-    fn of(controls: &[DVec3], frame: &UnitFrame, axes: [DVec3; 3]) -> Option<Self> {
+    /// Scales the derivative to a size of about 1. Returns `None` for a segment without extent.
+    fn new(controls: &[DVec3], frame: &UnitFrame, axes: [DVec3; 3]) -> Option<Self> {
         let count = controls.len() - 1;
         let mut legs = [DVec3::ZERO; MAX_DEGREE];
         for (leg, pair) in legs.iter_mut().zip(controls.windows(2)) {
@@ -131,13 +131,13 @@ impl Tangents {
         [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 
-    /// Places among which are all that are sought: of an equation that may be a squared one.
+    /// The roots of the equation, or of its square, which include all solutions.
     fn candidates(&self, sought: Sought) -> Roots {
         let [along, u, v] = [0, 1, 2].map(|k| self.component(k));
         match sought {
             Sought::Right => roots(along, NOISE),
             Sought::Parallel(_) => {
-                // Of the two components across, that which is not 0 everywhere.
+                // Use the component across that is not 0 everywhere.
                 let size = |c: &[f64]| c.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
                 roots(if size(u) >= size(v) { u } else { v }, NOISE)
             }
@@ -152,7 +152,7 @@ impl Tangents {
         }
     }
 
-    /// The place near a candidate, if the tangent makes the angle there.
+    /// The solution near a candidate, if the tangent makes the angle there.
     fn confirm(&self, sought: Sought, t: f64, angle: f64) -> Option<f64> {
         let [tangent, _] = self.at(t);
         if tangent.length() <= MIN_SPEED {
@@ -160,10 +160,11 @@ impl Tangents {
         }
         match sought {
             Sought::Right => Some(t),
-            Sought::Parallel(sign) => (libm::hypot(tangent.y, tangent.z) <= PARALLEL * tangent.length()
+            Sought::Parallel(sign) => (libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length()
                 && sign * tangent.x > 0.0)
                 .then_some(t),
-            // The sign that the square lost, where it is beyond doubt; else by the equation itself.
+            // Check the sign that squaring lost, if it is beyond doubt; otherwise solve the
+            // original equation.
             Sought::Other(cosine, _) => {
                 let mut at = t;
                 for _ in 0..MAX_STEPS {
@@ -182,23 +183,23 @@ impl Tangents {
                     (tangent.x - cosine * tangent.length()).abs() / tangent.length()
                 };
                 let best = if off(at) < off(t) { at } else { t };
-                // A double root of the square may be off by the root of the noise.
+                // A double root of the square may be off by the square root of the noise.
                 (off(best) <= 1e-7).then_some(best)
             }
         }
     }
 
-    /// True if the tangent before a place where the derivative is 0, or after it, makes the angle.
+    /// Returns true if the derivative is 0 and the tangent before or after makes the angle.
     fn is_cusp_at(&self, t: f64, angle: f64) -> bool {
         let mut rest = self.components;
         let (mut count, mut sign) = (self.count, 1.0);
-        // The first derivative that is not 0 is along the tangent after; before, of the other sign
-        // if an odd number of them are 0.
+        // The tangent after the place is the first non-zero derivative. The tangent before it has
+        // the opposite sign if an odd number of derivatives is 0.
         while count > 0 {
             let value = DVec3::from_array([0, 1, 2].map(|k| value_and_slope(&rest[k][..count], t).0));
             let size = rest.iter().flat_map(|c| &c[..count]).fold(0.0, |most: f64, x| most.max(x.abs()));
             if value.length() > MIN_SPEED * size {
-                let makes = |x: f64| (libm::acos(x.clamp(-1.0, 1.0)) - angle).abs() <= CUSP_ANGLE;
+                let makes = |x: f64| (libm::acos(x.clamp(-1.0, 1.0)) - angle).abs() <= MAX_CUSP_ANGLE_ERROR;
                 let along = value.x / value.length();
                 return (t < 1.0 && makes(along)) || (t > 0.0 && makes(sign * along));
             }
@@ -210,8 +211,8 @@ impl Tangents {
         false
     }
 
-    /// Adds the parts of a segment all of whose tangents are along the same line, or at the same
-    /// angle or its opposite: those of the right sign.
+    /// Adds a segment all of whose tangents are parallel, or make the angle or its opposite: the
+    /// parts with the right sign.
     fn parts(&self, sought: Sought, segment: u32, intervals: &mut Vec<[Place; 2]>) -> Result<()> {
         let sign = match sought {
             Sought::Right => None,
@@ -224,7 +225,7 @@ impl Tangents {
         for to in ends.filter(|&t| t > 0.0) {
             let [tangent, _] = self.at(0.5 * (from + to));
             let all_lie = match sought {
-                Sought::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= PARALLEL * tangent.length(),
+                Sought::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length(),
                 _ => true,
             };
             if to > from && all_lie && sign.is_none_or(|sign| sign * tangent.x > 0.0) {
@@ -240,14 +241,14 @@ impl Tangents {
     }
 }
 
-/// True for the same place, or both sides of a joint.
+/// Returns true if two places are equal, or are both sides of a joint.
 fn is_same(a: Place, b: Place) -> bool {
     let is_joint = a.segment + 1 == b.segment && a.t >= 1.0 - SAME_PARAMETER && b.t <= SAME_PARAMETER;
     (a.segment == b.segment && (a.t - b.t).abs() <= SAME_PARAMETER) || is_joint
 }
 
 impl TangentAngles {
-    /// Adds a place, but for a joint or a root that is there already.
+    /// Adds a place unless the list already has its joint or root.
     fn add(&mut self, place: Place) -> Result<()> {
         let mut own = self.places.len();
         while own > 0 && self.places[own - 1].segment == place.segment {
@@ -264,7 +265,8 @@ impl TangentAngles {
         Ok(())
     }
 
-    /// Removes the end of a closed curve if its start is there, and places at the ends of intervals.
+    /// Removes the end of a closed curve if its start is listed, and places at the ends of
+    /// intervals.
     fn close(&mut self, curve: &CurveView<'_>) {
         let last = curve.len() as u32;
         let is_start = |place: &Place| place.segment == 0 && place.t <= SAME_PARAMETER;

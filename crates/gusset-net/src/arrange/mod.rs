@@ -1,11 +1,12 @@
 //! Rearranged nets: parts, transposed and flipped nets, quarter turns (Deryagin, "Non-spatial
 //! operations").
 //!
-//! Invariant: coordinates keep their bits, and links, seams and bridges follow their nodes. An
-//! exchange of rows and columns, or a reversal of either, mirrors the net in index space, which
-//! [`Topology::is_reversed`] records, so that normals stay what they were. O(nodes).
+//! Invariant: coordinates keep their bits, and links, seams and bridges follow their nodes.
+//! Exchanging rows and columns, or reversing either, mirrors the net in index space.
+//! [`Topology::is_reversed`] records the mirroring, so that normals stay the same. O(nodes).
 //!
-//! `rearranged_matrices` writes coordinates, `rearranged_topology` moves links, `seams` moves seams.
+//! `rearranged_matrices` writes coordinates, `rearranged_topology` moves links, `seams` moves
+//! seams.
 
 mod rearranged_matrices;
 mod rearranged_topology;
@@ -24,41 +25,41 @@ use std::ops::Range;
 /// A symmetry of the rectangle of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Turn {
-    /// Rows and columns stay.
+    /// Keeps rows and columns.
     #[default]
     None,
-    /// The last column becomes the first row.
+    /// Makes the last column the first row.
     Quarter,
-    /// The last row and the last column come first.
+    /// Puts the last row and the last column first.
     Half,
-    /// The first column becomes the last row.
+    /// Makes the first column the last row.
     ThreeQuarters,
-    /// The last column comes first.
+    /// Puts the last column first.
     FlipColumns,
-    /// The last row comes first.
+    /// Puts the last row first.
     FlipRows,
-    /// Rows and columns are exchanged.
+    /// Exchanges rows and columns.
     Transpose,
-    /// Rows and columns are exchanged, both backwards.
+    /// Exchanges rows and columns and reverses both.
     Antitranspose,
 }
 
 impl Net<'_> {
-    /// The net within a range of rows and a range of columns, with the links and pairs of seams
-    /// within it and the bridges that cross it. Closing links survive if all rows, or all columns,
+    /// Cuts out a range of rows and a range of columns. The part keeps the links and pairs of seams
+    /// within it, and the bridges that cross it. Closing links survive if all rows, or all columns,
     /// do.
     ///
     /// # Errors
     /// [`Error::NetTooSmall`], [`Error::OptionOutOfRange`] for ranges beyond the net,
-    /// [`Error::CrossingCell`] if only what is outside made the opposite corners of a cell one,
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::CrossingCell`] if only gluings outside the part identified the opposite corners of
+    /// a cell, [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn part(&self, rows: Range<usize>, columns: Range<usize>, job: &Job<'_>) -> Result<Net<'static>> {
         let old = self.shape();
         for (option, range, count) in [("rows", &rows, old.rows()), ("columns", &columns, old.columns())] {
             let is_within = range.start <= range.end && range.end <= count;
             Error::require(is_within, option, range.end.max(range.start) as f64)?;
         }
-        // An error names both numbers.
+        // The error then names both numbers.
         Shape::new(rows.len(), columns.len())?;
         let topology = topology_part(self.topology(), &rows, &columns)?;
         topology.check_crossings()?;
@@ -72,7 +73,7 @@ impl Net<'_> {
         Ok(part)
     }
 
-    /// Rows and columns exchanged.
+    /// Exchanges rows and columns.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -83,19 +84,19 @@ impl Net<'_> {
         Ok(net)
     }
 
-    /// The last row (`Down`) or column first.
+    /// Reverses the order of rows (`Down`) or columns.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn flipped(&self, axis: Direction, job: &Job<'_>) -> Result<Net<'static>> {
-        let topology = self.topology().along(axis, Topology::flipped_rows)?;
+        let topology = self.topology().map_lines(axis, Topology::flipped_rows)?;
         let mut net = self.rearranged(&Rearrangement::Flipped(axis), topology, job)?;
         let flip = |bridge: &Bridge| bridge.flipped(axis, self.shape());
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(flip))?;
         Ok(net)
     }
 
-    /// The net rotated by quarter turns, anticlockwise as the matrix is written down: after one,
+    /// Rotates the net by quarter turns, anticlockwise as the matrix is written down: after one,
     /// the last column is the first row. The face orientation stays.
     ///
     /// # Errors
@@ -110,7 +111,7 @@ impl Net<'_> {
         }
     }
 
-    /// The net under a symmetry. The face orientation stays.
+    /// Applies a symmetry to the net. The face orientation stays.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -127,7 +128,7 @@ impl Net<'_> {
         }
     }
 
-    /// The nodes under a rearrangement with a topology of theirs; no bridges.
+    /// Rearranges the nodes under a new topology, without bridges.
     pub(crate) fn rearranged(
         &self,
         map: &Rearrangement<'_>,
@@ -138,7 +139,7 @@ impl Net<'_> {
     }
 }
 
-/// The topology within a rectangle; crossed cells are not looked for.
+/// The topology within a rectangle, without a check for crossed cells.
 fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
     let cut = |topology: &Topology, range: &Range<usize>| -> Result<Topology> {
         match range.len() == topology.shape().rows() {
@@ -150,11 +151,11 @@ fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize
     if columns.len() == topology.shape().columns() {
         return Ok(topology);
     }
-    topology.along(Direction::Right, |topology| cut(topology, columns))
+    topology.map_lines(Direction::Right, |topology| cut(topology, columns))
 }
 
 impl Bridge {
-    /// The bridge without the adaptations of its nets, which hold no longer once nodes move.
+    /// The bridge without the adaptations of its nets, which become invalid once nodes move.
     pub(crate) fn unadapted(&self) -> Bridge {
         Bridge { adaptations: [None, None], ..self.clone() }
     }

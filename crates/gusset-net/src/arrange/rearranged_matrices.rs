@@ -15,7 +15,7 @@ const BLOCK: usize = 1 << 16;
 /// Allocations of at least this many bytes come zeroed from the system; below, one thread suffices.
 const MIN_FRESH_BYTES: usize = 1 << 25;
 
-/// Matrices whose rows `write` fills, a range at a time, of X, Y or Z (0, 1, 2).
+/// Creates the matrices X, Y and Z (0, 1, 2), whose rows `write` fills a range at a time.
 pub(crate) fn build_planes<T: Real>(
     shape: Shape,
     job: &Job<'_>,
@@ -42,11 +42,11 @@ pub(crate) fn build_planes<T: Real>(
     Ok(planes)
 }
 
-/// A map from the nodes of a new matrix to those of an old one.
+/// A map from the nodes of a new matrix to the nodes of an old one.
 pub(crate) enum Rearrangement<'a> {
-    /// The rectangle from (row, column) on.
+    /// The rectangle that starts at (row, column).
     Part { row: usize, column: usize },
-    /// The last row (`Down`) or column first.
+    /// Rows (`Down`) or columns reversed.
     Flipped(Direction),
     /// Rows and columns exchanged.
     Transposed,
@@ -54,7 +54,7 @@ pub(crate) enum Rearrangement<'a> {
     Selection { rows: &'a [u32], columns: &'a [u32] },
 }
 
-/// Side of a square tile that fits in the cache together with its image.
+/// The side of a square tile that fits in the cache together with its image.
 const TILE: usize = 16;
 
 impl Rearrangement<'_> {

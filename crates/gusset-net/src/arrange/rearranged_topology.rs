@@ -21,7 +21,7 @@ impl Topology {
     ) -> Result<Self> {
         let links = match self.links() {
             Links::Sides(old) => Links::Sides(sides(*old)),
-            Links::Matrix(old) => Links::Matrix(Matrix::of_links(shape, old.links().map(link))?),
+            Links::Matrix(old) => Links::Matrix(Matrix::from_links(shape, old.links().map(link))?),
         };
         let seam = |seam: &Seam| Seam { a: run(seam.a), b: run(seam.b), count: seam.count };
         let seams = alloc::collect(self.seams().iter().map(seam))?;
@@ -55,18 +55,18 @@ impl Topology {
         self.mapped(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
     }
 
-    /// Applies a map of rows to the rows (`Down`) or, by way of the transposed topology, to the
+    /// Applies a map of rows to the rows (`Down`) or, through the transposed topology, to the
     /// columns.
-    pub(crate) fn along(&self, axis: Direction, map: impl FnOnce(&Topology) -> Result<Topology>) -> Result<Self> {
+    pub(crate) fn map_lines(&self, axis: Direction, map: impl FnOnce(&Topology) -> Result<Topology>) -> Result<Self> {
         match axis {
             Direction::Down => map(self),
             Direction::Right => map(&self.transposed()?)?.transposed(),
         }
     }
 
-    /// The topologies within ranges of rows, which are in order and disjoint. Closing links survive
-    /// only in a range of all rows; a seam that glues the last row of a range to its first becomes
-    /// closing links.
+    /// Cuts the topology into disjoint ranges of rows in order. Closing links survive only in a
+    /// range of all rows. A seam that glues the last row of a range to its first becomes closing
+    /// links.
     pub(crate) fn rows_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Self>> {
         let seams = self.seams_cut(ranges)?;
         alloc::try_collect(ranges.iter().zip(seams).map(|(rows, seams)| self.rows_part(rows.clone(), &seams)))
@@ -89,7 +89,7 @@ impl Topology {
                 let within = matrix.links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
                 // A link down from the last row leaves the part, unless it closes all rows.
                 let kept = within.filter(|&link| link < last_row || link % 2 == 0 || whole);
-                Links::Matrix(Matrix::of_links(shape, kept)?)
+                Links::Matrix(Matrix::from_links(shape, kept)?)
             }
         };
         let mut kept = Vec::new();

@@ -1,10 +1,10 @@
-//! Three closures of a box, among them the cube of Deryagin's Fig. 6.
+//! Three closures of a box, including the cube of Deryagin's Fig. 6.
 //!
-//! A vertex of a box has total angle 3 pi / 2, an odd multiple of a right angle, which only a
-//! corner of the net provides; a net has four corners and a box eight vertices, so some cells must
-//! degenerate. All three closures wrap the four lateral faces by a closed band of rows and differ
-//! in the rows that cover the two caps. Invariant: the place of a node on the box is a function of
-//! its row and column, and the contracted links are those between equal places. O(nodes).
+//! A vertex of a box has the total angle 3 pi / 2, an odd multiple of a right angle, which only a
+//! corner of the net provides. A net has four corners and a box eight vertices, so some cells must
+//! degenerate. All three closures wrap a closed band of rows around the four lateral faces, and
+//! differ in the rows that cover the two caps. Invariant: the place of a node on the box is a
+//! function of its row and column, and links between equal places are contracted. O(nodes).
 
 use crate::topology::{Links, Matrix, Run, Seam};
 use crate::{Shape, Sides, Topology};
@@ -13,24 +13,23 @@ use gusset_base::error::{Error, Result};
 /// The covering of the caps of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum BoxKind {
-    /// Two opposite rims of the cap sweep over it until they meet in a slit, which then closes from
-    /// both ends. All faces are unit quads, all vertices but the eight have four edges, and the
-    /// characteristic matrix suffices.
+    /// Two opposite sides of the cap's rim sweep over it until they meet in a slit, which then
+    /// closes from both ends. All faces are unit quads, and all vertices except the eight corners
+    /// have four edges. The characteristic matrix suffices.
     #[default]
     Slit,
-    /// The paper's cross unwrapping: one block of the net is the cap, and the three blocks beside
-    /// it are contracted to its sides. All faces are unit quads; the last row of each cap is a
-    /// [`Seam`].
+    /// The paper's cross unwrapping: one block of the net is the cap, and the three other blocks
+    /// contract to its sides. All faces are unit quads. The last row of each cap is a [`Seam`].
     Cross,
-    /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two
-    /// triangles.
+    /// Concentric rings. It has the fewest nodes. Cells on the diagonals of the caps are split into
+    /// two triangles.
     Concentric,
 }
 
 /// A box of `cells` unit cells in x, y and z as a net.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Cuboid {
-    /// How the caps, at both ends of z, are covered.
+    /// How both caps, at the ends of z, are covered.
     pub kind: BoxKind,
     /// The number of cells along x, y and z; each at least 1.
     pub cells: [u32; 3],
@@ -69,7 +68,7 @@ impl Cuboid {
     pub fn topology(&self) -> Result<Topology> {
         let shape = self.shape()?;
         let (h, w) = (shape.rows(), shape.columns());
-        let mut matrix = Matrix::of_sides(shape, Sides::TUBE)?;
+        let mut matrix = Matrix::from_sides(shape, Sides::TUBE)?;
         for i in (0..h).filter(|&i| i == 0 || self.level(i) == self.level(i - 1) || self.depth(i) > 0) {
             for j in 0..w {
                 let here = self.place(i, j);
@@ -100,7 +99,7 @@ impl Cuboid {
     }
 
     /// The place of node (i, j), in cells from the corner of the box. Rows run from the bottom to
-    /// the top, columns round the box counter-clockwise seen from above.
+    /// the top, and columns around the box, counter-clockwise seen from above.
     pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
         let [a, b, _] = self.cells;
         let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
@@ -130,9 +129,9 @@ impl Cuboid {
         }
     }
 
-    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is contracted
-    /// to the rim at y = b; the two between to those at x = a and x = 0, where they follow the end
-    /// of the first block.
+    /// The four blocks of a cap in cross unwrapping. The first block is the cap itself, from its
+    /// rim at y = 0. The third, opposite, contracts to the rim at y = b. The two others contract to
+    /// the sides x = a and x = 0, following the end of the first block.
     fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         let [x, y] = self.rim(column);
@@ -144,8 +143,8 @@ impl Cuboid {
     }
 }
 
-/// A coordinate clamped to the interval from 0 to `size` less `steps` at both ends; for an odd size
-/// the last step moves one end only.
+/// Clamps a coordinate to the interval from `steps` to `size` less `steps`. For an odd size the
+/// last step moves one end only.
 fn inset(value: u32, steps: u32, size: u32) -> u32 {
     value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
 }

@@ -1,8 +1,8 @@
 //! Closures beyond [`Sides`]: boxes, and surfaces with a reversed or folded side.
 //!
-//! A closed surface is a rectangle with glued sides. [`Sides`], and the characteristic matrix in
-//! general, glue neighbours and the ends of rows and columns; a side glued to another in reverse,
-//! or to itself folded, is a [`Seam`]. O(nodes).
+//! A closed surface is a rectangle with glued sides. [`Sides`], like the characteristic matrix in
+//! general, glue neighbours and the ends of rows and columns. A side that is glued to another in
+//! reverse, or folded onto itself, is a [`Seam`]. O(nodes).
 
 mod cuboid;
 
@@ -12,41 +12,42 @@ use super::topology::{Links, Run, Seam};
 use super::{Shape, Sides, Topology};
 use gusset_base::error::{Error, Result};
 
-/// A Möbius strip: the last column is the first in reverse. Euler's characteristic 0, one boundary
-/// loop.
+/// A Möbius strip: the last column is the reversed first column. Euler characteristic 0, one
+/// boundary loop.
 ///
 /// # Errors
-/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+/// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
 pub fn moebius(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape)])
 }
 
-/// A Klein bottle: columns are closed, and the last column is the first in reverse. Euler's
+/// A Klein bottle: columns are closed, and the last column is the reversed first column. Euler
 /// characteristic 0, closed.
 ///
 /// # Errors
-/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+/// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
 pub fn klein(shape: Shape) -> Result<Topology> {
     let sides = Sides { columns_closed: true, ..Sides::SHEET };
     Topology::new(shape, Links::Sides(sides), &[reversed_column(shape)])
 }
 
-/// A projective plane: opposite nodes of the rim are glued. Euler's characteristic 1, closed.
+/// A projective plane: opposite nodes of the rim are glued. Euler characteristic 1, closed.
 ///
 /// # Errors
-/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+/// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
 pub fn projective_plane(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     let rows = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(h - 1, w - 1, -1), count: w };
     Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape), rows])
 }
 
-/// A pillow: a tube laid flat whose two rims are folded shut. A sphere with four vertices of two
-/// edges, unlike any that [`Sides`] describe.
+/// A pillow: a flattened tube whose two rims are folded shut. It is a sphere with four vertices of
+/// valence 2, which [`Sides`] cannot describe.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for an even number of columns: a row is folded at its first and its
-/// middle node. [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+/// [`Error::OptionOutOfRange`] for an even number of columns, because a row is folded at its first
+/// and its middle node. [`Error::CrossingCell`] for nets that are too small,
+/// [`Error::OutOfMemory`].
 pub fn pillow(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     Error::require(w % 2 == 1, "columns", w.into())?;
@@ -54,7 +55,7 @@ pub fn pillow(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
 }
 
-/// The seam that makes the last column the first in reverse.
+/// The seam that identifies the last column with the reversed first column.
 fn reversed_column(shape: Shape) -> Seam {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     Seam { a: Run::along_column(0, w - 1, 1), b: Run::along_column(h - 1, 0, -1), count: h }

@@ -1,5 +1,5 @@
-//! The boundary: edges of one face, linked to chains. O(edges), and a sort at vertices with
-//! several.
+//! The boundary: edges of one face, linked to chains. O(edges), plus a sort at vertices with
+//! several chains.
 
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -28,7 +28,7 @@ impl Boundary {
         self.open.len()
     }
 
-    /// True if no edge has one face.
+    /// Returns true if every edge has two or more faces.
     pub fn is_empty(&self) -> bool {
         self.open.is_empty()
     }
@@ -58,10 +58,14 @@ impl Boundary {
         &self.nodes
     }
 
-    /// The chains of `edges` of a net of `count` nodes, in the direction of their faces or
-    /// (`reversed`) against it. `fan_ends`: the pairs of edges that belong together at vertices
-    /// with more than two.
-    pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
+    /// Links `edges` of a net of `count` nodes to chains, in the direction of their faces, or
+    /// against it if `reversed`. `fan_ends` pairs the edges at vertices with more than two.
+    pub(super) fn from_edges(
+        edges: &[Edge],
+        fan_ends: &mut Vec<FanEnds>,
+        count: usize,
+        reversed: bool,
+    ) -> Result<Self> {
         Error::check_count("edges of one face", edges.len() as u64, u64::from(u32::MAX / 2))?;
         let partners = partners(edges, fan_ends, count)?;
         let mut boundary = Boundary { offsets: alloc::filled(0, 1)?, ..Boundary::default() };

@@ -37,8 +37,8 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
     Ok(sets.roots().filter(|&root| touched[root as usize]).count() as u64)
 }
 
-/// True if the faces can be oriented so that no two traverse an edge in the same direction; edges
-/// of three or more faces do not count. O(cells).
+/// Returns true if the faces can be oriented so that no two traverse an edge in the same direction.
+/// Edges of three or more faces do not count. O(cells).
 pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());

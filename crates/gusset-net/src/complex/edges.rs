@@ -33,8 +33,8 @@ pub(super) fn faces(sides: &[Side]) -> &[Side] {
     &sides[..sides.partition_point(|side| side.sense != Sense::None)]
 }
 
-/// Groups the corners at each vertex to fans, sequences of adjacent faces round it. A vertex with
-/// several is a pinch; the boundary edges of each fan are added to the scan's.
+/// Groups the corners at each vertex into fans, sequences of adjacent faces around it. A vertex
+/// with several fans is a pinch, and the boundary edges of each fan are added to the scan's.
 pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     sort_by_bucket(&mut scan.corners, count, |corner| corner[0])?;
@@ -54,9 +54,9 @@ pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> 
 struct VertexLink {
     /// The other ends of the edges, in order.
     points: Vec<u32>,
-    /// The components that they make.
+    /// The connected components of these points.
     components: DisjointSets,
-    /// The number of faces of each.
+    /// The number of faces at each point.
     degrees: Vec<u32>,
     /// The points with one face, each with the root of its component.
     ends: Vec<(u32, u32)>,

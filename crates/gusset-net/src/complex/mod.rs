@@ -1,12 +1,13 @@
-//! The quotient complex of a net: the surface that it is once glued nodes are one.
+//! The quotient complex of a net: the surface after identifying glued nodes.
 //!
-//! Vertices are classes of nodes. Edges are pairs of vertices that links join: links with the same
-//! ends are one edge. Faces are the quads and triangles that cells reduce to; digons, points and
-//! folds are none. An edge of no face is a wire, such as the thread between two closed nets; of one
-//! face, boundary; of more than two, a branch. Invariant: V - E + F is Euler's characteristic.
+//! Vertices are classes of nodes. Edges are pairs of vertices that links join; links with the same
+//! ends are one edge. Faces are the quads and triangles to which cells reduce; digons, points and
+//! folds do not count. An edge without a face is a wire, such as the thread between two closed
+//! nets. An edge of one face is boundary, and an edge of three or more a branch. Invariant: V - E +
+//! F is the Euler characteristic.
 //!
 //! One pass over the rows counts the regular part and collects the rest, which is sorted by vertex.
-//! O(nodes), and a sort of the edges and corners at glued nodes.
+//! O(nodes), plus a sort of the edges and corners at glued nodes.
 
 mod boundary;
 mod connect;
@@ -32,22 +33,22 @@ impl Complex {
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge) (more than 2^31 edges of one face),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn of_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
+    pub fn from_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
         Complex::new(topology, &Presence::ALL, job)
     }
 
-    /// The complex of the cells of a net that exist: see [`Net`].
+    /// The complex of the existing cells of a net; see [`Net`].
     ///
     /// # Errors
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge) (more than 2^31 edges of one face),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn of(net: &Net<'_>, job: &Job<'_>) -> Result<Self> {
-        Complex::new(net.topology(), &Presence::of(net)?, job)
+    pub fn from_net(net: &Net<'_>, job: &Job<'_>) -> Result<Self> {
+        Complex::new(net.topology(), &Presence::from_net(net)?, job)
     }
 
     fn new(topology: &Topology, presence: &Presence, job: &Job<'_>) -> Result<Self> {
-        let classes = Classes::of(topology)?;
+        let classes = Classes::new(topology)?;
         let mut complex = Complex::default();
         let mut scan = RowScan::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
         edges::edges(&mut scan, &mut complex)?;
@@ -57,7 +58,7 @@ impl Complex {
         complex.orientable = complex.conflicts.is_empty() || connect::is_orientable(&scan, &classes, presence)?;
         complex.boundary_edges = scan.rim.len() as u64;
         let (count, reversed) = (scan.node_count(), topology.is_reversed());
-        complex.boundary = Boundary::of(&scan.rim, &mut scan.fan_ends, count, reversed)?;
+        complex.boundary = Boundary::from_edges(&scan.rim, &mut scan.fan_ends, count, reversed)?;
         job.step(1.0, "complex")?;
         Ok(complex)
     }

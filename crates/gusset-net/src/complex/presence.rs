@@ -6,7 +6,7 @@ use crate::{Net, Planes, Real, Shape, each};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// One byte for each cell, 1 if it exists; none if all do.
+/// One byte for each cell, 1 if the cell exists; `None` if all cells exist.
 pub(super) struct Presence {
     cells: Option<Vec<u8>>,
 }
@@ -16,12 +16,12 @@ impl Presence {
     pub(super) const ALL: Presence = Presence { cells: None };
 
     /// The existing cells of a net. O(nodes).
-    pub(super) fn of(net: &Net<'_>) -> Result<Self> {
+    pub(super) fn from_net(net: &Net<'_>) -> Result<Self> {
         let shape = net.shape();
         let columns = shape.columns() - 1;
         let mut cells: Vec<u8> = alloc::zeroed(shape.cell_count())?;
         each!(net.coordinates(), planes => finite_cells(planes, &mut cells)?);
-        let hidden = HiddenCells::of(net)?;
+        let hidden = HiddenCells::new(net)?;
         if !hidden.is_empty() {
             for (i, row) in cells.chunks_exact_mut(columns).enumerate() {
                 hidden.row(i).iter().for_each(|&[from, to]| row[from as usize..to as usize].fill(0));
@@ -31,13 +31,13 @@ impl Presence {
         Ok(Presence { cells: (!all).then_some(cells) })
     }
 
-    /// True if all cells exist.
+    /// Returns true if all cells exist.
     pub(super) fn is_all(&self) -> bool {
         self.cells.is_none()
     }
 
-    /// Writes row i of cells to `row`, with a missing cell at both ends; rows outside the net have
-    /// none.
+    /// Writes row i of cells to `row`, with a missing cell at both ends. Rows outside the net
+    /// consist of missing cells.
     pub(super) fn row(&self, shape: Shape, i: usize, row: &mut [u8]) {
         let columns = shape.columns() - 1;
         let inner = &mut row[1..=columns];
@@ -66,7 +66,7 @@ fn finite_cells<T: Real>(planes: &Planes<'_, T>, cells: &mut [u8]) -> Result<()>
 
 /// 1 for each finite node: 0 times a coordinate is 0 unless it is NaN or infinite.
 fn finite_nodes<T: Real>([x, y, z]: [&[T]; 3], finite: &mut [u8]) {
-    let zero = T::of(0.0);
+    let zero = T::from_f64(0.0);
     for (((finite, &x), &y), &z) in finite.iter_mut().zip(x).zip(y).zip(z) {
         *finite = u8::from(zero * x + zero * y + zero * z == zero);
     }

@@ -8,61 +8,61 @@ use super::boundary::{Boundary, Edge};
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct Complex {
-    /// V.
+    /// The number of vertices, V.
     pub vertices: u64,
-    /// E.
+    /// The number of edges, E.
     pub edges: u64,
-    /// Faces of four corners.
+    /// The number of faces with four corners.
     pub quads: u64,
-    /// Faces of three.
+    /// The number of faces with three corners.
     pub triangles: u64,
-    /// Cells reduced to an edge.
+    /// The number of cells reduced to an edge.
     pub digons: u64,
-    /// Cells reduced to a point.
+    /// The number of cells reduced to a point.
     pub points: u64,
-    /// Cells that are folded along a diagonal to two edges.
+    /// The number of cells folded along a diagonal to two edges.
     pub folds: u64,
-    /// Edges of one face.
+    /// The number of edges of one face.
     pub boundary_edges: u64,
-    /// Connected components.
+    /// The number of connected components.
     pub components: u64,
-    /// True if the faces can be oriented so that no edge is a conflict.
+    /// Whether the faces can be oriented without conflicting edges.
     pub orientable: bool,
     /// The edges of one face, in chains.
     pub boundary: Boundary,
-    /// Edges of no face, in order.
+    /// Edges without a face, in order.
     pub wires: Vec<Edge>,
-    /// Edges of three faces and more, in order.
+    /// Edges of three or more faces, in order.
     pub branches: Vec<Edge>,
-    /// Vertices whose faces are several fans that meet nowhere else, in order.
+    /// Vertices whose faces form several fans that meet only there, in order.
     pub pinches: Vec<u32>,
     /// Edges that two faces traverse in the same direction, in order.
     pub conflicts: Vec<Edge>,
 }
 
 impl Complex {
-    /// F.
+    /// The number of faces, F.
     pub fn faces(&self) -> u64 {
         self.quads + self.triangles
     }
 
-    /// Euler's characteristic, V - E + F.
+    /// The Euler characteristic, V - E + F.
     pub fn euler_characteristic(&self) -> i64 {
         self.vertices as i64 - self.edges as i64 + self.faces() as i64
     }
 
-    /// True if no edge has only one face.
+    /// Returns true if every edge has two or more faces, apart from wires.
     pub fn is_closed(&self) -> bool {
         self.boundary_edges == 0
     }
 
-    /// True if it is a manifold, with or without boundary: no wires, branches or pinches.
+    /// Returns true for a manifold, with or without boundary: without wires, branches and pinches.
     pub fn is_manifold(&self) -> bool {
         self.wires.is_empty() && self.branches.is_empty() && self.pinches.is_empty()
     }
 
-    /// The genus of a manifold, summed over its components: handles if it is orientable, else
-    /// crosscaps. `None` otherwise.
+    /// The genus of a manifold, summed over its components: handles if it is orientable, otherwise
+    /// crosscaps. Returns `None` if it is not a manifold.
     pub fn genus(&self) -> Option<u64> {
         // chi = sum of (2 - 2 g - b), or of (2 - k - b), over the components.
         let excess = 2 * self.components as i64 - self.euler_characteristic() - self.boundary.len() as i64;

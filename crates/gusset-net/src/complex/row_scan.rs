@@ -1,8 +1,9 @@
 //! One pass over the rows of a net, which counts the regular elements and collects the others.
 //!
 //! A link between two single nodes is an edge, and the two cells beside it determine its faces.
-//! Only at glued nodes must edges be grouped, and only at these and their neighbours can the faces
-//! round a vertex be more than the cells round a node. O(nodes), memory for the glued part only.
+//! Edges must be grouped only at glued nodes. The faces around a vertex can differ from the cells
+//! around a node only at glued nodes and their neighbours. O(nodes), with memory for the glued part
+//! only.
 
 use super::boundary::{Edge, FanEnds};
 use super::presence::Presence;
@@ -95,7 +96,7 @@ impl<'a> RowScan<'a> {
                 continue;
             }
             complex.vertices += 1;
-            // Two cells that touch at the node only.
+            // Two cells that touch only at the node.
             if marks[j] == 0 && (cells == [1, 0, 1, 0] || cells == [0, 1, 0, 1]) {
                 let [east, south, west, north] = [node + 1, node + w as u32, node - 1, node - w as u32];
                 let (of_north, of_south) = if cells[0] == 1 { (west, east) } else { (east, west) };
@@ -164,7 +165,7 @@ impl<'a> RowScan<'a> {
                     self.side([a, b], cell, true)?;
                     self.side([a, d], cell, true)?;
                 }
-                // No topology has such a cell.
+                // A topology never has such a cell.
                 Reduced::Crossing(_) => {}
             }
         }
@@ -200,7 +201,7 @@ impl<'a> RowScan<'a> {
         self.marks.len()
     }
 
-    /// True if other nodes are the same vertex.
+    /// Returns true if other nodes belong to the same vertex.
     pub(super) fn is_glued(&self, node: u32) -> bool {
         self.marks[node as usize] == GLUED
     }

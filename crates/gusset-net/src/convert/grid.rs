@@ -1,9 +1,9 @@
 //! Recognition of a rectangular grid in the faces of a mesh.
 //!
-//! A cell is represented by the half-edge of its face that runs from (i, j) to (i, j + 1); its four
-//! neighbours, and their half-edges, are a few half-edges away. A step in one direction is an
-//! injective map, so that a walk ends at the border, at a pole, or where it began. Every candidate
-//! is verified cell by cell: no mesh that is not a grid is accepted. O(faces).
+//! A cell is represented by the half-edge of its face from (i, j) to (i, j + 1). Its four
+//! neighbours and their half-edges are a few half-edges away. A step in one direction is an
+//! injective map, so a walk ends at the border, at a pole, or where it began. Every candidate is
+//! verified cell by cell, so only grids are accepted. O(faces).
 
 use crate::topology::{Links, Run, Seam};
 use crate::{Net, Shape, Sides, Topology};
@@ -11,7 +11,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_mesh::{Across, MeshView, NONE, Topology as Pairing};
+use gusset_mesh::{MeshView, NONE, Opposite, Topology as Pairing};
 
 /// A net recognised in a mesh.
 #[derive(Debug)]
@@ -24,11 +24,11 @@ pub struct GridNet {
     pub face_of_cell: Vec<u32>,
 }
 
-/// The net whose cells are the faces of a mesh: quads in rows and columns, which may be closed, and
-/// at the first and the last row a fan of triangles round a pole each. `seed`: a face of the
-/// component; without it the mesh must have one only. Rows run along the first edge of the first
-/// quad, or round if only one direction is closed. O(H log d) for H half-edges and vertices of
-/// degree d.
+/// The net whose cells are the faces of a mesh. The faces are quads in rows and columns, which may
+/// be closed. At the first and the last row they may form fans of triangles around poles. `seed` is
+/// a face of the component; without it the mesh must be connected. Rows run along the first edge of
+/// the first quad, or around if only one direction is closed. O(H log d) for H half-edges and
+/// vertices of degree d.
 ///
 /// # Errors
 /// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`],
@@ -59,7 +59,7 @@ enum Neighbour {
     Quad(u32),
     /// A triangle, by its half-edge on the common edge.
     Triangle(u32),
-    /// None: the border.
+    /// None; the quad is at the border.
     Border,
 }
 
@@ -85,7 +85,7 @@ impl Walker<'_> {
         self.mesh.faces().range(face as usize).len()
     }
 
-    /// The half-edge `k` places further round the face.
+    /// The half-edge `k` places further around the face.
     fn advance(&self, h: u32, k: usize) -> u32 {
         (0..k).fold(h, |h, _| self.mesh.faces().next(h))
     }
@@ -111,17 +111,17 @@ impl Walker<'_> {
         if self.pairing.is_ignored(edge) {
             return Err(self.no_grid(h));
         }
-        let mate = match self.pairing.across(edge) {
-            Across::Free => return Ok(Neighbour::Border),
-            Across::Singular => return Err(self.no_grid(h)),
-            Across::Mate(mate) => mate,
+        let mate = match self.pairing.opposite(edge) {
+            Opposite::Free => return Ok(Neighbour::Border),
+            Opposite::Singular => return Err(self.no_grid(h)),
+            Opposite::Mate(mate) => mate,
         };
-        // Faces of one orientation run their common edge in opposite directions.
+        // Faces of equal orientation traverse their common edge in opposite directions.
         if self.start(mate) == self.start(edge) {
             return Err(self.no_grid(mate));
         }
         match self.size(self.face(mate)) {
-            // Edge k of the one is edge k + 2 of the other.
+            // Edge k of one face is edge k + 2 of the other.
             4 => Ok(Neighbour::Quad(self.advance(mate, (6 - turns) % 4))),
             3 => Ok(Neighbour::Triangle(mate)),
             _ => Err(self.no_grid(mate)),
@@ -170,7 +170,7 @@ impl Grid {
             }
             grid.add_row(walker, next)?;
             row = next;
-            // More rows than faces: an endless walk is none of a grid.
+            // More rows than faces: the walk is endless, so the mesh is not a grid.
             if grid.cells.len() > count {
                 return Err(walker.no_grid(row));
             }
@@ -191,10 +191,10 @@ impl Grid {
         let first = faces.range(face as usize).start as u32;
         let quad = match walker.size(face) {
             4 => first,
-            // A triangle at a pole has a quad across its side opposite to the pole.
+            // A triangle at a pole has a quad across the side opposite the pole.
             3 => {
-                let across = |k: usize| match walker.pairing.across(walker.advance(first, k)) {
-                    Across::Mate(mate) if walker.size(walker.face(mate)) == 4 => Some(mate),
+                let across = |k: usize| match walker.pairing.opposite(walker.advance(first, k)) {
+                    Opposite::Mate(mate) if walker.size(walker.face(mate)) == 4 => Some(mate),
                     _ => None,
                 };
                 if walker.pairing.is_ignored(first) {
@@ -274,8 +274,8 @@ impl Grid {
         Ok(())
     }
 
-    /// The fan beyond the row that starts at `first`: every cell has a triangle, all with one third
-    /// corner; or none has.
+    /// The fan beyond the row that starts at `first`. Either every cell has a triangle, and all
+    /// have the same third corner, or none has one.
     fn pole(&self, walker: &Walker<'_>, first: usize, heading: Heading) -> Result<Option<Vec<u32>>> {
         if self.shift.is_some() {
             return Ok(None);
@@ -285,7 +285,8 @@ impl Grid {
         for &cell in &self.cells[first..first + self.columns] {
             match walker.neighbour(cell, heading)? {
                 Neighbour::Triangle(h) if *apex.get_or_insert(walker.apex(h)) == walker.apex(h) => {
-                    // Neighbours share the edge to the pole; otherwise it would be open there.
+                    // Neighbours must share the edge to the pole; otherwise the surface would be
+                    // open there.
                     alloc::push(&mut triangles, h)?;
                 }
                 Neighbour::Border if triangles.is_empty() => {}
@@ -352,7 +353,8 @@ impl Grid {
         };
         let mut seams = Vec::new();
         if let Some(shift) = self.shift.filter(|&shift| shift > 0) {
-            // The last row is the first from another column: up to its end, and from its start.
+            // The last row is the first row from another column on: up to its end, and from its
+            // start.
             let (last, end) = (shape.rows() as u32 - 1, self.columns as u32);
             let shift = shift as u32;
             let pairs = [(0, shift, end + 1 - shift), (end - shift, 0, shift + 1)];
@@ -361,7 +363,7 @@ impl Grid {
             }
         }
         let closed = Topology::new(shape, Links::Sides(sides), &seams)?;
-        // Nodes of one vertex that are not glued yet: a surface that touches itself there.
+        // Nodes of one vertex that are not glued yet: the surface touches itself there.
         let mut sets = DisjointSets::new(shape.node_count())?;
         let links = closed.contracted().map(|link| shape.ends(link));
         for [a, b] in links.chain(seams.iter().flat_map(|seam| seam.pairs(shape))) {

@@ -15,24 +15,24 @@ pub struct Heights<'a, T> {
     pub values: &'a [T],
     /// Numbers from row to row; 0 for rows without gaps.
     pub stride: usize,
-    /// The step from column to column (x) and from row to row (y), negative for rows from north to
-    /// south. Neither is 0.
+    /// The step from column to column (x) and from row to row (y), which is negative for rows from
+    /// north to south. Neither may be 0.
     pub spacing: [f64; 2],
     /// The position of the first node at height 0.
     pub origin: DVec3,
-    /// The number that stands for a missing height; NaN and infinities always do.
+    /// The number that marks a missing height. NaN and infinities always mark one.
     pub no_data: Option<f64>,
 }
 
-/// The net of a height field, in its scalar type: x = origin + j spacing, y = origin + i spacing, z
-/// = origin + height. Missing heights become missing nodes. Faces are counter-clockwise from above,
-/// whatever the signs of the spacing. O(nodes).
+/// The net of a height field, in its scalar type: x = origin + j spacing, y = origin + i spacing,
+/// z = origin + height. Missing heights become missing nodes. Faces are counter-clockwise seen from
+/// above, for either sign of the spacing. O(nodes).
 ///
 /// # Errors
-/// [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`];
-/// [`Error::OptionOutOfRange`] for a spacing or an origin that is not finite, or a spacing that
-/// leaves no distance between nodes in the type of the heights; [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// - [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`].
+/// - [`Error::OptionOutOfRange`]: the spacing or origin is not finite, or neighbouring nodes
+///   coincide in the type of the heights.
+/// - [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn net_of_heights<T: Real>(heights: &Heights<'_, T>, job: &Job<'_>) -> Result<Net<'static>>
 where
     Coordinates<'static>: From<Planes<'static, T>>,
@@ -42,11 +42,11 @@ where
     origin.to_array().into_iter().try_for_each(|value| Error::require(value.is_finite(), "origin", value))?;
     // Neighbours must differ, and be finite, in the type of the heights.
     for (origin, step, count) in [(origin.x, dx, shape.columns()), (origin.y, dy, shape.rows())] {
-        let at = |k: usize| T::of(origin + k as f64 * step);
+        let at = |k: usize| T::from_f64(origin + k as f64 * step);
         let are_apart = at(0) != at(1) && at(count - 2) != at(count - 1);
         Error::require(are_apart && at(count - 1).into().is_finite(), "spacing", step)?;
     }
-    let no_data = no_data.map(|value| T::of(value).into());
+    let no_data = no_data.map(|value| T::from_f64(value).into());
     let needed = Planes::<T>::length(shape, stride)?;
     if values.len() < needed {
         let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val(values) as u64);
@@ -57,16 +57,16 @@ where
     let matrices = build_planes(shape, job, |axis, rows, to: &mut [T]| {
         for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
             match axis {
-                0 => to.iter_mut().enumerate().for_each(|(j, x)| *x = T::of(origin.x + j as f64 * dx)),
-                1 => to.fill(T::of(origin.y + i as f64 * dy)),
+                0 => to.iter_mut().enumerate().for_each(|(j, x)| *x = T::from_f64(origin.x + j as f64 * dx)),
+                1 => to.fill(T::from_f64(origin.y + i as f64 * dy)),
                 _ => {
                     let from = &values[i * stride..][..columns];
-                    to.iter_mut().zip(from).for_each(|(z, &h)| *z = T::of(origin.z + height(h.into(), no_data)));
+                    to.iter_mut().zip(from).for_each(|(z, &h)| *z = T::from_f64(origin.z + height(h.into(), no_data)));
                 }
             }
         }
     })?;
-    let topology = Topology::of_sides(shape, Sides::SHEET).with_reversed((dx < 0.0) != (dy < 0.0));
+    let topology = Topology::from_sides(shape, Sides::SHEET).with_reversed((dx < 0.0) != (dy < 0.0));
     Ok(Net::new(Coordinates::from(matrices), topology))
 }
 
@@ -84,12 +84,12 @@ impl Net<'_> {
 }
 
 fn clear<T: Real>(planes: &mut Planes<'_, T>, value: f64) {
-    let value = T::of(value);
+    let value = T::from_f64(value);
     for i in 0..planes.shape().rows() {
         let [x, y, z] = planes.row_mut(i);
         for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
             if [*x, *y, *z].contains(&value) {
-                [*x, *y, *z] = [T::of(f64::NAN); 3];
+                [*x, *y, *z] = [T::from_f64(f64::NAN); 3];
             }
         }
     }

@@ -19,7 +19,7 @@ use std::iter::repeat_n;
 
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
-/// The edges of about so many faces tell what length is usual.
+/// The approximate number of faces sampled for the usual edge length.
 const FACES_LOOKED_AT: usize = 1 << 14;
 const FACES: &str = "cells to faces";
 const NUMBERS: &str = "numbering vertices";
@@ -27,28 +27,29 @@ const NUMBERS: &str = "numbering vertices";
 /// The diagonal that cuts a quad into triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Diagonal {
-    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where it would
-    /// repeat an edge, which gluing makes possible, the other one.
+    /// The shorter diagonal, or from (i, j) to (i + 1, j + 1) if they are equal. If it would repeat
+    /// an edge, which gluing makes possible, the other diagonal.
     Shorter,
-    /// From (i, j) to (i + 1, j + 1), with the same exception.
+    /// From (i, j) to (i + 1, j + 1), with the same exception for repeated edges.
     Fixed,
 }
 
 /// Options of [`Net::to_mesh`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
-    /// Triangles only; `None` keeps quads.
+    /// The diagonals that cut quads into triangles; `None` keeps quads.
     pub triangles: Option<Diagonal>,
-    /// One vertex for each class of glued nodes; else one for each node, and nothing is glued.
+    /// One vertex for each class of glued nodes. If false, each node is a vertex and nothing is
+    /// glued.
     pub weld: bool,
-    /// Keeps finite vertices that neither a face nor a wire uses.
+    /// Keeps finite vertices that are not used by faces or wires.
     pub keep_unused: bool,
-    /// A cell with exactly one missing corner becomes a triangle; else it is dropped.
+    /// Turns a cell with exactly one missing corner into a triangle. If false, the cell is dropped.
     pub fill_corners: bool,
     /// Computes texture coordinates.
     pub texture: bool,
-    /// Faces with an edge of more than so many times the length that is usual among the edges are
-    /// left out: in a range image, those from one surface to another behind it. Above 0.
+    /// Drops faces with an edge longer than this multiple of the usual edge length; above 0. In a
+    /// range image, such faces connect one surface with another behind it.
     pub max_edge_ratio: Option<f64>,
 }
 
@@ -79,8 +80,8 @@ pub struct NetMesh {
     pub cell_of_face: Vec<u32>,
     /// The net's nodes in a row.
     pub columns: usize,
-    /// Edges without faces, as vertices: those of cells whose opposite sides are glued, such as
-    /// threads.
+    /// Edges without faces, as pairs of vertices. They belong to cells whose opposite sides are
+    /// glued, such as threads.
     pub wires: Vec<[u32; 2]>,
     /// Texture coordinates, if requested.
     pub texture: Option<Texture>,
@@ -88,7 +89,7 @@ pub struct NetMesh {
 
 /// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
 ///
-/// They belong to nodes, not to vertices: a vertex on a seam has a pair of coordinates on each
+/// They belong to nodes instead of vertices. A vertex on a seam has a pair of coordinates on each
 /// side, so that an image covers a closed net once and does not run back within its last column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
@@ -143,7 +144,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     let shape = net.shape();
     let first = job.part(0.0, 0.1);
     let classes = if options.weld {
-        Classes::of_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
+        Classes::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
             .table_cancellable(&first.part(0.7, 1.0), FACES)?
     } else {
         alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
@@ -165,7 +166,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         classes: &classes,
     };
     faces.offsets.push(0);
-    let hidden = HiddenCells::of(net)?;
+    let hidden = HiddenCells::new(net)?;
     let (scanning, often) = (job.part(0.3, 0.7), (NODES_PER_REPORT / shape.columns()).max(1));
     let mut skip = alloc::filled(false, shape.columns() - 1)?;
     for i in 0..shape.rows() - 1 {
@@ -178,7 +179,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
     }
     if let Some(ratio) = options.max_edge_ratio {
-        faces.leave_out_long(ratio, &job.part(0.7, 0.8))?;
+        faces.drop_long_faces(ratio, &job.part(0.7, 0.8))?;
     }
     faces.finish(options, &job.part(0.8, 1.0))
 }
@@ -187,7 +188,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
 struct VertexPlaces {
     /// True for each node with finite coordinates.
     finite: Vec<bool>,
-    /// The classes whose smallest node is missing, each with its first node that is not, in order.
+    /// The classes whose smallest node is missing, each with its first existing node, in order.
     /// Rarely any.
     elsewhere: Vec<[u32; 2]>,
 }
@@ -207,8 +208,8 @@ impl VertexPlaces {
         Ok(VertexPlaces { finite, elsewhere })
     }
 
-    /// The node whose position is that of the class.
-    fn of_class(&self, class: u32) -> u32 {
+    /// The node that gives the class its position.
+    fn position_node(&self, class: u32) -> u32 {
         match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
             Ok(at) => self.elsewhere[at][1],
             Err(_) => class,
@@ -216,7 +217,7 @@ impl VertexPlaces {
     }
 
     fn has_class(&self, class: u32) -> bool {
-        self.finite[self.of_class(class) as usize]
+        self.finite[self.position_node(class) as usize]
     }
 }
 
@@ -225,7 +226,7 @@ fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
     let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
     let mut finite = alloc::filled(true, planes.shape().node_count())?;
     let often = (NODES_PER_REPORT / columns).max(1);
-    let zero = T::of(0.0);
+    let zero = T::from_f64(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
         job.step_every(often, i, rows, FACES)?;
         for row in planes.row(i) {
@@ -265,7 +266,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             return self.quad(corners, cell);
         }
         match Reduced::new([a, b, c, d]) {
-            Reduced::Triangle(_) => self.triangle_of(corners, cell),
+            Reduced::Triangle(_) => self.add_triangle(corners, cell),
             Reduced::Digon([p, q]) => alloc::push(&mut self.edges, [p, q]),
             Reduced::Fold([p, q, r]) => alloc::append(&mut self.edges, &[[p, q], [p, r]]),
             Reduced::Quad(_) | Reduced::Point(_) | Reduced::Crossing(_) => Ok(()),
@@ -280,8 +281,8 @@ impl<T: Real> FaceBuilder<'_, T> {
         if p != q && q != r && r != p { self.face(&[a, b, c], cell) } else { Ok(()) }
     }
 
-    /// Adds a cell with one side contracted; of the two glued corners the latter stays.
-    fn triangle_of(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+    /// Adds a cell with one contracted side. Of the two glued corners it keeps the second.
+    fn add_triangle(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let class = |k: usize| self.classes[corners[k % 4] as usize];
         let mut kept = (0..4).filter(|&k| class(k) != class(k + 1)).map(|k| corners[k]);
         let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
@@ -313,7 +314,7 @@ impl<T: Real> FaceBuilder<'_, T> {
     }
 
     fn position(&self, node: u32) -> DVec3 {
-        let node = self.places.of_class(self.classes[node as usize]);
+        let node = self.places.position_node(self.classes[node as usize]);
         self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
@@ -328,9 +329,9 @@ impl<T: Real> FaceBuilder<'_, T> {
         alloc::push(&mut self.cells, cell)
     }
 
-    /// Leaves out faces with an edge of more than `ratio` times the usual length: the median over the
-    /// edges of faces taken evenly, but for those without a length. O(faces).
-    fn leave_out_long(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
+    /// Drops faces with an edge longer than `ratio` times the usual length. The usual length is the
+    /// median over the edges of evenly sampled faces, skipping edges of length 0. O(faces).
+    fn drop_long_faces(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
         let squared = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
         let looked_at = self.offsets.windows(2).step_by(self.cells.len() / FACES_LOOKED_AT + 1);
         let mut lengths = Vec::new();
@@ -354,7 +355,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             }
             Ok(())
         })?;
-        // In place, as nothing gets longer.
+        // In place, because the lists only shrink.
         let (mut faces, mut corners) = (0, 0);
         job.part(0.7, 1.0).ranges(FACES, self.cells.len(), |range| {
             for f in range.filter(|&f| kept[f]) {
@@ -363,7 +364,8 @@ impl<T: Real> FaceBuilder<'_, T> {
                 self.nodes.copy_within(own, corners);
                 self.cells[faces] = self.cells[f];
                 (faces, corners) = (faces + 1, corners + count);
-                // The end of this face comes after the start of the next, which is still to be read.
+                // The end of this face is stored after the start of the next, which is still to be
+                // read.
                 self.offsets[faces] = corners as u32;
             }
             Ok(())
@@ -421,7 +423,7 @@ impl<T: Real> FaceBuilder<'_, T> {
                     vertex[node] = node_of_vertex.len() as u32;
                     alloc::push(&mut node_of_vertex, node as u32)?;
                 } else {
-                    // A node after the first of its class has that one's vertex.
+                    // A node after the first of its class has the vertex of the first.
                     vertex[node] = vertex[self.classes[node] as usize];
                 }
             }
@@ -433,7 +435,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
             Ok(())
         })?;
-        let nodes = node_of_vertex.iter().map(|&node| self.places.of_class(node));
+        let nodes = node_of_vertex.iter().map(|&node| self.places.position_node(node));
         let positions = positions(self.planes, nodes, &part(0.8, 1.0))?;
         let mesh = Mesh::new(positions, self.offsets, self.nodes);
         let columns = self.planes.shape().columns();

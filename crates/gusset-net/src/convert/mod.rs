@@ -1,8 +1,8 @@
 //! Conversion: nets to polygon meshes and back, and nets from height fields.
 //!
-//! `mesh` makes meshes and their texture coordinates; `used_links` lists the edges that diagonals
-//! must avoid; `grid` finds the rows and columns of a mesh of quads, `triangles` those of
-//! quads that are cut in two; `heights` builds nets from height fields.
+//! `mesh` makes meshes and their texture coordinates. `used_links` lists the edges that diagonals
+//! must avoid. `grid` finds the rows and columns of a quad mesh, `triangles` finds them in a mesh
+//! of quads that are cut in two. `heights` builds nets from height fields.
 
 mod grid;
 mod heights;

@@ -1,28 +1,30 @@
-//! Recognition of a rectangular grid in a mesh of triangles: quads with a diagonal each, in any
-//! direction from cell to cell, and fans round poles.
+//! Recognition of a rectangular grid in a mesh of triangles: quads with one diagonal each, in any
+//! direction, and fans around poles.
 //!
-//! Edges are labelled as sides or diagonals. A triangle has one diagonal, at a pole none; a vertex
-//! within the surface has four faces of the grid once diagonals are taken away, so that of its T
-//! triangles' edges T - 4 are diagonals; one on the border has two faces, or one at a corner of the
-//! grid: T - 2 diagonals, or T - 1. A label that follows from these rules is set, until none does. At
-//! the border, or next to a pole, one label makes all others follow, cell by cell along the first row
-//! and then row by row; so two attempts decide. Where there is neither, on a torus, a label that
-//! leads to a contradiction is taken back and set the other way, and one that does not is kept: a
-//! torus whose diagonals run without any rule may be refused. The quads are then recognised as those
-//! of any mesh: nothing that is no grid is accepted. O(edges) an attempt.
+//! Each edge is labelled as a side or a diagonal by counting rules. A triangle has one diagonal, or
+//! none at a pole. An inner vertex with T triangles has T - 4 diagonals, because four quads remain
+//! when diagonals are removed. A vertex on the border has T - 2 diagonals, or T - 1 at a corner of
+//! the grid. Labels that follow from these rules are propagated until none is left.
+//!
+//! At the border or next to a pole, one label determines all others, along the first row and then
+//! row by row, so two attempts suffice. A torus has neither. There, a label that leads to a
+//! contradiction is undone and set the other way, and a label that does not is kept. A torus with
+//! irregular diagonals may therefore be rejected. Finally the quads are verified like those of any
+//! mesh, so only grids are accepted. O(edges) an attempt.
 
 use super::grid::{GridNet, net_of_grid};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_mesh::{Across, Faces, MeshView, NONE, Topology as Pairing};
+use gusset_mesh::{Faces, MeshView, NONE, Opposite, Topology as Pairing};
 
 /// Half-edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 const STAGE: &str = "triangles to cells";
-/// Spheres of so many vertices at most, whose poles do not show by their degrees, are tried with
-/// every vertex as a pole; larger ones with the two that are farthest apart.
+/// A sphere with at most this many vertices, whose poles are not evident from their degrees, is
+/// tried with every vertex as a pole. A larger sphere is tried only with the two vertices that are
+/// farthest apart.
 const MAX_POLE_TRIALS: usize = 400;
 
 /// The label of an edge.
@@ -33,10 +35,10 @@ enum Label {
     Diagonal,
 }
 
-/// The net whose cells are pairs of triangles of a mesh, with `face_of_cell` the first triangle of
-/// each; poles have one triangle a cell. All vertices keep their bits. If several pairings make a
-/// grid, as where all diagonals run one way, the one that the first triangle with a side decides:
-/// its first edge that can be one is the diagonal.
+/// The net whose cells are pairs of triangles of a mesh. `face_of_cell` has the first triangle of
+/// each cell; at poles a cell is one triangle. All vertices keep their bits. Several pairings may
+/// form a grid, for example if all diagonals are parallel. Then the first triangle with a side
+/// decides: its first possible edge is the diagonal.
 ///
 /// # Errors
 /// [`Error::NoGrid`] with a triangle at the first contradiction, [`Error::OutOfMemory`],
@@ -66,9 +68,9 @@ struct Surface {
     /// The half-edge on the other side; `NONE` at the border.
     mates: Vec<u32>,
     starts: Vec<u32>,
-    /// Of each vertex its edges, each by the smaller of its half-edges.
+    /// For each vertex its edges, each by its smaller half-edge.
     edges: Buckets<u32>,
-    /// Of each vertex its triangles, and whether it is on the border.
+    /// For each vertex the number of its triangles, and whether it is on the border.
     counts: Vec<u32>,
     on_border: Vec<bool>,
 }
@@ -82,12 +84,12 @@ impl Surface {
         for h in 0..count {
             let (start, end) = (starts[h as usize], starts[next(h) as usize]);
             counts[start as usize] += 1;
-            let mate = match pairing.across(h) {
+            let mate = match pairing.opposite(h) {
                 _ if pairing.is_ignored(h) => return Err(no_grid(h)),
-                Across::Singular => return Err(no_grid(h)),
-                Across::Mate(mate) if starts[mate as usize] == start => return Err(no_grid(mate)),
-                Across::Mate(mate) => mate,
-                Across::Free => NONE,
+                Opposite::Singular => return Err(no_grid(h)),
+                Opposite::Mate(mate) if starts[mate as usize] == start => return Err(no_grid(mate)),
+                Opposite::Mate(mate) => mate,
+                Opposite::Free => NONE,
             };
             if mate == NONE {
                 (on_border[start as usize], on_border[end as usize]) = (true, true);
@@ -104,8 +106,8 @@ impl Surface {
         [self.starts[h as usize], self.starts[next(h) as usize]]
     }
 
-    /// The least and the largest number of diagonals at a vertex that is no pole; `None` if it can be
-    /// none of a grid.
+    /// The smallest and the largest number of diagonals at a vertex that is not a pole. Returns
+    /// `None` if the vertex cannot belong to a grid.
     fn diagonals(&self, v: u32) -> Option<[u32; 2]> {
         match (self.on_border[v as usize], self.counts[v as usize]) {
             (_, 0) | (true, 1) => Some([0, 0]),
@@ -116,7 +118,8 @@ impl Surface {
         }
     }
 
-    /// The poles to try: those that their degrees show; else none, and then what is farthest.
+    /// The poles to try: the poles that the degrees show, otherwise none, and then the farthest
+    /// vertices.
     fn poles(&self) -> Result<Vec<[u32; 2]>> {
         let vertices = 0..self.counts.len() as u32;
         let mut odd = vertices.clone().filter(|&v| self.diagonals(v).is_none());
@@ -139,7 +142,7 @@ impl Surface {
             _ => {
                 alloc::push(&mut found, [NONE; 2])?;
                 if is_open {
-                    // Every row is a step farther from the border than the one before.
+                    // Every row is one step farther from the border than the previous row.
                     alloc::push(&mut found, [self.farthest(border())?, NONE])?;
                 } else {
                     let used = || vertices.clone().filter(|&v| self.counts[v as usize] > 0);
@@ -179,7 +182,7 @@ impl Surface {
         Ok(last)
     }
 
-    /// The grid with these poles, by attempts with each diagonal of the first triangle that is open.
+    /// The grid with these poles. Tries each diagonal of the first unlabelled triangle.
     fn attempt(&self, mesh: &MeshView<'_>, poles: [u32; 2], job: &Job<'_>) -> Result<GridNet> {
         let mut labels = Labels::new(self, poles)?;
         labels.propagate(job)?;
@@ -210,22 +213,22 @@ fn no_grid(h: u32) -> Error {
     Error::NoGrid { face: h / 3 }
 }
 
-/// The labels of edges, by half-edge, and what is still to be looked at.
+/// The labels of edges, by half-edge, and the queue of labels to propagate.
 struct Labels<'a> {
     surface: &'a Surface,
     poles: [u32; 2],
     of: Vec<Label>,
     /// The edges that were labelled, in order.
     trail: Vec<u32>,
-    /// How many of them have been propagated.
+    /// The number of labels that have been propagated.
     done: usize,
-    /// Of each vertex the diagonals, and the edges without a label.
+    /// For each vertex the number of its diagonals, and of its unlabelled edges.
     diagonals: Vec<u32>,
     unknown: Vec<u32>,
 }
 
 impl<'a> Labels<'a> {
-    /// Edges at the border and at poles are sides.
+    /// Labels the edges at the border and at poles as sides.
     fn new(surface: &'a Surface, poles: [u32; 2]) -> Result<Self> {
         let (count, vertices) = (surface.starts.len(), surface.counts.len());
         let mut labels = Labels {
@@ -253,7 +256,7 @@ impl<'a> Labels<'a> {
         Ok(labels)
     }
 
-    /// True of a triangle at a pole.
+    /// Returns true for a triangle at a pole.
     fn is_polar(&self, face: u32) -> bool {
         (3 * face..3 * face + 3).any(|h| self.poles.contains(&self.surface.starts[h as usize]))
     }
@@ -272,7 +275,7 @@ impl<'a> Labels<'a> {
         alloc::push(&mut self.trail, h)
     }
 
-    /// Takes labels back until so many are left.
+    /// Removes labels until `mark` are left.
     fn undo(&mut self, mark: usize) {
         while self.trail.len() > mark {
             let Some(h) = self.trail.pop() else { return };
@@ -285,7 +288,7 @@ impl<'a> Labels<'a> {
         self.done = mark;
     }
 
-    /// Sets all labels that follow from those there are.
+    /// Propagates the existing labels.
     fn propagate(&mut self, job: &Job<'_>) -> Result<()> {
         while let Some(&h) = self.trail.get(self.done) {
             job.step_every(REPORT_INTERVAL, self.done, self.of.len(), STAGE)?;
@@ -299,7 +302,7 @@ impl<'a> Labels<'a> {
         Ok(())
     }
 
-    /// The rule of a triangle: one diagonal, and none at a pole.
+    /// Applies the rule of a triangle: one diagonal, or none at a pole.
     fn face(&mut self, face: u32) -> Result<()> {
         let sides = 3 * face..3 * face + 3;
         let count = |labels: &Self, label| sides.clone().filter(|&h| labels.of[h as usize] == label).count();
@@ -315,7 +318,7 @@ impl<'a> Labels<'a> {
         sides.clone().try_for_each(|h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
     }
 
-    /// The rule of a vertex: so many diagonals.
+    /// Applies the rule of a vertex: the number of its diagonals.
     fn vertex(&mut self, v: u32) -> Result<()> {
         if self.poles.contains(&v) {
             return Ok(());
@@ -337,8 +340,8 @@ impl<'a> Labels<'a> {
         edges.iter().try_for_each(|&h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
     }
 
-    /// From a face on, and then from the first: one with a side and without a diagonal; or else one
-    /// without any label.
+    /// The next undecided face from `from` on, cyclically: one with a side and without a diagonal,
+    /// or else one without any label.
     fn next_open(&self, from: u32) -> Option<u32> {
         let count = self.of.len() as u32 / 3;
         let is = |face: u32, label| (3 * face..3 * face + 3).any(|h| self.of[h as usize] == label);
@@ -375,7 +378,7 @@ impl<'a> Labels<'a> {
             let diagonal = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == Label::Diagonal);
             let start = |h: u32| surface.starts[h as usize];
             match diagonal.map(|h| (h, surface.mates[h as usize])) {
-                // Of two triangles the second was seen.
+                // Skip the second triangle of a pair.
                 Some((h, mate)) if mate < h => continue,
                 Some((h, mate)) => alloc::append(
                     &mut corners,

@@ -1,7 +1,7 @@
-//! Edges that diagonals of quads must avoid: a diagonal along an edge of the mesh would give it
-//! four faces.
+//! Edges that the diagonals of quads must avoid: a diagonal along an edge of the mesh would give
+//! the edge four faces.
 //!
-//! Only edges with a glued end matter: between two single nodes no second edge exists.
+//! Only edges with a glued end matter, because two single nodes have at most one edge.
 
 use crate::shape::{Shape, sorted_pair};
 use gusset_base::alloc;
@@ -40,7 +40,7 @@ impl UsedLinks {
         Ok(used)
     }
 
-    /// True if two classes are joined by an edge.
+    /// Returns true if an edge joins two classes.
     pub(super) fn contains(&self, ends: [u32; 2]) -> bool {
         self.has_glued_end(ends) && self.edges.contains(&sorted_pair(ends))
     }

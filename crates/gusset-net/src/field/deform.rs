@@ -11,17 +11,18 @@ use gusset_base::job::Job;
 pub struct Step<'a> {
     /// The field.
     pub field: &'a dyn Field,
-    /// The part of it that is applied; for fields that change with time see `Timed::strength`.
+    /// The strength at which the field is applied, 1 for the whole field. For fields that change
+    /// with time see `Timed::strength`.
     pub strength: f64,
 }
 
 /// Moves every node by each field in order, in place, in one pass over the memory.
 ///
 /// Fields work in double precision; the result is rounded once to the net's type. Steps of strength
-/// 0 change nothing. Missing nodes stay missing. On an error no node is moved: if a field is
-/// partial, a first pass checks that the chain is defined at every node and finite in the net's
-/// type. Other chains are not checked, and nodes that overflow become missing. O(nodes x fields),
-/// no memory that depends on the net.
+/// 0 change nothing. Missing nodes stay missing. If a field is partial, a first pass checks that
+/// the chain is defined at every node and finite in the net's type, and on an error no node moves.
+/// Other chains are not checked, and nodes that overflow become missing. O(nodes x fields), with
+/// constant extra memory.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`],
@@ -46,20 +47,21 @@ fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize
         let mut scratch = [[0.0; CHUNK]; 3];
         let moved = mapped(steps, &rows, &mut scratch);
         for (row, moved) in rows.into_iter().zip(moved) {
-            row.iter_mut().zip(moved).for_each(|(to, &mut from)| *to = T::of(from));
+            row.iter_mut().zip(moved).for_each(|(to, &mut from)| *to = T::from_f64(from));
         }
         Ok(())
     })
 }
 
-/// [`Error::FieldUndefined`] for the first finite node of a chunk whose image is not finite.
+/// Returns [`Error::FieldUndefined`] for the first finite node of a chunk whose image is not
+/// finite.
 fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
     let mut scratch = [[0.0; CHUNK]; 3];
     let [x, y, z] = mapped(steps, rows, &mut scratch);
     let undefined = (0..x.len()).find(|&k| {
         let is_finite = rows.iter().all(|row| row[k].into().is_finite());
-        // As stored: a finite double may overflow the net's type.
-        is_finite && ![x[k], y[k], z[k]].into_iter().all(|value| T::of(value).into().is_finite())
+        // Compares the stored value, because a finite double may overflow the net's type.
+        is_finite && ![x[k], y[k], z[k]].into_iter().all(|value| T::from_f64(value).into().is_finite())
     });
     undefined.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
 }

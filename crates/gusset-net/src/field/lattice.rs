@@ -8,8 +8,8 @@ use gusset_base::error::{Error, Result};
 
 const MAX_POINTS: usize = Lattice::MAX_POINTS;
 
-/// A box of control points, which points inside follow; points outside stay. In part: that part of
-/// the displacement.
+/// A box of control points that deforms the points inside; points outside stay. At strength t,
+/// points move by t times their displacement.
 #[derive(Debug, Clone)]
 pub struct Lattice {
     low: DVec3,
@@ -20,8 +20,8 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The largest number of control points along an axis: Bernstein polynomials of higher degree
-    /// are slow and hardly follow single points.
+    /// The largest number of control points along an axis. Bernstein polynomials of higher degree
+    /// are slow and hardly follow individual points.
     pub const MAX_POINTS: usize = 32;
 
     /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each.

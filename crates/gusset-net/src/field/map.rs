@@ -10,18 +10,18 @@ pub type Points<'a> = [&'a mut [f64]; 3];
 
 /// A map of space.
 pub trait Field: Sync {
-    /// Moves each point independently. `strength`: 1 applies the whole map; values between 0 and 1,
-    /// and beyond, are defined by each field; never 0. A point outside the field's domain becomes
-    /// NaN.
+    /// Moves each point independently. `strength` is 1 for the whole map and never 0; each field
+    /// defines its meaning for values between 0 and 1, and beyond. A point outside the field's
+    /// domain becomes NaN.
     fn map(&self, strength: f64, points: Points<'_>);
 
-    /// True if finite points stay finite, but for overflow.
+    /// Returns true if finite points stay finite, except by overflow.
     fn is_total(&self) -> bool {
         true
     }
 }
 
-/// A function of strength and points is a field that is total.
+/// A function of strength and points is a total field.
 impl<F: Fn(f64, Points<'_>) + Sync> Field for F {
     fn map(&self, strength: f64, points: Points<'_>) {
         self(strength, points);
@@ -41,13 +41,13 @@ impl<F: Field> Field for Partial<F> {
     }
 }
 
-/// Applies `map` to each point, for maps that call functions and so do not vectorise.
+/// Applies `map` to each point; for maps with function calls, which do not vectorise.
 #[inline(always)]
 pub(super) fn each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     apply_to(x, y, z, map);
 }
 
-/// Applies `map` to each point, for maps of plain arithmetic, which vectorise.
+/// Applies `map` to each point; for maps of plain arithmetic, which vectorise.
 pub(super) fn each_point_simd(points: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     simd::run(EachPoint { points, map });
 }
@@ -66,7 +66,7 @@ impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for EachPoint<'_, F> {
     }
 }
 
-/// A separate function, as only arguments are known not to alias.
+/// A separate function, because only arguments are known not to alias.
 #[inline(always)]
 fn apply_to(x: &mut [f64], y: &mut [f64], z: &mut [f64], map: impl Fn([f64; 3]) -> [f64; 3]) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
@@ -78,17 +78,17 @@ fn apply_to(x: &mut [f64], y: &mut [f64], z: &mut [f64], map: impl Fn([f64; 3]) 
 pub(super) fn along_line(strength: f64, map: impl Fn([f64; 3]) -> [f64; 3]) -> impl Fn([f64; 3]) -> [f64; 3] {
     move |from| {
         let to = map(from);
-        // At 1, without further rounding.
+        // At strength 1, avoid further rounding.
         if strength == 1.0 { to } else { [0, 1, 2].map(|k| from[k] + strength * (to[k] - from[k])) }
     }
 }
 
-/// [`Error::OptionOutOfRange`] for the first parameter that is not finite.
+/// Returns [`Error::OptionOutOfRange`] for the first parameter that is not finite.
 pub(super) fn check_finite(parameters: &[(&'static str, f64)]) -> Result<()> {
     parameters.iter().try_for_each(|&(option, value)| Error::require(value.is_finite(), option, value))
 }
 
-/// In part: along the line to the image.
+/// At strength t, points move by t along the line to their image.
 impl Field for Affine {
     fn map(&self, strength: f64, points: Points<'_>) {
         let rows = self.rows();

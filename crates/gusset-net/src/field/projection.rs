@@ -1,5 +1,5 @@
-//! Projective maps: parallel and central projection onto a plane, and every other 4 x 4 matrix. In
-//! part: along the line to the image.
+//! Projective maps: parallel and central projection onto a plane, and every other 4 x 4 matrix. At
+//! strength t, points move by t along the line to their image.
 
 use super::map::{Field, Partial, Points, along_line, check_finite, each_point_simd};
 use glam::DVec3;
@@ -21,8 +21,8 @@ pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
     }))
 }
 
-/// Onto the plane through `point` with the given `normal`, along `direction`. Neither need be a
-/// unit vector.
+/// Projects onto the plane through `point` with the given `normal`, along `direction`. The vectors
+/// need not have unit length.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if the direction is parallel to the plane.
@@ -40,14 +40,15 @@ pub fn parallel_projection(point: DVec3, normal: DVec3, direction: DVec3) -> Res
     projection(rows)
 }
 
-/// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points
-/// behind the eye have inverted images; those as high above the plane as the eye have none.
+/// Projects onto the plane through `point` with the given `normal`, along the lines through `eye`.
+/// Points behind the eye have inverted images. Points as high above the plane as the eye lack an
+/// image.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if the eye is in the plane.
 pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result<impl Field> {
-    // The normal times the vector from the eye to the plane. In a matrix, terms as large as the
-    // squared distance from the origin would have to cancel.
+    // The normal times the vector from the eye to the plane. A matrix would cancel terms as large
+    // as the squared distance from the origin.
     let depth = normal.dot(point - eye);
     Error::require(depth != 0.0, "eye", depth)?;
     check_finite(&[("plane", depth)])?;

@@ -8,12 +8,11 @@ use super::map::{Field, Points, check_finite, each_point, each_point_simd};
 use crate::transform::Axis;
 use gusset_base::error::{Error, Result};
 
-/// A rotation about an axis by an angle that grows along it: by `rate` radians for each unit,
-/// right-handed, from where the axis has the coordinate `origin`. In part: by that part of the
-/// angle.
+/// A rotation about an axis by an angle that grows along the axis: `rate` radians for each unit,
+/// right-handed, starting at the coordinate `origin`. At strength t, the angle is t times as large.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
+/// [`Error::OptionOutOfRange`] if a number is not finite; likewise for all functions below.
 pub fn twist(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
     check_finite(&[("rate", rate), ("origin", origin)])?;
     Ok(move |strength: f64, points: Points<'_>| {
@@ -25,9 +24,9 @@ pub fn twist(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
     })
 }
 
-/// A scaling across an axis that changes along it: distances from the axis grow by `rate` times
-/// themselves for each unit along it, from the coordinate `origin` on. In part: at that part of the
-/// rate.
+/// A scaling across an axis that changes along the axis: distances from the axis grow by `rate`
+/// times themselves for each unit, starting at the coordinate `origin`. At strength t, the rate is
+/// t times as large.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`].
@@ -42,9 +41,9 @@ pub fn taper(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
     })
 }
 
-/// A bend of an axis to an arc of the given curvature, from its coordinate `from` to `to`, towards
-/// the next axis (x after z); points before stay, and the axis continues straight after. Lengths
-/// along it are kept. In part: with that part of the curvature.
+/// Bends an axis to an arc of the given curvature, from its coordinate `from` to `to`, towards the
+/// next axis (x after z). Points before `from` stay, and the axis continues straight beyond `to`.
+/// Lengths along the axis are kept. At strength t, the curvature is t times as large.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
@@ -67,7 +66,7 @@ pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field
 }
 
 /// A displacement along one axis in proportion to the coordinate on another: the coordinate `along`
-/// grows by `rate` times the coordinate `by`. In part: at that part of the rate.
+/// grows by `rate` times the coordinate `by`. At strength t, the rate is t times as large.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if both axes are equal.

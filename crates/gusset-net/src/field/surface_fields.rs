@@ -11,16 +11,16 @@ use gusset_base::job::Job;
 /// Gives all nodes of a class the position of its representative, bit for bit. Returns the number
 /// of nodes that moved.
 ///
-/// O(H + W) for a net that is glued along its sides alone, else O(nodes).
+/// O(H + W) for a net that is glued only along its sides, otherwise O(nodes).
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
 pub fn snap(net: &mut Net<'_>) -> Result<u64> {
-    let groups = Classes::of(net.topology())?.groups()?;
+    let groups = Classes::new(net.topology())?.groups()?;
     Ok(snap_to(&groups, net))
 }
 
-/// [`snap`] of the classes that are known: it cannot fail after the nodes were moved.
+/// [`snap`] for known classes. It cannot fail after nodes have moved.
 pub(crate) fn snap_to(groups: &Groups, net: &mut Net<'_>) -> u64 {
     let mut moved = 0;
     for class in groups.iter() {
@@ -48,8 +48,8 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
     moved
 }
 
-/// Moves every node by `distance` along its unit normal. Nodes without a normal stay. O(nodes), and
-/// as much memory as the coordinates take.
+/// Moves every node by `distance` along its unit normal. Nodes without a normal stay. O(nodes),
+/// with as much extra memory as the coordinates take.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the
@@ -58,20 +58,20 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
 pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
     Error::require(distance.is_finite(), "distance", distance)?;
     let (normals, _) = normals(net, job)?;
-    let groups = Classes::of(net.topology())?.groups()?;
+    let groups = Classes::new(net.topology())?.groups()?;
     job.memory()?;
     match (net.coordinates_mut(), &normals) {
         (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,
         (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
         _ => {}
     }
-    // Normals of a class are equal; its positions may not have been.
+    // Normals of a class are equal, but its positions may have differed.
     snap_to(&groups, net);
     Ok(())
 }
 
 fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) -> Result<()> {
-    let distance = T::of(distance);
+    let distance = T::from_f64(distance);
     let shape = planes.shape();
     for i in 0..shape.rows() {
         for (row, normal) in planes.row(i).into_iter().zip(normals.row(i)) {
@@ -100,12 +100,12 @@ pub enum RowsMut<'a> {
 
 /// Moves the nodes by a function of the host, then [`snap`]s.
 ///
-/// `map` is called on this thread with the number of the first node and the coordinates of
-/// consecutive nodes, which it changes in place, from the first node to the last. If it fails, or
-/// the host cancels, earlier changes remain.
+/// `map` is called on the calling thread with the index of the first node and the coordinates of
+/// consecutive nodes, from the first node to the last. It changes the coordinates in place. If it
+/// fails, or the host cancels, earlier changes remain.
 ///
 /// # Errors
-/// Those of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// The errors of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn deform_rows(
     net: &mut Net<'_>,
     mut map: impl FnMut(usize, RowsMut<'_>) -> Result<()>,
@@ -119,7 +119,7 @@ pub fn deform_rows(
         next_step = first + (1 << 20);
         job.report(first as f64 / count, "deform")
     };
-    let groups = Classes::of(net.topology())?.groups()?;
+    let groups = Classes::new(net.topology())?.groups()?;
     job.memory()?;
     match net.coordinates_mut() {
         Coordinates::F32(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {

@@ -1,10 +1,10 @@
 //! The central projection onto a sphere, and the rolling of sheets to cylinders, cones, tori and
-//! spheres (Deryagin, Fig. 3, "hard" deformations: they bring nodes together that the net did not
-//! glue, see [`analyse`](crate::analyse)). O(1) a node.
+//! spheres. These are Deryagin's "hard" deformations (Fig. 3): they bring nodes together that the
+//! net does not glue, see [`analyse`](crate::analyse). O(1) a node.
 //!
-//! A sheet in the plane of height 0 rolls: at the strength t it is bent to the part t of the final
-//! curvature, and arcs keep their lengths. [`roll`] is that of a line; each wrap is one or two of
-//! them and a rigid motion, which the lengths do not see.
+//! At strength t, a sheet in the plane of height 0 is bent to t times the final curvature, and arcs
+//! keep their lengths. [`roll`] bends a line. Each wrap consists of one or two rolls and a rigid
+//! motion, which preserves lengths.
 
 use super::map::{Field, Partial, Points, along_line, check_finite, each_point, each_point_simd};
 use crate::transform::Axis;
@@ -12,12 +12,12 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// The central projection onto a sphere. In part: along the line to the image. Undefined at the
-/// centre.
+/// The central projection onto a sphere. At strength t, points move by t along the line to their
+/// image. Undefined at the centre.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] if a number is not finite, or the radius not above 0; as for all
-/// that follow.
+/// [`Error::OptionOutOfRange`] if a number is not finite, or the radius is not above 0; likewise
+/// for all functions below.
 pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     check_finite(&centre.to_array().map(|value| ("centre", value)))?;
     check_positive("radius", radius)?;
@@ -25,7 +25,7 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     Ok(Partial(move |strength: f64, points: Points<'_>| {
         let map = move |point: [f64; 3]| {
             let away = [0, 1, 2].map(|k| point[k] - centre[k]);
-            // Scaled first, as squares could overflow or underflow.
+            // Scaled first, because squares could overflow or underflow.
             let largest = away[0].abs().max(away[1].abs()).max(away[2].abs());
             let [x, y, z] = away.map(|value| value / largest);
             let ratio = radius / (x * x + y * y + z * z).sqrt();
@@ -35,9 +35,9 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     }))
 }
 
-/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the
-/// arc and the second the height above the cylinder; coordinates along the axis stay. In part, t:
-/// to the curvature t / `radius`, so that a sheet of height 0 keeps all its lengths.
+/// Rolls space up around an axis. The next axis (x after z) becomes the arc, and the axis after
+/// that the height above the cylinder. Coordinates along the axis stay. At strength t the curvature
+/// is t / `radius`, and a sheet of height 0 keeps all its lengths.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`].
@@ -51,13 +51,14 @@ pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     })
 }
 
-/// Rolls space up to a cone about an axis. Of the two axes that follow it (x after z), the first
-/// becomes the arc of the circle of the given radius and the second the height above the cone; the
-/// coordinate w along the axis becomes the length along its generators, which lean towards the axis
-/// by `angle`: the apex is at w = radius / sin(angle), and 0 makes a cylinder. In part, t: the sheet
-/// leans by t `angle` and is bent to the curvature t / `radius`, a part of the cone of half that
-/// angle whose generators are longer. Generators keep their lengths, and so does the circle at
-/// w = 0; that at w becomes 1 - (t / radius) w sin(t angle) times as long.
+/// Rolls space up to a cone around an axis. The next axis (x after z) becomes the arc of the circle
+/// of the given radius, and the axis after that the height above the cone. The coordinate w along
+/// the axis becomes the length along the cone's generators, which lean towards the axis by `angle`.
+/// The apex is at w = radius / sin(angle); the angle 0 makes a cylinder.
+///
+/// At strength t, the sheet leans by t `angle` and is bent to the curvature t / `radius`, a part of
+/// a cone with a smaller angle and longer generators. Generators keep their lengths, and so does
+/// the circle at w = 0. The circle at w becomes 1 - (t / radius) w sin(t angle) times as long.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`], also for an angle beyond a right one.
@@ -74,17 +75,17 @@ pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
     })
 }
 
-/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first
-/// goes round the axis, and the second round the tube, from its outside towards the tip of the
-/// axis; the coordinate along the axis becomes the height above the torus. `major`: from the axis
-/// to the middle of the tube; `minor`: the radius of the tube. Arcs have the lengths they had at
-/// these radii.
+/// Rolls space up to a torus around an axis. The next axis (x after z) runs around the axis. The
+/// axis after that runs around the tube, from its outside towards the tip of the axis. The
+/// coordinate along the axis becomes the height above the torus. `major` is the distance from the
+/// axis to the middle of the tube, `minor` the radius of the tube. Arcs keep the lengths that they
+/// have at these radii.
 ///
-/// In part, t, the stages of Fig. 3 b, d: up to t = 1/2 the sheet rolls up to a straight tube, to
-/// the curvature 2 t / `minor`, and keeps all its lengths. Then the middle of the tube bends to the
-/// curvature k = (2 t - 1) / `major`: the circles of the tube keep their lengths, and the lines along
-/// it become 1 + k `minor` cos(v / minor) times as long. All the while the sheet turns evenly to its
-/// place about the axis.
+/// Strengths t follow the stages of Fig. 3 b, d. Up to t = 1/2 the sheet rolls up to a straight
+/// tube with the curvature 2 t / `minor`, and keeps all its lengths. Then the middle of the tube
+/// bends to the curvature k = (2 t - 1) / `major`. The circles of the tube keep their lengths, and
+/// the lines along it become 1 + k `minor` cos(v / minor) times as long. The sheet turns to its
+/// place about the axis at a uniform rate.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`].
@@ -103,23 +104,23 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
                 return [distance * round_cosine, distance * round_sine, thickness * tube_sine];
             }
             let [along, height] = roll(tube / minor, [v, w]);
-            // The line that keeps its length is the middle of the tube.
+            // The middle of the tube is the line that keeps its length.
             let [round, out] = roll(ring / major, [u, height + minor]);
             place.apply([round, along, out - minor])
         });
     })
 }
 
-/// Rolls space up to a sphere about an axis. Of the two axes that follow it (x after z), the first
-/// goes round the equator and the second along the meridians, from the equator towards the tip of
-/// the axis; the coordinate along the axis becomes the height above the sphere. A sheet from 0 to
-/// 2 pi `radius` and from -pi / 2 `radius` to pi / 2 `radius` becomes all of the sphere.
+/// Rolls space up to a sphere around an axis. The next axis (x after z) runs around the equator.
+/// The axis after that runs along the meridians, from the equator towards the tip of the axis. The
+/// coordinate along the axis becomes the height above the sphere. A sheet from 0 to 2 pi `radius`
+/// and from -pi / 2 `radius` to pi / 2 `radius` covers the whole sphere.
 ///
-/// In part, t, the stages of Fig. 3 a, c, e: up to t = 1/2 the sheet rolls up to a tube as long as a
-/// meridian, to the curvature 2 t / `radius`, and keeps all its lengths. Then the meridians bend to
-/// the curvature q / `radius`, q = 2 t - 1, and keep their lengths; the parallel at v becomes
-/// 1 - (1 - cos(q v / radius)) / q times as long, until the ends of the tube close to the poles. All
-/// the while the sheet turns evenly to its place about the axis.
+/// Strengths t follow the stages of Fig. 3 a, c, e. Up to t = 1/2 the sheet rolls up to a tube as
+/// long as a meridian, with the curvature 2 t / `radius`, and keeps all its lengths. Then the
+/// meridians bend to the curvature q / `radius`, q = 2 t - 1, and keep their lengths. The parallel
+/// at v becomes 1 - (1 - cos(q v / radius)) / q times as long, until the ends of the tube close to
+/// the poles. The sheet turns to its place about the axis at a uniform rate.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`].
@@ -142,9 +143,9 @@ pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     })
 }
 
-/// Bends the line of height 0 to an arc of the given curvature: the point at the length `along` and
-/// at the height `out` on the convex side. At 0 the line is tangent to the arc; its length is kept,
-/// and that at the height h becomes 1 + curvature h times as long.
+/// Bends the line of height 0 to an arc of the given curvature: the point at the length `along`, at
+/// the height `out` on the convex side. The line is tangent to the arc at 0 and keeps its length.
+/// The line at the height h becomes 1 + curvature h times as long.
 #[inline(always)]
 fn roll(curvature: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     // The chord of the arc has length 2 sin(half) / curvature and direction half.
@@ -155,8 +156,8 @@ fn roll(curvature: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     [chord * half_cosine + out * sine, out * cosine - chord * half_sine]
 }
 
-/// Rolls the line of height 0 about the origin, to the part `strength` of the circle of the given
-/// radius, and moves it away from there by as much of the radius.
+/// Rolls the line of height 0 about the origin to the curvature `strength` / `radius`, and moves it
+/// away from the origin by `strength` times the radius.
 #[inline(always)]
 fn roll_about(strength: f64, radius: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     if strength == 1.0 {
@@ -167,15 +168,16 @@ fn roll_about(strength: f64, radius: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     [along, out + strength * radius]
 }
 
-/// The parts that the first and the second of two stages have of their ends at a strength.
+/// The progress of the first and the second of two stages at a strength.
 fn stages(strength: f64) -> [f64; 2] {
     [(2.0 * strength).min(1.0), (2.0 * strength - 1.0).max(0.0)]
 }
 
-/// The rigid motion that takes a sheet to its place about the axis, in part: the rotation by a third
-/// of a turn about (1, 1, 1), which takes each axis to the next, and a displacement along the first.
+/// The rigid motion that takes a sheet to its place about the axis, at a given strength. It is a
+/// rotation by a third of a turn about (1, 1, 1), which takes each axis to the next, and a
+/// displacement along the first axis.
 struct Placement {
-    /// The first row of the rotation; the others are the same, one and two places on.
+    /// The first row of the rotation; the other rows are cyclic shifts of it.
     row: [f64; 3],
     displacement: f64,
 }
@@ -195,7 +197,7 @@ impl Placement {
     }
 }
 
-/// [`Error::OptionOutOfRange`] unless the length is finite and above 0.
+/// Returns [`Error::OptionOutOfRange`] unless the length is finite and above 0.
 fn check_positive(option: &'static str, length: f64) -> Result<()> {
     Error::require(length > 0.0 && length.is_finite(), option, length)
 }

@@ -1,8 +1,8 @@
-//! Adapting a net before it is joined, flipped, replicated and rotated in this order, and undoing
-//! it.
+//! Adapting a net before it is joined: flipping, replicating and rotating in this order, and
+//! undoing these steps.
 //!
-//! Invariant: [`restored`] inverts [`adapted`] bit for bit. If the gluing was not edited
-//! since, the topology is the recorded one. O(nodes).
+//! Invariant: [`restored`] inverts [`adapted`] bit for bit. Unless the gluing was edited since, the
+//! topology is the recorded one. O(nodes).
 
 use super::JoinOptions;
 use crate::arrange::{closed_rows, map_seam, merge_seams};
@@ -15,11 +15,12 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use std::sync::Arc;
 
-/// An adapted copy of a net, and the record of what was done.
+/// An adapted copy of a net, and the record of its adaptation.
 pub(super) type AdaptedNet = (Net<'static>, Arc<Adaptation>);
 
-/// A net as it is joined: an adapted copy, or `None` for the net itself. `flipped`: its face
-/// orientation is opposite to that of the others. `along`: the nodes of the side.
+/// Adapts a net for joining. Returns an adapted copy, or `None` if the net fits unchanged.
+/// `flipped` means that its face orientation is opposite to the others'. `along` is the number of
+/// nodes on the side.
 pub(super) fn adapted(
     net: &Net<'_>,
     flipped: bool,
@@ -36,7 +37,7 @@ pub(super) fn adapted(
     if !flipped && nodes == along && twist == 0 {
         return Ok(None);
     }
-    // Along the side, so that the order in the direction stays.
+    // Flips along the side, so that the order in the direction stays.
     let mut made = if flipped { net.flipped(axis, &job.share(0, 3))? } else { net.copied()? };
     let mut added = Vec::new();
     if nodes != along {
@@ -94,7 +95,7 @@ pub(super) fn restored(
 impl Adaptation {
     /// The topology that the net was joined with.
     fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
-        self.topology.along(direction.transposed(), |topology| {
+        self.topology.map_lines(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
             let along = direction.extent(self.joined).1;
             let replicated = flipped.rows_replicated(&starts_of_copies(along, &self.copies)?)?;
@@ -112,7 +113,7 @@ fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Re
     let closed = |k: usize| net.topology().contracts(axis.link_across(shape, count - 1, k));
     Error::require((0..along).all(closed), "twist", twist.into())?;
     each!(net.coordinates(), planes => check_closed(planes, axis))?;
-    let topology = net.topology().along(axis, |topology| rotate_rows(topology, place))?;
+    let topology = net.topology().map_lines(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
     let mut made = net.with_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.
@@ -123,8 +124,8 @@ fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Re
     Ok(made)
 }
 
-/// [`Error::SidesApart`] unless the last row (`Down`) or column has the bits of the first: a
-/// rotation loses one of the two.
+/// Returns [`Error::SidesApart`] unless the last row (`Down`) or column equals the first bit for
+/// bit, because a rotation drops one of the two.
 fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> {
     let (count, along) = axis.extent(planes.shape());
     for k in 0..along {
@@ -149,7 +150,8 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
     topology.contracted().for_each(|link| {
         let (i, j) = shape.place(link / 2);
         match (link % 2, i == around) {
-            // The last row is the first: a link along either is one along their common image.
+            // The last row equals the first: a link along either is a link along their common
+            // image.
             (0, _) => {
                 let i = i % around;
                 matrix.set(shape.horizontal_link(place(i), j), true);
@@ -166,8 +168,8 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
         map_seam(seam, |(i, j)| Some((place(i as usize) as i64, j)), &mut seams)?;
     }
     let mut seams = merge_seams(&seams)?;
-    // A seam between the last row and the first may now close rows, which links express once the
-    // net is cut out again.
+    // A seam between the last row and the first may now close rows. Links express the closure once
+    // the net is cut out again.
     seams.retain(|&seam| match closed_rows(shape, seam) {
         Some(rows) => {
             rows.for_each(|i| matrix.set(shape.horizontal_link(i, shape.columns() - 1), true));

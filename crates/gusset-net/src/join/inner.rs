@@ -9,8 +9,8 @@ use gusset_base::job::Job;
 /// Inner rows laid between two progress reports.
 const REPORT_INTERVAL: usize = 64;
 
-/// Lays the inner rows of the bridges that were made last. A node between missing ones is missing.
-/// Nodes of equal bits on both sides have equal bits between.
+/// Lays the inner rows of the newest bridges. A node between missing ones is missing. If the nodes
+/// on both sides have equal bits, so do the nodes between.
 pub(crate) fn lay_inner_rows(net: &mut Net<'_>, job: &Job<'_>) -> Result<()> {
     for index in 0..net.bridges().len() {
         let bridge = &net.bridges()[index];
@@ -25,7 +25,7 @@ pub(crate) fn lay_inner_rows(net: &mut Net<'_>, job: &Job<'_>) -> Result<()> {
     Ok(())
 }
 
-/// Lays one inner row, or column, at a part of the way.
+/// Lays one inner row or column at a fraction of the way.
 fn lay(net: &mut Net<'_>, bridge: &Bridge, row: usize, part: f64) {
     for k in bridge.start as usize..bridge.end as usize {
         let at = |i: usize| bridge.direction.ordered(i, k);

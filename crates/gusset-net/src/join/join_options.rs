@@ -11,15 +11,18 @@ pub struct JoinOptions {
     pub mode: BridgeMode,
     /// The largest distance of welded nodes, at least 0.
     pub tolerance: f64,
-    /// The replication that enlarges the smaller net if the sides differ in length; `None` refuses.
+    /// The replication that enlarges the smaller net if the sides differ in length. `None` makes
+    /// such sides an error.
     pub equalise: Option<Replication>,
     /// The rotation of the second net along its closed side: its node `twist` comes first.
     pub twist: u32,
-    /// Flips nets of opposite face orientation to the first along the side; else they are refused.
+    /// Flips nets along the side if their face orientation is opposite to the first net's. If
+    /// false, such nets are an error.
     pub turn: bool,
     /// The physical properties of the bridge.
     pub properties: BridgeProperties,
-    /// The inner rows or columns of each bridge, evenly on straight lines between the two sides.
+    /// The number of inner rows or columns of each bridge, evenly spaced on straight lines between
+    /// the two sides.
     pub rows: u32,
 }
 

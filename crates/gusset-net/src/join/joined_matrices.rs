@@ -8,8 +8,8 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// The matrices of all nets side by side, bit for bit, with so many `inner` rows or columns of
-/// zeros between.
+/// The matrices of all nets side by side, bit for bit, with `inner` rows or columns of zeros
+/// between.
 pub(super) fn join(
     nets: &[&Net<'_>],
     (direction, inner): (Direction, u32),
@@ -57,7 +57,7 @@ fn side_by_side<T: Real>(
     }
 }
 
-/// Where each net starts in a direction, if `inner` rows or columns follow each; one entry more
+/// The start of each net in a direction, if `inner` rows or columns follow each; one entry more
 /// than there are nets.
 pub(crate) fn starts(
     shapes: impl ExactSizeIterator<Item = Shape>,
@@ -67,7 +67,7 @@ pub(crate) fn starts(
     sums(shapes.map(|shape| direction.extent(shape).0 + inner as usize))
 }
 
-/// Fills rows with those of the nets that lie one below the other there.
+/// Fills rows from the nets that lie one below the other.
 fn copy_rows<T: Real>(
     parts: &[&Planes<'_, T>],
     starts: &[usize],
@@ -86,7 +86,7 @@ fn copy_rows<T: Real>(
         let own = parts[part].shape().rows().saturating_sub(first).min(end - i);
         let here = &mut here[..own * columns];
         if own == 0 {
-            // Rows between two nets, of which a range may begin anywhere.
+            // Rows between two nets; a range may begin anywhere in them.
         } else if stride == columns {
             here.copy_from_slice(&from[first * columns..][..here.len()]);
         } else {

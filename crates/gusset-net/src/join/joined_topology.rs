@@ -1,7 +1,7 @@
-//! Topologies of joined nets: stacked row by row, to the right by way of their transposes.
+//! Topologies of joined nets: stacked row by row, or side by side through their transposes.
 //!
-//! Closing links within a row stay closing links; those from the last row of a net become seams.
-//! O(contracted links + pairs of seams), and O(nodes) where sides do not suffice.
+//! Closing links within a row stay closing links. Closing links from the last row of a net become
+//! seams. O(contracted links + pairs of seams), plus O(nodes) if sides do not suffice.
 
 use crate::topology::{Links, Matrix, Run, Seam, Sides};
 use crate::{Bridge, BridgeKind, Direction, Net, Shape, Topology};
@@ -10,8 +10,8 @@ use gusset_base::error::Result;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// The gluings of all nets, and of `inner` rows or columns between; those between nets only where
-/// they are welded.
+/// The gluings of all nets, and of `inner` rows or columns between them. Nets are glued to each
+/// other only if `weld` is set.
 pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool, inner: u32) -> Result<Topology> {
     let topologies = alloc::try_collect(nets.iter().map(|net| match direction {
         Direction::Down => Ok(Cow::Borrowed(net.topology())),
@@ -35,7 +35,7 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<T
     let rows = own + inner * (topologies.len() - 1);
     let shape = Shape::new(rows, columns)?;
     let reversed = topologies[0].is_reversed();
-    // Rows closed alike and no poles: sides suffice, without a matrix.
+    // Rows closed alike, and no poles: sides suffice without a matrix.
     let rows_closed = topologies[0].sides().is_some_and(|sides| sides.rows_closed);
     let plain = Sides { rows_closed, ..Sides::SHEET };
     let is_plain = |topology: &Cow<'_, Topology>| {
@@ -49,7 +49,7 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<T
         if let Some(links) = &mut links {
             let own = topology.shape();
             let (shift, last) = (shape.horizontal_link(first, 0), own.horizontal_link(own.rows() - 1, 0));
-            // Those that close columns become seams.
+            // The links that close columns become seams.
             let kept = topology.contracted().filter(|link| *link < last || link % 2 == 0);
             kept.for_each(|link| links.set(shift + link, true));
             if weld && k + 1 < topologies.len() {
@@ -70,8 +70,8 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<T
     Ok(Topology::assembled(shape, links, seams, reversed))
 }
 
-/// Contracts the links along the inner rows of a bridge that both its sides contract: all those of
-/// a thread, and the closing one of a tube.
+/// Contracts the links along the inner rows of a bridge that both its sides contract: for a thread
+/// all of them, for a tube the closing one.
 fn contract_inner_rows(links: &mut Matrix, [a, b]: [&Topology; 2], rows: Range<usize>, shape: Shape) {
     if rows.is_empty() {
         return;
@@ -134,8 +134,8 @@ pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> B
     }
 }
 
-/// True if a seam glues a whole side to nodes that contracted links make a point: the side of a net
-/// whose links closed to its opposite pole before it was joined.
+/// Returns true if a seam glues a whole side to nodes that contracted links identify. Such a side
+/// belongs to a net whose links closed to its opposite pole before it was joined.
 fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bool {
     let shape = topology.shape();
     let along = direction.extent(shape).1;

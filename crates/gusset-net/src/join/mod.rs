@@ -1,15 +1,16 @@
 //! Joining nets side by side, and splitting them again (Deryagin, "Concatenation", Figs. 8 and 9).
 //!
-//! The columns, or rows, of one net follow those of another; between them lies a row of new cells,
-//! the bridge. Nets of different sizes are reformatted first. The characteristic matrix is not
-//! closed under concatenation: the closing links of a net whose rows are closed would start at the
-//! other net's last column. They become a seam, so that every net stays what it was. Invariant:
-//! [`Net::split`] restores the nets bit for bit. O(nodes).
+//! The columns, or rows, of one net follow those of another. Between them lies a row of new cells,
+//! the bridge. Nets of different sizes are reformatted first. Invariant: [`Net::split`] restores
+//! the nets bit for bit. O(nodes).
 //!
-//! A bridge may have inner rows of nodes, laid evenly on straight lines between its sides.
+//! The characteristic matrix is not closed under concatenation: the closing links of a net with
+//! closed rows would start at the other net's last column. They become a seam, so that the gluing
+//! of every net is preserved. A bridge may have inner rows of nodes, evenly spaced on straight
+//! lines between its sides.
 //!
-//! `adapt` fits nets to each other, `joined_topology` joins gluings, `joined_matrices` coordinates, `inner` lays
-//! inner rows.
+//! `adapt` fits nets to each other, `joined_topology` joins gluings, `joined_matrices` joins
+//! coordinates, and `inner` lays inner rows.
 
 mod adapt;
 mod inner;
@@ -34,27 +35,27 @@ use std::sync::Arc;
 /// Joins two nets. O(nodes).
 ///
 /// # Errors
-/// [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`],
-/// [`Error::OptionOutOfRange`] for the tolerance, for a twist of an open side and for inner rows
-/// that are to be welded, [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do
-/// not coincide, [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// - [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`].
+/// - [`Error::OptionOutOfRange`]: the tolerance, a twist of an open side, or inner rows that would
+///   be welded.
+/// - [`Error::SidesApart`]: welded nodes, or the ends of a rotated side, do not coincide.
+/// - [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     join_mirrored(&[a, b], &[false; 2], options, job)
 }
 
-/// Joins any number of nets in one pass; a twist rotates each but the first. O(nodes).
+/// Joins any number of nets in one pass. A twist rotates every net except the first. O(nodes).
 ///
 /// # Errors
-/// As [`concatenate`], and [`Error::EmptyScene`] for no nets; places of sides that are apart count
-/// along the side.
+/// The errors of [`concatenate`], and [`Error::EmptyScene`] without nets. Places of sides that are
+/// apart count along the side.
 pub fn concatenate_all(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     let mirrored = alloc::filled(false, nets.len())?;
     join_mirrored(nets, &mirrored, options, job)
 }
 
-/// Joins nets that the caller transforms afterwards; `mirrored`: which of them by a map that
-/// mirrors.
+/// Joins nets that the caller transforms afterwards. `mirrored` tells which of these transforms
+/// mirror.
 pub(crate) fn join_mirrored(
     nets: &[&Net<'_>],
     mirrored: &[bool],
@@ -110,8 +111,8 @@ fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, along: usize) -> Resul
     Shape::new(rows, columns)
 }
 
-/// The nets' own bridges and those between them, in the order in which joining them one by one
-/// would make them. `copies`: the nets that were adapted.
+/// The nets' own bridges and the new ones between them, in the order in which joining them one by
+/// one would create them. `copies` are the nets that were adapted.
 fn add_bridges(
     net: &mut Net<'_>,
     nets: &[&Net<'_>],
@@ -133,8 +134,8 @@ fn add_bridges(
             at += options.rows;
             let mut bridge = Bridge::new(direction, at, along, kind, options.mode);
             (bridge.properties, bridge.rows) = (options.properties, options.rows);
-            // The record of a net is with the bridge before it, that of the first net with the
-            // bridge after it.
+            // The record of a net belongs to the bridge before it; the first net's record belongs
+            // to the bridge after it.
             bridge.adaptations = [if k == 1 { record(0) } else { None }, record(k)];
             alloc::push(net.bridges_mut(), bridge)?;
         }
@@ -144,7 +145,7 @@ fn add_bridges(
 }
 
 impl Bridge {
-    /// The bridge once its net starts `by` nodes further on.
+    /// The bridge after its net has moved by `by` nodes.
     pub(crate) fn shifted(&self, direction: Direction, by: u32) -> Bridge {
         let bridge = self.clone();
         if self.direction == direction {
@@ -155,8 +156,8 @@ impl Bridge {
     }
 }
 
-/// [`Error::SidesApart`] unless the last side of one net and the first of the other coincide: each
-/// pair of nodes is within the tolerance, or both are missing.
+/// Returns [`Error::SidesApart`] unless the last side of one net and the first of the other
+/// coincide. Each pair of nodes must be within the tolerance, or both missing.
 fn check_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64) -> Result<()> {
     let (across, along) = direction.extent(a.shape());
     for k in 0..along {
@@ -169,7 +170,7 @@ fn check_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f
     Ok(())
 }
 
-/// [`Error::SidesApart`] unless two nodes are within the tolerance, or both are missing.
+/// Returns [`Error::SidesApart`] unless two nodes are within the tolerance, or both are missing.
 fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
     let distance = distance(p, q);
     let coincident = distance <= tolerance || !(p.is_finite() || q.is_finite());
@@ -177,13 +178,13 @@ fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
 }
 
 impl Net<'_> {
-    /// Changes the treatment of the cells of a bridge. One with inner rows is not welded.
-    /// `tolerance`: the largest distance of nodes that are welded. O(nodes) if welding begins or
-    /// ends, else O(1).
+    /// Changes the treatment of the cells of a bridge. A bridge with inner rows cannot be welded.
+    /// `tolerance` is the largest distance between nodes that are welded. O(nodes) if welding
+    /// begins or ends, otherwise O(1).
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance and
-    /// for inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
+    /// for inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then unchanged.
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();

@@ -1,7 +1,7 @@
 //! Splitting joined nets: the inverse of concatenation.
 //!
-//! Invariant: coordinates, links, seams and bridges of each part are bit for bit those of the net
-//! that was joined, unless the joined net was edited. O(nodes).
+//! Invariant: unless the joined net was edited, each part equals the original net bit for bit in
+//! coordinates, links, seams and bridges. O(nodes).
 
 use super::adapt::restored;
 use crate::arrange::Rearrangement;
@@ -13,15 +13,15 @@ use gusset_base::sort;
 use std::ops::Range;
 
 impl Net<'_> {
-    /// The two nets on either side of a bridge, bit for bit and with the gluing that
-    /// [`concatenate`](super::concatenate) found, unless the net was edited since. The bridge must
-    /// run from side to side of the net; in a net joined of joined ones the last bridge does, and
-    /// splitting in reverse order restores all. Gluings across the bridge are cut. O(nodes).
+    /// Splits the net at a bridge. Unless the net was edited, both nets are restored bit for bit,
+    /// with the gluing that [`concatenate`](super::concatenate) found. The bridge must run from
+    /// side to side of the net. If a net was joined several times, the last bridge does, and
+    /// splitting in reverse order restores all nets. Gluings across the bridge are cut. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`]
-    /// if a cell is crossed without the gluings across the bridge; [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::NoSuch`], also for a bridge that does not cross the whole net;
+    /// [`Error::CrossingCell`] if a cell is crossed without the gluings across the bridge;
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
@@ -32,11 +32,11 @@ impl Net<'_> {
         Ok([first, restored(second, b, bridge.direction, &job.part(0.75, 1.0))?])
     }
 
-    /// The nets between the last bridges of a direction that run from side to side, all at once:
-    /// the inverse of [`concatenate_all`](super::concatenate_all). O(nodes).
+    /// Splits the net at all of the last bridges of a direction that run from side to side: the
+    /// inverse of [`concatenate_all`](super::concatenate_all). O(nodes).
     ///
     /// # Errors
-    /// As [`Net::split`].
+    /// The errors of [`Net::split`].
     pub fn split_all(&self, direction: Direction, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
         let whole = |bridge: &Bridge| bridge.direction == direction && bridge.is_whole(self.shape());
         let last = self.bridges().iter().filter(|bridge| whole(bridge)).map(|bridge| bridge.nesting).min();
@@ -48,8 +48,8 @@ impl Net<'_> {
         let parts = cut(self, direction, &indices, &job.part(0.0, 0.5))?;
         let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.part(0.5, 1.0));
         for (k, part) in parts.into_iter().enumerate() {
-            // The record of a net is with the bridge before it, that of the first net with the
-            // bridge after it.
+            // The record of a net belongs to the bridge before it; the first net's record belongs
+            // to the bridge after it.
             let adaptation = match k {
                 0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
                 _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),
@@ -60,7 +60,8 @@ impl Net<'_> {
     }
 }
 
-/// The nets before, between and after bridges in order, which are removed with their inner rows.
+/// The nets before, between and after bridges, which are removed with their inner rows. `removed`
+/// is in order.
 fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
     let cuts = removed.iter().map(|&index| &net.bridges()[index]);

@@ -1,19 +1,20 @@
-//! The area of the bilinear patches of the cells, to rounding.
+//! The area of the bilinear patches of the cells, exact up to rounding.
 //!
-//! On the patch through a, b, c, d, S(u, v) = a + u (b - a) + v (d - a) + u v e with
-//! e = a - b + c - d, the normal S_u x S_v = N0 + u N1 + v N2 is linear in u and v:
+//! On the patch through a, b, c, d, S(u, v) = a + u (b - a) + v (d - a) + u v e with e = a - b +
+//! c - d. The normal S_u x S_v = N0 + u N1 + v N2 is linear in u and v:
 //!
 //! ```text
-//! N0 = (b - a) x (d - a),  N1 = (b - a) x e,  N2 = e x (d - a),
+//! N0 = (b - a) x (d - a),  N1 = (b - a) x e,  N2 = e x (d - a).
 //! ```
 //!
-//! and the area is the integral of its length over the unit square. Where the normal hardly changes,
-//! |N1| + |N2| being small against its length in the middle, the nearest singularity of the
-//! integrand is far from the square, and Gauss's rule of a few nodes is exact but for rounding.
-//! Elsewhere the integral over u, the mean distance of a segment from the origin, is elementary, and
-//! that over v is divided where the normal is least at u = 0 and at u = 1, which is where the
-//! integral of a plane cell that is folded has kinks, and then until halves agree with the whole.
-//! O(nodes).
+//! The area is the integral of the normal's length over the unit square. If |N1| + |N2| is small
+//! relative to the length in the middle, the nearest singularity of the integrand is far from the
+//! square. A Gauss rule of few nodes is then exact up to rounding.
+//!
+//! Otherwise the integral over u, which is the mean distance of a segment from the origin, is
+//! elementary. The integral over v is divided where the normal is smallest at u = 0 and at u = 1,
+//! because the integral over a folded plane cell has kinks there. It is then halved until the
+//! halves agree with the whole. O(nodes).
 
 use crate::chunks::lines_per_block;
 use crate::hidden_cells::HiddenCells;
@@ -27,13 +28,13 @@ use gusset_base::par;
 /// The area of all patches.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BilinearArea {
-    /// The sum.
+    /// The sum of the areas.
     pub area: f64,
-    /// A bound of its error: what halves and wholes differed by, and rounding.
+    /// A bound of the error: the differences between halves and wholes, and rounding.
     pub error: f64,
 }
 
-/// Gauss's nodes and weights on [0, 1]: of three, and of seven.
+/// Nodes and weights of Gauss rules on [0, 1], with three and seven nodes.
 const GAUSS_3: [[f64; 2]; 3] =
     [[0.112_701_665_379_258_3, 5.0 / 18.0], [0.5, 4.0 / 9.0], [0.887_298_334_620_741_7, 5.0 / 18.0]];
 const GAUSS_7: [[f64; 2]; 7] = [
@@ -46,25 +47,26 @@ const GAUSS_7: [[f64; 2]; 7] = [
     [0.974_553_956_171_379_3, 0.064_742_483_084_434_85],
 ];
 
-/// Up to this ratio of |N1| + |N2| to the length of the normal in the middle, three nodes have an
-/// error below rounding: singularities are 127 half sides away, and 254^-6 times the square of the
-/// ratio is left.
+/// The largest ratio of |N1| + |N2| to the length of the normal in the middle for three nodes. The
+/// singularities are then 127 half sides away, and the error is 254^-6 times the square of the
+/// ratio, below rounding.
 const MAX_RATIO_3: f64 = 1.0 / 64.0;
-/// Up to this, seven nodes: singularities are 7 half sides away, and 13.9^-14 = 1e-16.
+/// The largest ratio for seven nodes: singularities are 7 half sides away, and 13.9^-14 = 1e-16.
 const MAX_RATIO_7: f64 = 0.25;
-/// Halvings of an interval.
+/// The maximum number of halvings of an interval.
 const MAX_DEPTH: u32 = 48;
-/// The rounding error of a patch, as a part of its area.
+/// The relative rounding error of a patch's area.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The area of the bilinear patches of all cells that exist; cells with coincident corners are
-/// triangles and less. A patch that is folded over itself counts with all its sheets. O(nodes), no
-/// memory that depends on the net; some ten times the work of [`measure`](super::measure).
+/// The area of the bilinear patches of all existing cells; cells with coincident corners are
+/// triangles or less. All sheets of a folded patch count. O(nodes), with constant extra memory and
+/// about ten times the work of [`measure`](super::measure).
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory), [`Error::Cancelled`](gusset_base::Error::Cancelled).
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn bilinear_area(net: &Net<'_>, job: &Job<'_>) -> Result<BilinearArea> {
-    let hidden = HiddenCells::of(net)?;
+    let hidden = HiddenCells::new(net)?;
     let (rows, columns) = (net.shape().rows() - 1, net.shape().columns() - 1);
     let parts = par::map_cancellable(job, "measure", par::ranges(rows, lines_per_block(columns)), |rows| {
         let mut sum = BilinearArea::default();
@@ -89,14 +91,15 @@ impl BilinearArea {
 
 fn patch([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     let (p, q, e) = (b - a, d - a, (a - b) + (c - d));
-    // In a unit in which the eighth powers of lengths are in range.
+    // A unit in which the eighth powers of lengths are in range.
     let unit = common_unit([&p, &q, &e]);
     let [p, q, e] = [p, q, e].map(|side| side / unit);
     let found = in_unit(p, q, e, (c - b) / unit);
     BilinearArea { area: found.area * unit * unit, error: found.error * unit * unit }
 }
 
-/// Of a patch by its sides from the first corner, its twist, and the third corner from the second.
+/// The area of a patch, given its sides at the first corner, its twist, and the vector from the
+/// second to the third corner.
 fn in_unit(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     let (n0, n1, n2) = (p.cross(q), p.cross(e), e.cross(q));
     let middle = (p + other).cross(q - p).length() / 2.0;
@@ -118,17 +121,18 @@ fn in_unit(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     BilinearArea { area, error: ROUNDING * area }
 }
 
-/// The integral of |N0 + u N1 + v N2| over the unit square by the product of a rule with itself.
+/// The integral of |N0 + u N1 + v N2| over the unit square by the tensor product of a rule.
 #[inline(always)]
 fn tensor(rule: &[[f64; 2]], n0: DVec3, n1: DVec3, n2: DVec3) -> f64 {
     let row = |v: f64| rule.iter().map(|&[u, weight]| weight * (n0 + v * n2 + u * n1).length()).sum::<f64>();
     rule.iter().map(|&[v, weight]| weight * row(v)).sum()
 }
 
-/// The integral of |p + u q| over u from 0 to 1: of the distance of a segment from the origin.
+/// The integral of |p + u q| over u from 0 to 1, the mean distance of a segment from the origin.
 ///
-/// With the distance h of its line, and s along the line from the foot of h on, it is the
-/// difference of (s sqrt(h^2 + s^2) + h^2 asinh(s / h)) / 2 over |q|, where that does not cancel.
+/// Let h be the distance of its line, and s the coordinate on the line from the foot of h. The
+/// integral is the difference of (s sqrt(h^2 + s^2) + h^2 asinh(s / h)) / 2 over |q|, unless that
+/// cancels.
 fn mean_distance(p: DVec3, q: DVec3) -> f64 {
     let length = q.length();
     if (p + 0.5 * q).length() >= 3.5 * length {
@@ -142,14 +146,14 @@ fn mean_distance(p: DVec3, q: DVec3) -> f64 {
     (integral(s + length) - integral(s)) / length
 }
 
-/// The integral over an interval, halving until halves and wholes differ by less than the tolerance
-/// twice: once may be chance.
+/// The integral over an interval, by halving until halves and wholes agree within the tolerance
+/// twice in a row, because a single agreement may be chance.
 fn adaptive(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> BilinearArea {
     let gauss =
         |from: f64, width: f64| width * GAUSS_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>();
     let mut found = BilinearArea::default();
-    // Intervals: from, width, the integral, the depth, and if the one that it is half of agreed;
-    // the leftmost on top.
+    // Open intervals, the leftmost on top: start, width, integral, depth, and whether the parent
+    // interval agreed.
     let mut open = vec![(start, end - start, gauss(start, end - start), 0, false)];
     while let Some((from, width, whole, depth, agreed)) = open.pop() {
         let half = width / 2.0;

@@ -1,7 +1,7 @@
 //! Volume, centroid and inertia of the body that a closed net encloses, by the divergence theorem.
 //!
-//! The flux through each bilinear patch is integrated by the 3 x 3 product Gauss rule, which is
-//! exact: the integrands have degree at most 4 in each parameter. O(nodes).
+//! The 3 x 3 product Gauss rule integrates the flux through each bilinear patch. It is exact,
+//! because the integrands have degree at most 4 in each parameter. O(nodes).
 
 use super::sums::origin;
 use crate::chunks::lines_per_block;
@@ -30,14 +30,14 @@ fn gauss() -> [(f64, f64); 3] {
     [(0.5 - off, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + off, 5.0 / 18.0)]
 }
 
-/// The moments of the body that the bilinear patches of the cells enclose, exact but for rounding;
-/// undefined unless the net is closed. O(nodes), no memory that depends on the net.
+/// The moments of the body enclosed by the bilinear patches of the cells, exact up to rounding.
+/// They are undefined unless the net is closed. O(nodes), with constant extra memory.
 ///
 /// # Errors
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled),
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
 pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
-    let (origin, hidden) = (origin(net), HiddenCells::of(net)?);
+    let (origin, hidden) = (origin(net), HiddenCells::new(net)?);
     let row = |i: usize| {
         let cells = hidden.runs(i).flatten();
         cells.fold(Integrals::default(), |sums, j| {
@@ -54,7 +54,7 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
     Ok(total.moments(origin, sign))
 }
 
-/// Integrals over the body: of 1; of x, y, z; of x^2, y^2, z^2; of y z, z x, x y.
+/// Integrals over the body of 1; of x, y, z; of x^2, y^2, z^2; of y z, z x, x y.
 #[derive(Debug, Clone, Copy, Default)]
 struct Integrals {
     one: f64,

@@ -23,16 +23,16 @@ pub struct Planarity {
     pub above: u64,
 }
 
-/// Measures each cell against its mean plane, through the mean of its corners and normal to its
-/// area vector: two corners lie above it and two below, all at one distance. O(nodes), 8 bytes a
-/// cell.
+/// Measures each cell against its mean plane, which passes through the mean of its corners and is
+/// perpendicular to its area vector. Two corners lie above the plane and two below, all at the same
+/// distance. O(nodes), 8 bytes a cell.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planarity> {
     Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
-    let (shape, hidden) = (net.shape(), HiddenCells::of(net)?);
+    let (shape, hidden) = (net.shape(), HiddenCells::new(net)?);
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     chunks::map_rows(&mut cells, columns, (job, "planarity"), |i, row| {
@@ -52,14 +52,15 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
 /// The distance of the corners from their mean plane over the longer diagonal.
 fn relative_distance([a, b, c, d]: [DVec3; 4]) -> f64 {
     let (p, q) = (c - a, d - b);
-    // Products of any lengths stay in range.
+    // A unit in which products of any lengths stay in range.
     let unit = common_unit([&p, &q]);
     let (p, q) = (p / unit, q / unit);
     let diagonal = p.length().max(q.length());
     if !diagonal.is_finite() {
         return f64::NAN;
     }
-    // Zero area has no mean plane: the corners are in a line, or twisted by a right angle.
+    // If the area is 0, the mean plane is undefined: the corners are collinear, or twisted by a
+    // right angle.
     let normal = p.cross(q).normalize_or_zero();
     let distance = (((a - b) + (c - d)) / unit).dot(normal).abs() / 4.0;
     if diagonal > 0.0 { distance / diagonal } else { 0.0 }

@@ -17,24 +17,23 @@ const CHUNK: usize = 64;
 /// Partial sums that are accumulated in parallel.
 const LANES: usize = 8;
 
-/// The results of [`measure`]. Cells that touch a missing node, or belong to a hidden bridge, do
-/// not count.
+/// The results of [`measure`]. Cells with a missing node and cells of hidden bridges do not count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures {
     /// The area of all cells.
     pub area: f64,
     /// The sum of the area vectors; zero for closed surfaces.
     pub area_vector: DVec3,
-    /// The enclosed volume of a closed surface, positive if the normals point outwards. Of an open
-    /// surface: that of the cone over it with its apex at the first existing node.
+    /// The enclosed volume of a closed surface, positive if the normals point outwards. For an open
+    /// surface, the volume of the cone over it with its apex at the first existing node.
     pub volume: f64,
-    /// The smallest coordinates of existing nodes; above `high` if there are none.
+    /// The smallest coordinates of existing nodes; above `high` if all nodes are missing.
     pub low: DVec3,
     /// The largest coordinates.
     pub high: DVec3,
 }
 
-/// Area, volume and box. O(nodes), no memory that depends on the net.
+/// Area, volume and bounding box. O(nodes), with constant extra memory.
 ///
 /// # Errors
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled),
@@ -43,7 +42,7 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     let origin = origin(net);
     let total = each!(net.coordinates(), planes => {
-        let hidden = HiddenCells::of(net)?;
+        let hidden = HiddenCells::new(net)?;
         let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
         let parts = par::map_cancellable(&part, "measure", par::ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
             rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
@@ -60,8 +59,8 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     })
 }
 
-/// The first existing node. Volumes and moments are computed about it, as distant nets would lose
-/// digits.
+/// The first existing node. Volumes and moments are computed relative to it, because distant nets
+/// would lose digits.
 pub(super) fn origin(net: &Net<'_>) -> DVec3 {
     let shape = net.shape();
     let nodes = (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
@@ -131,7 +130,7 @@ impl<T: Real> Kernel for Strip<'_, T> {
 fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &mut [[f64; CHUNK]; 5]) {
     let [lengths, n_x, n_y, n_z, cones] = cells;
     let count = CHUNK.min(above[0].len() - 1);
-    // Of equal length, so that the loop has no bounds checks.
+    // Equal lengths, so that the loop needs no bounds checks.
     let [a_x, a_y, a_z] = above.map(|row| &row[..=count]);
     let [d_x, d_y, d_z] = below.map(|row| &row[..=count]);
     for j in 0..count {
@@ -176,8 +175,8 @@ impl<T: Real> Kernel for RowBounds<'_, T> {
 
     #[inline(always)]
     fn run(self) -> Aabb {
-        let mut low = [[T::of(f64::INFINITY); LANES]; 3];
-        let mut high = [[T::of(f64::NEG_INFINITY); LANES]; 3];
+        let mut low = [[T::from_f64(f64::INFINITY); LANES]; 3];
+        let mut high = [[T::from_f64(f64::NEG_INFINITY); LANES]; 3];
         for start in (0..self.0[0].len()).step_by(CHUNK) {
             let rows = self.0.map(|row| &row[start..row.len().min(start + CHUNK)]);
             extend(rows, &mut low, &mut high);
@@ -193,9 +192,9 @@ impl<T: Real> Kernel for RowBounds<'_, T> {
 fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
     let count = CHUNK.min(rows[0].len());
     let [x, y, z] = rows.map(|row| &row[..count]);
-    // 0, and NaN for missing nodes, which compares as neither smaller nor larger. Entries after the
-    // last node are missing too.
-    let (zero, mut missing) = (T::of(0.0), [T::of(f64::NAN); CHUNK]);
+    // 0, and NaN for missing nodes, which compares as not smaller and not larger. Entries after the
+    // last node count as missing too.
+    let (zero, mut missing) = (T::from_f64(0.0), [T::from_f64(f64::NAN); CHUNK]);
     for j in 0..count {
         missing[j] = zero * x[j] + zero * y[j] + zero * z[j];
     }
@@ -220,7 +219,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+    fn results_are_equal_for_any_vector_width() {
         let numbers = |k: usize| (0..2 * CHUNK + 13).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
         let rows: [Vec<f32>; 6] = std::array::from_fn(|k| numbers(2 * k + 3));
         let rows = [0, 3].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);

@@ -1,4 +1,4 @@
-//! The constraints that cells are plane, and their linear equations. O(cells) each.
+//! The constraints that make cells plane, and their linear equations. O(cells) each.
 
 use super::net_vertices::Surface;
 use super::order::order;
@@ -14,32 +14,32 @@ use gusset_base::sparse::Symmetric;
 /// Cells between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
-/// The cells with four different corners, in an order of elimination.
+/// The cells with four distinct corners, in the order of elimination.
 pub(super) struct Constraints {
-    /// The vertices that are their corners, a, b, c, d.
+    /// The vertices at the corners a, b, c, d of each cell.
     corners: Vec<[u32; 4]>,
-    /// Their numbers in the net.
+    /// The indices of the cells in the net.
     numbers: Vec<u32>,
-    /// Of each vertex its cells, in order.
+    /// For each vertex its cells, in order.
     cells: Buckets<u32>,
-    /// True of vertices that stay.
+    /// True for vertices that stay.
     fixed: Vec<bool>,
 }
 
-/// A constraint near some positions: its value there, and its gradient, which is the normal times a
-/// weight at each corner. All are divided by the length of the gradient.
+/// A linearised constraint: its value, and its gradient, which is the normal times a weight at each
+/// corner. All are divided by the length of the gradient.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Row {
     normal: DVec3,
     weights: [f64; 4],
     value: f64,
-    /// What was divided by; infinite if the gradient is 0.
+    /// The divisor; infinite if the gradient is 0.
     length: f64,
 }
 
 impl Constraints {
     pub(super) fn new(net: &Net<'_>, surface: &Surface, job: &Job<'_>) -> Result<Self> {
-        let (shape, hidden) = (net.shape(), HiddenCells::of(net)?);
+        let (shape, hidden) = (net.shape(), HiddenCells::new(net)?);
         let (mut corners, mut numbers) = (Vec::new(), Vec::new());
         let is_glued = net.topology().sides() != Some(Sides::SHEET) || !net.topology().seams().is_empty();
         let mut done = 0;
@@ -65,7 +65,8 @@ impl Constraints {
         (0..self.fixed.len()).filter(|&v| !self.cells.get(v).is_empty())
     }
 
-    /// The largest distance of the corners of a cell from its mean plane, and the number of the cell.
+    /// The largest distance of the corners of a cell from its mean plane, and the index of the
+    /// cell.
     pub(super) fn deviation(&self, positions: &[DVec3]) -> (f64, Option<u32>) {
         let mut worst = (0.0, self.numbers.first().copied());
         for (corners, &number) in self.corners.iter().zip(&self.numbers) {
@@ -79,12 +80,12 @@ impl Constraints {
         worst
     }
 
-    /// The constraints near some positions.
+    /// Linearises the constraints at some positions.
     ///
-    /// The value is the signed distance of the lines through a and c and through b and d. It changes
-    /// as the points of the lines where they are nearest are displaced along the normal of both: if
-    /// they are a + s (c - a) and b + t (d - b), by -(1 - s), 1 - t, -s and t times the displacements
-    /// of a, b, c and d.
+    /// The value is the signed distance between the lines through a, c and through b, d. To first
+    /// order it changes by the displacement of the two lines' closest points along the common
+    /// normal. At the points a + s (c - a) and b + t (d - b), the displacements of a, b, c and d
+    /// have the factors -(1 - s), 1 - t, -s and t.
     pub(super) fn linearise(&self, positions: &[DVec3]) -> Result<Vec<Row>> {
         alloc::collect(self.corners.iter().map(|corners| {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
@@ -102,8 +103,8 @@ impl Constraints {
         }))
     }
 
-    /// The sum of the squares of the constraints at other positions, each divided by the length of
-    /// its row.
+    /// The sum of the squared constraints at other positions, each divided by the length of its
+    /// row.
     pub(super) fn squares(&self, rows: &[Row], positions: &[DVec3]) -> f64 {
         let square = |(corners, row): (&[u32; 4], &Row)| {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
@@ -112,8 +113,8 @@ impl Constraints {
         self.corners.iter().zip(rows).map(square).sum()
     }
 
-    /// The displacements -J^T y from `base`, y being the solution of (J J^T + penalty) y = g + J
-    /// (base - positions).
+    /// The displacements -J^T y from `base`, where y solves (J J^T + penalty) y = g + J (base -
+    /// positions).
     pub(super) fn step(
         &self,
         rows: &[Row],

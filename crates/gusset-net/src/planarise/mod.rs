@@ -1,24 +1,25 @@
-//! Nets whose cells are made plane (Deryagin, "Soft deformations": plane trapezoid cells, the
-//! facing of smooth surfaces by quadrangular tiles).
+//! Planarisation: moves nodes so that all cells are plane (Deryagin, "Soft deformations": plane
+//! trapezoid cells, the facing of smooth surfaces by quadrangular tiles).
 //!
-//! A cell with corners a, b, c, d is plane if its diagonals meet: g = n . (b - a) = 0, n being the
-//! unit normal of both. Of the nets with plane cells the one nearest to the net is sought:
+//! A cell with corners a, b, c, d is plane if its diagonals meet: g = n . (b - a) = 0, where n is
+//! the unit normal of both diagonals. The solver seeks the closest net with plane cells:
 //!
 //! ```text
 //! minimise |x - x0|^2 / 2  subject to  g_k(x) = 0 for each cell k,
 //! ```
 //!
-//! x being the positions of the vertices, the points that glued nodes are. Its stationary points
-//! have x - x0 = -J^T y, J being the Jacobian of g. With a penalty |g|^2 / (2 m) in place of the
-//! constraints, Gauss's and Newton's step solves (J J^T + m) y = g + J (x0 - x), a sparse system of
-//! one unknown a cell, and goes to x0 - J^T y; m falls from step to step, and lengths of steps are
-//! halved until the penalised sum falls. What is left of g is then taken away by Newton's steps of
-//! least length, x - J^T (J J^T)^-1 g, which converge quadratically. The problem is that of
-//! Y. Liu et al., *Geometric modeling with conical meshes and developable surfaces* (2006), section
-//! 2, without their terms of fairness.
+//! where x are the positions of the vertices (classes of glued nodes). At a stationary point x -
+//! x0 = -J^T y, with the Jacobian J of g.
 //!
-//! Cost of a step: the factor of a matrix with nine entries a row, O(n^1.5) operations and
-//! O(n log n) memory for n cells. One thread: the same bits always.
+//! The first stage replaces the constraints by the penalty |g|^2 / (2 m). A Gauss-Newton step
+//! solves (J J^T + m) y = g + J (x0 - x), a sparse system with one unknown a cell, and moves to
+//! x0 - J^T y. The factor m decreases from step to step, and steps are halved until the penalised
+//! sum decreases. The second stage removes the rest of g by Newton steps of least length, x - J^T
+//! (J J^T)^-1 g, which converge quadratically.
+//!
+//! The problem is stated by Y. Liu et al., *Geometric modeling with conical meshes and developable
+//! surfaces* (2006), section 2; their fairness terms are omitted. A step factors a matrix with nine
+//! entries a row: O(n^1.5) operations and O(n log n) memory for n cells. It runs on one thread.
 
 mod constraints;
 pub(crate) mod net_vertices;
@@ -35,37 +36,37 @@ use net_vertices::Surface;
 pub use planarise_options::PlanariseOptions;
 use search::Search;
 
-/// What was done to a net.
+/// The result of [`planarise`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planarised {
-    /// The diagonal of the net's bounding box, before.
+    /// The diagonal of the net's bounding box before the call.
     pub size: f64,
-    /// The distance up to which a cell is plane: the tolerance times the size.
+    /// The distance up to which a cell counts as plane: the tolerance times the size.
     pub tolerance: f64,
-    /// The largest distance of the corners of a cell from its mean plane, before.
+    /// The largest distance of the corners of a cell from its mean plane before the call.
     pub deviation_before: f64,
-    /// The same of the net as it is stored now.
+    /// The largest distance of the corners of a cell from its mean plane in the stored result.
     pub deviation_after: f64,
-    /// The cell that has it; `None` without cells of four corners.
+    /// The cell with that distance; `None` if the net lacks cells of four corners.
     pub worst_cell: Option<u32>,
     /// The largest displacement of a vertex.
     pub max_displacement: f64,
-    /// The root of the mean square of the displacements of all vertices of such cells.
+    /// The root mean square displacement of the vertices of cells with four corners.
     pub rms_displacement: f64,
-    /// The steps taken; 0 if all cells were plane.
+    /// The number of steps; 0 if all cells were plane.
     pub iterations: u32,
-    /// True if `deviation_after` is within the tolerance.
+    /// Whether `deviation_after` is within the tolerance.
     pub converged: bool,
 }
 
-/// The steps unless options say otherwise.
+/// The default limit on steps.
 const DEFAULT_ITERATIONS: u32 = 100;
 
 /// Moves the nodes of a net as little as possible so that its cells are plane.
 ///
-/// Cells that glue or missing nodes leave with three corners or less are plane already, and hidden
-/// ones do not count. If no cell is farther from its plane than the tolerance, no bit changes; that
-/// the steps did not converge is told by the result, and the net is then as near as they came.
+/// Cells with three or fewer corners after gluing or missing nodes are plane already, and hidden
+/// cells do not count. If all cells are within the tolerance of their planes, no bit changes. If
+/// the steps do not converge, the result says so, and the net has the best positions found.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
@@ -74,7 +75,7 @@ const DEFAULT_ITERATIONS: u32 = 100;
 pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Planarised> {
     let relative = tolerance(net, options)?;
     job.step(0.0, "planarise")?;
-    let surface = Surface::of(net, options, &job.part(0.0, 0.05))?;
+    let surface = Surface::new(net, options, &job.part(0.0, 0.05))?;
     let constraints = Constraints::new(net, &surface, &job.part(0.05, 0.1))?;
     let (deviation_before, worst_cell) = constraints.deviation(&surface.positions);
     let tolerance = relative * surface.size;
@@ -94,7 +95,7 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
         return Ok(report);
     }
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
-    // Rounding to the net's type needs some room below the tolerance.
+    // Rounding to the net's type needs some margin below the tolerance.
     let mut search = Search::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.part(0.1, 0.98));
     let mut stored = search.run()?;
     report.iterations = search.done;
@@ -103,7 +104,7 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     (report.deviation_after, report.worst_cell) = (deviation_after * unit, worst_cell);
     report.converged = deviation_after <= tolerance;
     job.step(1.0, "planarise")?;
-    // Nothing can fail any more.
+    // Nothing below can fail.
     surface.write(net, &stored);
     let (mut squares, mut count) = (0.0, 0);
     for v in constraints.vertices() {
@@ -116,7 +117,7 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     Ok(report)
 }
 
-/// The tolerance in diagonals of the box, and checks of the options.
+/// The tolerance relative to the diagonal of the bounding box, after checks of the options.
 fn tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f64> {
     Error::require(options.tolerance >= 0.0 && options.tolerance.is_finite(), "tolerance", options.tolerance)?;
     let (needed, given) = (net.shape().node_count() as u64, options.fixed.len() as u64);

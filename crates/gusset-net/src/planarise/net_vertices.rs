@@ -1,4 +1,4 @@
-//! The vertices of a net: the points that glued nodes are. O(nodes).
+//! The vertices of a net, one for each class of glued nodes. O(nodes).
 
 use super::planarise_options::PlanariseOptions;
 use crate::complex::Complex;
@@ -13,26 +13,26 @@ use gusset_mesh::Scalar;
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// Of each class of nodes what its representative has; entries of other nodes are not read.
+/// The vertices, indexed by the representatives of their classes; other entries are unused.
 pub(crate) struct Surface {
     pub(crate) classes: Classes,
-    /// The position, in the unit and from the origin on, of the first node of the class that
-    /// exists.
+    /// The position of the class's first existing node, scaled and relative to the origin.
     pub(crate) positions: Vec<DVec3>,
-    /// True of vertices that stay.
+    /// True for vertices that stay.
     pub(crate) fixed: Vec<bool>,
-    /// The diagonal of the box of all existing nodes, in the unit.
+    /// The diagonal of the bounding box of all existing nodes, scaled.
     pub(crate) size: f64,
-    /// A power of two: products of coordinates neither overflow nor vanish.
+    /// The scale, a power of two with which products of coordinates neither overflow nor underflow.
     pub(crate) unit: f64,
-    /// In the unit, the middle of the box: distant nets would lose digits.
+    /// The centre of the bounding box, scaled. Positions are relative to it, because distant nets
+    /// would lose digits.
     origin: DVec3,
 }
 
 impl Surface {
-    pub(crate) fn of(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
+    pub(crate) fn new(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
-        let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
+        let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
         let mut fixed = alloc::filled(false, nodes.len())?;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for node in nodes {
@@ -44,12 +44,12 @@ impl Surface {
             fixed[classes.representative(node) as usize] |= stays;
         }
         if options.keep_boundary {
-            let boundary = Complex::of(net, &job.part(0.3, 0.8))?.boundary;
+            let boundary = Complex::from_net(net, &job.part(0.3, 0.8))?.boundary;
             boundary.nodes().iter().for_each(|&node| fixed[classes.representative(node) as usize] = true);
         }
         let (mut unit, mut origin, mut size) = (1.0, DVec3::ZERO, 0.0);
         if low.x <= high.x {
-            // Of the size, not of the distance from 0, which may be far larger.
+            // Depends on the size instead of the distance from 0, which may be far larger.
             let coarse = common_unit([&low, &high]);
             let extent = high / coarse - low / coarse;
             unit = (coarse * common_unit([&extent])).max(f64::MIN_POSITIVE);
@@ -74,12 +74,12 @@ impl Surface {
         Ok(positions)
     }
 
-    /// A position in the unit, from the origin on.
+    /// Scales a position relative to the origin.
     pub(crate) fn scaled(&self, position: DVec3) -> DVec3 {
         position / self.unit - self.origin
     }
 
-    /// Rounds the new positions of vertices that move to what a net of the type will hold.
+    /// Rounds the new positions of moved vertices to the net's type.
     pub(crate) fn round(&self, moved: &mut [DVec3], scalar: Scalar) {
         for (moved, &before) in moved.iter_mut().zip(&self.positions) {
             if moved.is_finite() && *moved != before {
@@ -92,7 +92,7 @@ impl Surface {
         }
     }
 
-    /// Gives all existing nodes of the vertices that moved their new positions.
+    /// Moves all existing nodes of the moved vertices.
     pub(crate) fn write(&self, net: &mut Net<'_>, moved: &[DVec3]) {
         for node in 0..net.shape().node_count() as u32 {
             let class = self.classes.representative(node) as usize;

@@ -1,13 +1,13 @@
-//! An order of the cells of a net that keeps the factor of their equations sparse: nested dissection
-//! (A. George, 1973) of the rectangle that they are. Cells are coupled if they share a node, so that
-//! a row or a column of cells separates what is beside it.
+//! An order of the cells of a net that keeps the factor of their equations sparse: nested
+//! dissection (A. George, 1973) of the rectangle of cells. Cells that share a node are coupled, so
+//! a row or a column of cells separates the cells on both sides.
 
 use std::ops::Range;
 
 /// Rectangles of at most this many cells are not halved.
 const MAX_LEAF_CELLS: usize = 16;
 
-/// Calls `visit` with all cells of a rectangle, halves before what separates them. O(cells).
+/// Calls `visit` with all cells of a rectangle, both halves before their separator. O(cells).
 pub(super) fn dissect(
     rows: Range<usize>,
     columns: Range<usize>,
@@ -30,8 +30,8 @@ pub(super) fn dissect(
     }
 }
 
-/// All cells of a net of so many rows and columns of cells: if sides are glued, the last row and
-/// column come last, as they separate the first from those before them.
+/// Orders all cells of a net with the given numbers of rows and columns of cells. If sides are
+/// glued, the last row and column come last, because they separate the first ones from the others.
 pub(crate) fn order(
     [rows, columns]: [usize; 2],
     is_glued: bool,

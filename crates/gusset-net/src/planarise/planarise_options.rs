@@ -1,15 +1,16 @@
 //! The options of [`planarise`](super::planarise()).
 
-/// What may be moved, and how far to go.
+/// The options of [`planarise`](super::planarise()): the movable vertices and the limits.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PlanariseOptions<'a> {
-    /// The distance of corners from their plane that is plane enough, in diagonals of the net's box;
-    /// 0: 1e-10, for nets of single precision the rounding of their coordinates, 4e-7.
+    /// The distance of corners from their plane that counts as plane, relative to the diagonal of
+    /// the net's bounding box. 0 means 1e-10, and for nets in single precision 4e-7, the rounding
+    /// of their coordinates.
     pub tolerance: f64,
-    /// The largest number of steps; 0: 100.
+    /// The maximum number of steps; 0 means 100.
     pub max_iterations: u32,
-    /// Vertices on the boundary of the surface stay.
+    /// Keeps vertices on the boundary of the surface fixed.
     pub keep_boundary: bool,
-    /// Nodes that stay, with those that are glued to them: one flag a node, or none at all.
+    /// Marks nodes that stay, together with the nodes glued to them: one flag a node, or empty.
     pub fixed: &'a [bool],
 }

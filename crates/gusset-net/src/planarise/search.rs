@@ -1,5 +1,5 @@
-//! The search for the nearest net of plane cells: steps with falling penalties, then steps of least
-//! length to where the constraints hold.
+//! The search for the closest net of plane cells: steps with decreasing penalties, then steps of
+//! least length that restore the constraints.
 
 use super::constraints::Constraints;
 use glam::DVec3;
@@ -7,28 +7,28 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// The penalties, and the largest number of steps with each: with smaller ones, steps are too short
-/// that follow the curved valley of the sum.
+/// The penalties, and the maximum number of steps with each. With smaller penalties, steps along
+/// the curved valley of the sum become too short.
 const PENALTIES: [f64; 3] = [1e-1, 1e-2, 1e-3];
 const STEPS_PER_PENALTY: u32 = 4;
-/// What keeps the matrix positive definite where constraints depend on each other.
+/// Keeps the matrix positive definite if constraints depend on each other.
 const REGULARISATION: f64 = 1e-13;
-/// Halvings of a step.
+/// The maximum number of halvings of a step.
 const MAX_HALVINGS: u32 = 6;
-/// Steps end when one is this small a part of the largest displacement.
-const STATIONARY: f64 = 1e-3;
-/// Improvements end when the sum of squares falls by less than this part.
+/// Steps end when one is below this fraction of the largest displacement.
+const MIN_RELATIVE_STEP: f64 = 1e-3;
+/// Improvements end when the sum of squares decreases by less than this fraction.
 const MIN_IMPROVEMENT: f64 = 1e-3;
 
 pub(super) struct Search<'a> {
     constraints: &'a Constraints,
-    /// The positions that are given.
+    /// The given positions.
     start: &'a [DVec3],
-    /// The deviation that is small enough.
+    /// The target deviation.
     tolerance: f64,
-    /// The largest number of steps.
+    /// The maximum number of steps.
     max: u32,
-    /// The steps so far.
+    /// The number of steps so far.
     pub(super) done: u32,
     job: Job<'a>,
 }
@@ -44,7 +44,7 @@ impl<'a> Search<'a> {
         Search { constraints, start, tolerance, max, done: 0, job: *job }
     }
 
-    /// The positions that were reached.
+    /// Runs the search and returns the positions found.
     pub(super) fn run(&mut self) -> Result<Vec<DVec3>> {
         let mut positions = alloc::copied(self.start)?;
         self.approach(&mut positions)?;
@@ -53,16 +53,15 @@ impl<'a> Search<'a> {
         Ok(positions)
     }
 
-    /// The part of the job of the next step. As the number of steps is not known, each has a share of
-    /// what is left.
+    /// The job of the next step. The number of steps is unknown, so each takes a share of the
+    /// remaining progress.
     fn next_job(&mut self) -> Job<'a> {
         let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
         self.done += 1;
         self.job.part(at(self.done - 1), at(self.done))
     }
 
-    /// Goes towards where the penalised sum |x - x0|^2 + |g|^2 / penalty is least, for falling
-    /// penalties.
+    /// Minimises the penalised sum |x - x0|^2 + |g|^2 / penalty, for decreasing penalties.
     fn approach(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let (constraints, start) = (self.constraints, self.start);
         for penalty in PENALTIES {
@@ -74,7 +73,7 @@ impl<'a> Search<'a> {
                 let Some(next) = self.halved(positions, towards, |at| sum(at) < before) else {
                     break;
                 };
-                let is_small = self.largest(&next, positions) <= STATIONARY * self.largest(&next, start);
+                let is_small = self.largest(&next, positions) <= MIN_RELATIVE_STEP * self.largest(&next, start);
                 *positions = next;
                 if is_small {
                     break;
@@ -84,8 +83,9 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// Among the positions where the constraints hold, goes nearer to those that are given: steps to
-    /// x0 - J^T y, the nearest of the linear constraints, each followed by steps back.
+    /// Moves closer to the given positions along the constraints. Each step goes to x0 - J^T y, the
+    /// closest point of the linearised constraints, and is followed by steps that restore the
+    /// constraints.
     fn improve(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let constraints = self.constraints;
         let (mut part, mut distance) = (1.0, self.distance(positions));
@@ -113,7 +113,7 @@ impl<'a> Search<'a> {
         self.constraints.vertices().map(|v| at[v].distance_squared(self.start[v])).sum()
     }
 
-    /// Newton's steps to where the constraints hold, each of least length, while they come nearer.
+    /// Newton steps of least length that restore the constraints, while they improve.
     fn restore(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let constraints = self.constraints;
         let (mut deviation, _) = constraints.deviation(positions);
@@ -129,7 +129,7 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// The first of all, a half, a quarter, ... of the way that is better.
+    /// Tries the whole step, a half, a quarter and so on until it improves.
     fn halved(&self, from: &[DVec3], mut to: Vec<DVec3>, is_better: impl Fn(&[DVec3]) -> bool) -> Option<Vec<DVec3>> {
         for _ in 0..=MAX_HALVINGS {
             if is_better(&to) {
@@ -140,7 +140,7 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// The largest distance of a vertex in one place from that in another.
+    /// The largest distance between corresponding vertices.
     fn largest(&self, a: &[DVec3], b: &[DVec3]) -> f64 {
         self.constraints.vertices().map(|v| a[v].distance(b[v])).fold(0.0, f64::max)
     }

@@ -1,8 +1,8 @@
-//! The construction of each shape: its profile, swept round the z axis along a circle or a polygon,
-//! or its topology and formula. Coordinates are written row by row in double precision and rounded
-//! once. O(nodes).
+//! The construction of each shape. A profile is swept around the z axis along a circle or a
+//! polygon, or the shape has its own topology and formula. Coordinates are written row by row in
+//! double precision and rounded once. O(nodes).
 
-use super::formula::{across, boy, bulge, figure_eight, on_box, one_pole, strip};
+use super::formula::{boy, bulge, figure_eight, on_box, one_pole, strip, symmetric_parameter};
 use super::profile::{Point, circle, half_circle, polygon, polyline, unit_circle};
 use super::solid::Primitive;
 use crate::topology::{Links, Matrix};
@@ -12,7 +12,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
-/// The net of a shape whose dimensions are checked.
+/// The net of a shape with valid dimensions.
 pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
     let (h, w) = (shape.rows(), shape.columns());
     let turn = |profile: &[Point], section: &[Point]| swept(shape, profile, section, scalar, job);
@@ -30,19 +30,23 @@ pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: 
         }
         Primitive::Lathe { profile } => turn(profile, &unit_circle(w)?),
         Primitive::Plane { size: [x, y] } => {
-            let sheet = Topology::of_sides(shape, Sides::SHEET);
-            nodes(sheet, scalar, job, |i, j| [x / 2.0 * across(j, w), y / 2.0 * across(i, h), 0.0])
+            let sheet = Topology::from_sides(shape, Sides::SHEET);
+            nodes(sheet, scalar, job, |i, j| {
+                [x / 2.0 * symmetric_parameter(j, w), y / 2.0 * symmetric_parameter(i, h), 0.0]
+            })
         }
         Primitive::OnePoleSphere { radius } => {
-            let topology = Topology::of_sides(shape, Sides::ONE_POLE);
-            nodes(topology, scalar, job, |i, j| one_pole([across(j, w), across(i, h)]).map(|x| radius * x))
+            let topology = Topology::from_sides(shape, Sides::ONE_POLE);
+            nodes(topology, scalar, job, |i, j| {
+                one_pole([symmetric_parameter(j, w), symmetric_parameter(i, h)]).map(|x| radius * x)
+            })
         }
         Primitive::Cuboid { cuboid, size } => {
             nodes(cuboid.topology()?, scalar, job, |i, j| on_box(&cuboid, size, i, j))
         }
         Primitive::Moebius { radius, width } => nodes(closure::moebius(shape)?, scalar, job, |i, j| {
             let (i, j) = first_column(shape, i, j);
-            strip(radius, width / 2.0 * across(i, h), j, w - 1)
+            strip(radius, width / 2.0 * symmetric_parameter(i, h), j, w - 1)
         }),
         Primitive::Klein { radius, minor_radius } => nodes(closure::klein(shape)?, scalar, job, |i, j| {
             let (i, j) = first_column(shape, i, j);
@@ -50,11 +54,15 @@ pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: 
         }),
         Primitive::ProjectivePlane { radius } => nodes(closure::projective_plane(shape)?, scalar, job, |i, j| {
             let (i, j) = half_rim(shape, i, j);
-            boy([across(j, w), across(i, h)]).map(|x| radius * x)
+            boy([symmetric_parameter(j, w), symmetric_parameter(i, h)]).map(|x| radius * x)
         }),
         Primitive::Pillow { size, thickness } => nodes(closure::pillow(shape)?, scalar, job, |i, j| {
             let (column, upper) = (j.min(w - 1 - j), 2 * j < w);
-            bulge(size, if upper { thickness } else { -thickness }, [across(column, w.div_ceil(2)), across(i, h)])
+            bulge(
+                size,
+                if upper { thickness } else { -thickness },
+                [symmetric_parameter(column, w.div_ceil(2)), symmetric_parameter(i, h)],
+            )
         }),
     }
 }
@@ -99,23 +107,23 @@ fn swept(shape: Shape, profile: &[Point], section: &[Point], scalar: Scalar, job
     })
 }
 
-/// Rows are closed, those on the axis contracted, and columns closed if the profile is. A closed
-/// surface is oriented so that its volume is positive.
+/// Rows are closed. Rows on the axis are contracted, and columns are closed if the profile is. A
+/// closed surface is oriented so that its volume is positive.
 fn swept_topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     let last = profile.len() - 1;
     let ring = last >= 3 && profile[0] == profile[last];
     let on_axis = |i: usize| profile[i][0] == 0.0;
     let sides = Sides { columns_closed: ring, pole_top: on_axis(0), pole_bottom: on_axis(last), ..Sides::TUBE };
     let topology = if (1..last).any(on_axis) {
-        let mut matrix = Matrix::of_sides(shape, sides)?;
+        let mut matrix = Matrix::from_sides(shape, sides)?;
         for i in (1..last).filter(|&i| on_axis(i)) {
             (0..shape.columns() - 1).for_each(|j| matrix.set(shape.horizontal_link(i, j), true));
         }
-        // A contracted row reduces its cells to triangles, or wires between two such rows: none is
-        // crossed.
+        // A contracted row reduces its cells to triangles, or to wires between two such rows, so
+        // none is crossed.
         Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)
     } else {
-        Topology::of_sides(shape, sides)
+        Topology::from_sides(shape, sides)
     };
     let closed = ring || (on_axis(0) && on_axis(last));
     Ok(topology.with_reversed(closed && volume(profile) < 0.0))
@@ -136,7 +144,7 @@ fn volume(profile: &[Point]) -> f64 {
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
 
-/// The net whose row i `row` writes to three buffers. Zeros are positive.
+/// The net whose row i is written by `row` to three buffers. Zeros are positive.
 fn rows(
     topology: Topology,
     scalar: Scalar,
@@ -157,7 +165,7 @@ fn rows(
     Ok(Net::new(coordinates, topology))
 }
 
-/// The net whose nodes `node` gives.
+/// The net whose nodes are given by `node`.
 fn nodes(
     topology: Topology,
     scalar: Scalar,
@@ -174,7 +182,7 @@ fn nodes(
 fn copy<T: Real>(buffer: &[f64], row: [&mut [T]; 3]) {
     let columns = row[0].len();
     for (to, from) in row.into_iter().zip(buffer.chunks_exact(columns)) {
-        // Adding 0 makes negative zeros positive, those that rounding makes included.
-        to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::of(value) + T::of(0.0));
+        // Adding 0 makes negative zeros positive, including zeros that come from rounding.
+        to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::from_f64(value) + T::from_f64(0.0));
     }
 }

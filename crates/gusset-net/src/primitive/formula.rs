@@ -3,8 +3,8 @@
 use super::unit_circle::on_circle;
 use crate::closure::Cuboid;
 
-/// From -1 at the first of `count` to 1 at the last; symmetric.
-pub(super) fn across(k: usize, count: usize) -> f64 {
+/// From -1 at the first of `count` to 1 at the last, symmetric bit for bit.
+pub(super) fn symmetric_parameter(k: usize, count: usize) -> f64 {
     (2.0 * k as f64 - (count - 1) as f64) / (count - 1) as f64
 }
 
@@ -55,9 +55,12 @@ pub(super) fn figure_eight(radius: f64, minor_radius: f64, section: [usize; 2], 
     [distance * c, distance * s, minor_radius * (half_s * p + half_c * q)]
 }
 
-/// Boy's surface in the parametrisation of Kusner and Bryant: with w in the unit disc and d = w^6 +
-/// sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 - w^4) / d), -3/2 Re(w (1 + w^4) / d), Im((1 + w^6) / d) -
-/// 1/2), the point is g / |g|^2. All terms are multiplied by |d|^2, which may be nearly 0.
+/// Boy's surface in the parametrisation of Kusner and Bryant. With w in the unit disc and d = w^6 +
+/// sqrt(5) w^3 - 1,
+///
+/// g = (-3/2 Im(w (1 - w^4) / d), -3/2 Re(w (1 + w^4) / d), Im((1 + w^6) / d) - 1/2),
+///
+/// and the point is g / |g|^2. All terms are multiplied by |d|^2, which may be nearly 0.
 pub(super) fn boy(square: [f64; 2]) -> [f64; 3] {
     let w = disc(square);
     let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];

@@ -1,9 +1,9 @@
 //! Nets of standard shapes: coordinates and topology (Deryagin, Figs. 5 and 6).
 //!
-//! Solids of revolution, prisms and pyramids sweep a profile round the z axis; the others each have
-//! a formula. All are centred at the origin. Invariant: glued nodes have the same bits, as their
-//! coordinates are computed from reduced indices; closed surfaces have faces counter-clockwise seen
-//! from outside, and so a positive volume. O(nodes).
+//! Solids of revolution, prisms and pyramids sweep a profile around the z axis; each other shape
+//! has its own formula. All are centred at the origin. Invariant: glued nodes have the same bits,
+//! because their coordinates are computed from reduced indices. Closed surfaces have faces that are
+//! counter-clockwise seen from outside, and so a positive volume. O(nodes).
 
 mod construct;
 mod formula;
@@ -62,12 +62,12 @@ impl<'a> Request<'a> {
         Shape::new(rows, columns)
     }
 
-    /// The net. O(nodes).
+    /// Constructs the net. O(nodes).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for measures that are not positive, or too large or too small
-    /// for the type of the coordinates, and for too few rows or columns; [`Error::NetTooSmall`],
-    /// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// - [`Error::OptionOutOfRange`]: a dimension is not positive, or too large or too small for
+    ///   the type of the coordinates; or there are too few rows or columns.
+    /// - [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let shape = self.shape()?;
         self.primitive.check(self.scalar)?;

@@ -1,4 +1,4 @@
-//! Profiles, which are swept round the axis: points given by distance from the axis and height.
+//! Profiles, which are swept around the axis: points given by distance from the axis and height.
 //! O(points).
 
 use super::unit_circle::on_circle;
@@ -8,7 +8,8 @@ use gusset_base::error::{Error, Result};
 /// A point of a profile.
 pub(super) type Point = [f64; 2];
 
-/// [`Error::OptionOutOfRange`] for a point that is not finite, too far away, or beyond the axis.
+/// Returns [`Error::OptionOutOfRange`] for a point that is not finite, too far away, or beyond the
+/// axis.
 pub(super) fn check(profile: &[Point], max: f64) -> Result<()> {
     profile.iter().try_for_each(|&[distance, z]| {
         Error::require((0.0..=max).contains(&distance), "profile", distance)?;
@@ -32,7 +33,7 @@ pub(super) fn circle(distance: f64, radius: f64, rows: usize) -> Result<Vec<Poin
     }))
 }
 
-/// A polyline of `rows` points at nearly equal distances, its corners among them. Needs a row for
+/// A polyline of `rows` points at nearly equal distances, including its corners. Needs a row for
 /// each corner.
 pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     let lengths = corners.windows(2).map(|ends| libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]));
@@ -52,8 +53,8 @@ pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, the last of which
-/// is the first; its corners among them.
+/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, including its
+/// corners. The last node equals the first.
 pub(super) fn polygon(sides: usize, columns: usize) -> Result<Vec<Point>> {
     let first = |side: usize| side * (columns - 1) / sides;
     let mut points = alloc::with_capacity(columns)?;
@@ -66,7 +67,7 @@ pub(super) fn polygon(sides: usize, columns: usize) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// `columns` points of the unit circle, the last of which is the first.
+/// `columns` points of the unit circle. The last point equals the first.
 pub(super) fn unit_circle(columns: usize) -> Result<Vec<Point>> {
     alloc::collect((0..columns).map(|j| on_circle(j, columns - 1)))
 }

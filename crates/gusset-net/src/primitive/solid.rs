@@ -10,109 +10,109 @@ use gusset_mesh::Scalar;
 pub enum Primitive<'a> {
     /// A rectangle in the plane z = 0, seen from above.
     Plane {
-        /// Along x and y.
+        /// The sizes along x and y.
         size: [f64; 2],
     },
     /// Meridians and parallels; closed by two poles. At least 3 rows and 4 columns.
     Sphere {
-        /// Radius.
+        /// The radius.
         radius: f64,
     },
     /// A disc whose rim is contracted to the lowest point; closed by one pole. At least 4 rows and
     /// columns.
     OnePoleSphere {
-        /// Radius.
+        /// The radius.
         radius: f64,
     },
     /// A cylinder without caps. At least 4 columns.
     Tube {
-        /// Radius.
+        /// The radius.
         radius: f64,
-        /// Along z.
+        /// The height, along z.
         height: f64,
     },
     /// A cylinder with caps; both rims are rows. At least 4 rows and 4 columns.
     Cylinder {
-        /// Radius.
+        /// The radius.
         radius: f64,
-        /// Along z.
+        /// The height, along z.
         height: f64,
     },
     /// A right prism over a regular polygon, with caps; all its vertices are nodes. At least 4
     /// rows, and a column more than sides.
     Prism {
-        /// The number of lateral faces, 3 and more.
+        /// The number of lateral faces, at least 3.
         sides: u32,
-        /// Of the circle through the polygon's corners, one of which is on the x axis.
+        /// The radius of the circle through the polygon's corners. One corner is on the x axis.
         radius: f64,
-        /// Along z.
+        /// The height, along z.
         height: f64,
     },
     /// A cone with its base; the rim is a row. At least 3 rows and 4 columns.
     Cone {
-        /// Of the base.
+        /// The radius of the base.
         radius: f64,
-        /// Along z; the apex is above.
+        /// The height, along z; the apex is at the top.
         height: f64,
     },
     /// A right pyramid over a regular polygon, with its base; all its vertices are nodes. At least
     /// 3 rows, and a column more than sides.
     Pyramid {
-        /// The number of lateral faces, 3 and more.
+        /// The number of lateral faces, at least 3.
         sides: u32,
-        /// Of the circle through the polygon's corners, one of which is on the x axis.
+        /// The radius of the circle through the polygon's corners. One corner is on the x axis.
         radius: f64,
-        /// Along z; the apex is above.
+        /// The height, along z; the apex is at the top.
         height: f64,
     },
-    /// A profile turned round the z axis. Each of its points is a row: where it is on the axis, the
-    /// row is a pole. A profile that ends where it begins makes a closed ring. At least 4 columns;
-    /// rows are as the profile says.
+    /// A profile revolved around the z axis, one row for each point. Where the profile touches the
+    /// axis, the row is a pole. A profile that ends where it begins makes a closed ring. At least 4
+    /// columns; the profile determines the rows.
     Lathe {
-        /// Distances from the axis, 0 and more, and heights; at least two points.
+        /// Distances from the axis, at least 0, and heights; at least two points.
         profile: &'a [[f64; 2]],
     },
     /// A torus round the z axis. At least 4 rows and columns.
     Torus {
-        /// From the axis to the middle of the tube.
+        /// The distance from the axis to the middle of the tube.
         radius: f64,
-        /// Of the tube, smaller than `radius`.
+        /// The radius of the tube, smaller than `radius`.
         minor_radius: f64,
     },
-    /// A box of cells. Rows and columns are as the cells say.
+    /// A box of cells. The cells determine rows and columns.
     Cuboid {
-        /// Cells along x, y, z, and how the caps are covered.
+        /// The cells along x, y, z, and the covering of the caps.
         cuboid: Cuboid,
-        /// Along x, y and z.
+        /// The sizes along x, y and z.
         size: [f64; 3],
     },
     /// A Möbius strip round the z axis. At least 4 columns.
     Moebius {
-        /// Of its middle line.
+        /// The radius of the middle line.
         radius: f64,
-        /// Of the strip.
+        /// The width of the strip.
         width: f64,
     },
-    /// A Klein bottle as a tube with a figure-eight section that makes half a turn (an immersion:
-    /// it passes through itself). At least 4 rows and columns.
+    /// A Klein bottle as a tube with a figure-eight section that makes half a turn. It is an
+    /// immersion: the surface intersects itself. At least 4 rows and columns.
     Klein {
-        /// From the axis to the middle of the tube.
+        /// The distance from the axis to the middle of the tube.
         radius: f64,
-        /// Of the section.
+        /// The radius of the section.
         minor_radius: f64,
     },
     /// The projective plane as Boy's surface, in the parametrisation of R. Kusner and R. Bryant (an
     /// immersion). At least 4 rows and columns.
     ProjectivePlane {
-        /// A scale: 1 for the surface as published.
+        /// A scale; 1 gives the surface as published.
         radius: f64,
     },
     /// A pillow: two sheets joined along their rim. At least 3 rows, and an odd number of columns,
-    /// 5 and more.
+    /// at least 5.
     Pillow {
-        /// Along x and y.
+        /// The sizes along x and y.
         size: [f64; 2],
-        /// In the middle.
+        /// The thickness in the middle.
         thickness: f64,
     },
 }
@@ -131,7 +131,7 @@ impl Primitive<'_> {
         }
     }
 
-    /// [`Error::OptionOutOfRange`] for a dimension outside its range.
+    /// Returns [`Error::OptionOutOfRange`] for a dimension outside its range.
     pub(super) fn check(&self, scalar: Scalar) -> Result<()> {
         let (min, max) = match scalar {
             Scalar::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX) / 8.0),

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 /// Cosine and sine of `k` n-ths of a turn.
 ///
-/// The same bits for k and k + n, exact at quarter turns, and symmetric: every value is one of the
-/// first eighth of a turn up to sign and exchange. No zero is negative.
+/// The bits for k and k + n are equal, quarter turns are exact, and the values are symmetric: each
+/// is a value of the first eighth of a turn, up to sign and exchange. Zeros are positive.
 pub(super) fn on_circle(k: usize, n: usize) -> [f64; 2] {
     let (k, n) = (k as u64 % n as u64, n as u64);
     let (quarter, rest) = (4 * k / n, 4 * k % n);
@@ -29,7 +29,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_repeat_and_mirror() {
+    fn points_are_periodic_and_symmetric() {
         for n in 1..40 {
             for k in 0..n {
                 let [c, s] = on_circle(k, n);

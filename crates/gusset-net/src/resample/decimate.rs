@@ -24,18 +24,18 @@ pub struct Decimated {
     pub rows: Vec<usize>,
     /// The columns that were kept.
     pub columns: Vec<usize>,
-    /// The largest distance of removed nodes from the segments that replace them, that of rows plus
-    /// that of columns; at most the tolerance.
+    /// The largest distance of removed nodes from the segments that replace them, for rows plus for
+    /// columns; at most the tolerance.
     pub deviation: f64,
 }
 
 /// Removes rows, then columns, one at a time, always the one of least cost.
 ///
-/// The cost of a row: the largest distance of its nodes, and of those of removed rows beside it,
-/// from the segments that join the nodes of their columns in the kept rows on both sides. Rows may
-/// cost up to half the tolerance, and so may columns, evaluated at the kept rows. First and last
-/// ones are kept, three distinct rows of closed columns, and one or two between poles, so that the
-/// surface stays the same. Rows with some missing nodes are kept.
+/// The cost of a row is a largest distance: of its nodes, and of the nodes of adjacent removed
+/// rows, from the segments between the kept rows on both sides. Rows may cost up to half the
+/// tolerance, and so may columns, which are evaluated at the kept rows. First and last rows and
+/// columns are kept. So are three distinct rows of closed columns, and one or two between poles, so
+/// that the surface stays the same. Rows with some missing nodes are kept.
 ///
 /// O(nodes log rows) approximately.
 ///
@@ -50,9 +50,9 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
         let all = alloc::collect(0..w)?;
         let [min_rows, min_columns] = min_size(sides, 4);
         let row = |k: usize, j: usize| planes.get(k, j);
-        let (rows, by_rows) = kept(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
+        let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
         let column = |k: usize, i: usize| planes.get(i, k);
-        let (columns, by_columns) = kept(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
+        let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
         let net = with_sides(selected(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })
@@ -87,7 +87,7 @@ fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
 }
 
 /// The kept lines of `count`, and the largest cost of the removed ones.
-fn kept(
+fn choose_kept_lines(
     count: usize,
     min_lines: usize,
     limit: f64,
@@ -110,7 +110,7 @@ fn kept(
             break;
         }
         if (before[line], after[line]) != (from, to) {
-            // Out of date: a neighbour was removed.
+            // Outdated: a neighbour was removed since.
             continue;
         }
         (max, left) = (max.max(f64::from_bits(bits)), left - 1);
@@ -130,11 +130,11 @@ fn kept(
     Ok((lines, max))
 }
 
-/// Least cost first, among equal ones the narrowest gap, so that gaps grow evenly and all costs
-/// take O(n log n).
+/// Least cost first. Ties go to the narrowest gap, so that gaps grow evenly and all costs take O(n
+/// log n).
 type Candidate = Reverse<(u64, usize, usize, usize, usize)>;
 
 fn candidate(cost: f64, gap: Range<usize>, line: usize) -> Candidate {
-    // Bit patterns of non-negative numbers are in their order.
+    // The bit patterns of non-negative numbers sort like the numbers.
     Reverse((cost.to_bits(), gap.len(), line, gap.start, gap.end))
 }

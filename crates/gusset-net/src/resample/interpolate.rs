@@ -29,15 +29,15 @@ choices! { for Interpolation:
     Bilinear => "Bilinear", "The bilinear patches of the quads.";
 }
 
-/// A net of another size, with nodes evenly spaced in the parameters of this one. First and last
-/// rows and columns stay.
+/// Resamples to another size, with nodes evenly spaced in the parameters of this net. First and
+/// last rows and columns stay.
 ///
-/// Nodes that coincide with old ones have their bits. New nodes that depend on missing ones are
+/// Nodes that coincide with old ones keep their bits. New nodes that depend on missing ones are
 /// missing. O(nodes of both).
 ///
 /// # Errors
-/// Of [`Error`](gusset_base::Error): `GluedInside`, `NetTooSmall`, `TooLarge`, `OutOfMemory`,
-/// `Cancelled`.
+/// Variants of [`Error`](gusset_base::Error): `GluedInside`, `NetTooSmall`, `TooLarge`,
+/// `OutOfMemory`, `Cancelled`.
 pub fn resample(
     net: &Net<'_>,
     rows: usize,
@@ -53,16 +53,17 @@ pub fn resample(
     with_sides(coordinates, net, sides)
 }
 
-/// Nets of 2^k + 1 rows and columns. The first has at least the rows and columns of the given net,
-/// and each of the others every second row and column of the one before, bit for bit.
+/// Makes a pyramid of nets with 2^k + 1 rows and columns. The first has at least the rows and
+/// columns of the given net. Each further net has every second row and column of the previous one,
+/// bit for bit.
 ///
-/// A net of sizes 2^k + 1 is itself the first; others are resampled. Closed rows and columns keep
-/// five nodes, others two; between poles three, or five where other sides are poles too, so that
-/// the surface stays the same. The nodes of each level are nodes of the finer one, and a host can
-/// morph between levels in place. The memory is 4/3 of the first.
+/// If both sizes of the net are 2^k + 1, it is itself the first; otherwise it is resampled. To
+/// preserve the surface, closed rows and columns keep five nodes, others two. Between poles three
+/// remain, or five if other sides are poles too. The nodes of each level are nodes of the finer
+/// one, so a host can morph between levels in place. The memory is 4/3 of the first net's.
 ///
 /// # Errors
-/// As for [`resample`].
+/// The errors of [`resample`].
 pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
     let sides = require_sides(net)?;
     let (h, w) = (net.shape().rows(), net.shape().columns());
@@ -112,7 +113,7 @@ struct Tap {
 
 impl Tap {
     /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
-    /// linearly: the missing node is twice the last less the one before.
+    /// linearly: the missing node is twice the last minus the previous one.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =
@@ -131,7 +132,7 @@ impl Tap {
         Tap { nodes: [before, k, k + 1, after], weights }
     }
 
-    /// The nodes that count. Those of weight 0 are skipped, as missing ones would spread.
+    /// The nodes with non-zero weights. A weight of 0 would still spread missing nodes.
     fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
         self.nodes.into_iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0)
     }
@@ -177,7 +178,7 @@ fn interpolated<T: Real>(
         for (axis, matrix) in matrices.into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
                 across[block * lines + k].blend_rows(from, axis, &mut line);
-                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::of(tap.along(&line)));
+                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::from_f64(tap.along(&line)));
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Nets of other sizes: resampled, levels of detail, decimated.
+//! Nets of other sizes: resampling, levels of detail, decimation.
 //!
 //! For nets that are glued along whole sides (see [`Sides`](super::topology::Sides)). Invariant:
 //! the result has the same sides, and glued nodes have equal bits. Splines after Catmull and Rom,

@@ -7,14 +7,14 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
-/// The sides of a net with no other gluing and no bridges; else [`Error::GluedInside`].
+/// The sides of a net without other gluings and bridges; otherwise returns [`Error::GluedInside`].
 pub(super) fn require_sides(net: &Net<'_>) -> Result<Sides> {
     let plain = net.topology().seams().is_empty() && net.bridges().is_empty();
     net.topology().sides().filter(|_| plain).ok_or(Error::GluedInside)
 }
 
 /// The smallest numbers of rows and columns that preserve the surface, if closed ones keep `closed`
-/// nodes: a face between two poles must not become an edge, or the same face twice.
+/// nodes. A face between two poles must not become an edge or occur twice.
 pub(super) fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
     let min = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
         _ if is_closed => closed,
@@ -29,7 +29,7 @@ pub(super) fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
 
 /// A net with the given sides and the orientation of another, its glued nodes made equal.
 pub(super) fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -> Result<Net<'static>> {
-    let topology = Topology::of_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());
+    let topology = Topology::from_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());
     let mut net = Net::new(coordinates, topology);
     snap(&mut net)?;
     Ok(net)

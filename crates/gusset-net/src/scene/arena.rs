@@ -1,7 +1,7 @@
 //! The arena of a scene: entries with stable indices, and the groups that contain them.
 //!
-//! Invariant: an entry lists its groups as often as these list it. Edits cost O(children + groups)
-//! of the entry.
+//! Invariant: an entry lists each of its groups as often as the group lists the entry. Edits cost
+//! O(children + groups) of the entry.
 
 use super::reachability::Marks;
 use crate::Net;
@@ -25,7 +25,7 @@ pub(super) struct Entry {
     /// The transform into the space of its group.
     pub(super) local: DAffine3,
     pub(super) visible: bool,
-    /// The groups that contain it, with repetitions, in no order.
+    /// The groups that contain it, with repetitions, unordered.
     pub(super) parents: Vec<u32>,
 }
 
@@ -41,7 +41,7 @@ pub enum Content {
 /// The changes of an entry; `None` for what stays.
 #[derive(Debug, Clone, Default)]
 pub struct EntryChanges {
-    /// The net in place of the entry's own.
+    /// The replacement of the entry's net.
     pub net: Option<Arc<Net<'static>>>,
     /// The transform into the space of its groups.
     pub transform: Option<DAffine3>,
@@ -60,7 +60,7 @@ pub struct Counts {
     pub instances: u64,
     /// Instances of nets, saturating at `u64::MAX`.
     pub net_instances: u64,
-    /// The longest path from an entry in no group, in entries: 1 without children.
+    /// The longest path from a top-level entry, in entries: 1 without children.
     pub levels: u32,
 }
 
@@ -95,8 +95,9 @@ impl Scene {
         Ok(index as u32)
     }
 
-    /// Appends an entry to a group, possibly again. O(1) for an entry without descendants or a
-    /// group in no group; at most O(entries below the one or above the other, whichever are fewer).
+    /// Appends an entry to a group, possibly again. O(1) if the entry lacks descendants or the
+    /// group is in no other group. Otherwise at most O(entries below one or above the other,
+    /// whichever are fewer).
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::SceneCycle`], [`Error::OutOfMemory`].
@@ -167,7 +168,7 @@ impl Scene {
         if changes.net.is_some() {
             self.net(index)?;
         }
-        // From here on only the transform may be refused.
+        // From here on only the transform may be rejected.
         if let Some(local) = changes.transform {
             self.set_transform(index, local)?;
         }
@@ -218,7 +219,7 @@ impl Scene {
         Ok(self.entry(index)?.local)
     }
 
-    /// True if the entry itself is visible; a group that contains it may still hide it.
+    /// Returns true if the entry itself is visible. A group that contains it may still hide it.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -261,7 +262,7 @@ impl Scene {
         self.entries.len()
     }
 
-    /// True if no entry was ever added.
+    /// Returns true if the scene never had an entry.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }

@@ -15,15 +15,15 @@ use gusset_base::par;
 use std::sync::Arc;
 
 impl Scene {
-    /// Joins the nets of all visible instances, in order, to one in the space of the scene. Nets
-    /// whose transforms mirror are flipped along the side where face orientations would differ;
-    /// `options.turn` counts as true. O(entries + instances + nodes).
+    /// Joins the nets of all visible instances, in order, into one net in the space of the scene.
+    /// Nets whose transforms mirror are flipped along the side where face orientations would
+    /// differ, as if `options.turn` were true. O(entries + instances + nodes).
     ///
-    /// [`Net::split_all`] and [`Scene::of_flat`] are the inverse: they give the nets in the space
-    /// of the scene, bit for bit where transforms are the identity.
+    /// [`Net::split_all`] and [`Scene::from_flat_net`] are the inverse. They return the nets in the
+    /// space of the scene, bit for bit if the transforms are the identity.
     ///
     /// # Errors
-    /// [`Error::EmptyScene`] if no net is visible; those of [`Scene::instances`] and
+    /// [`Error::EmptyScene`] if all nets are hidden, and the errors of [`Scene::instances`] and
     /// [`concatenate`](crate::concatenate).
     pub fn flatten(&self, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
         let mut instances = self.instances(&job.part(0.0, 0.2))?;
@@ -46,11 +46,11 @@ impl Scene {
         Ok(net)
     }
 
-    /// A scene of the nets that a flat net was joined from, in one group. O(nodes).
+    /// Creates a scene of the nets from which a flat net was joined, in one group. O(nodes).
     ///
     /// # Errors
-    /// Those of [`Net::split_all`].
-    pub fn of_flat(net: &Net<'_>, direction: Direction, job: &Job<'_>) -> Result<Scene> {
+    /// The errors of [`Net::split_all`].
+    pub fn from_flat_net(net: &Net<'_>, direction: Direction, job: &Job<'_>) -> Result<Scene> {
         let mut scene = Scene::new();
         let group = scene.add_group()?;
         for net in net.split_all(direction, job)? {
@@ -61,8 +61,8 @@ impl Scene {
     }
 }
 
-/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction with
-/// the inner rows after it, in double precision. Nodes of equal bits keep equal bits.
+/// Transforms each net k, between `starts[k]` and `starts[k + 1]` in the direction including the
+/// inner rows after it, in double precision. Nodes of equal bits keep equal bits.
 fn transform<T: Real>(
     planes: &mut Planes<'static, T>,
     direction: Direction,
@@ -98,6 +98,6 @@ fn move_nodes<T: Real>(x: &mut [T], y: &mut [T], z: &mut [T], map: DAffine3) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         let p = DVec3::new((*x).into(), (*y).into(), (*z).into());
         let q = map.transform_point3(p);
-        (*x, *y, *z) = (T::of(q.x), T::of(q.y), T::of(q.z));
+        (*x, *y, *z) = (T::from_f64(q.x), T::from_f64(q.y), T::from_f64(q.z));
     }
 }

@@ -1,4 +1,4 @@
-//! Instances of a scene and their transforms: counted in topological order, listed depth first.
+//! Instances of a scene and their transforms, counted in topological order and listed depth first.
 //! O(entries + children) and O(instances).
 
 use super::arena::{Content, Counts, Entry, Scene};
@@ -11,16 +11,16 @@ use gusset_mesh::NONE;
 /// The largest number of instances that are listed, at 112 bytes each.
 pub const MAX_INSTANCES: u64 = 1 << 24;
 
-/// One path to an entry from an entry in no group.
+/// A path to an entry from a top-level entry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instance {
     /// The entry.
     pub entry: u32,
-    /// The instance of its group, or `u32::MAX` if it is in none.
+    /// The instance of its group, or `u32::MAX` at the top level.
     pub parent: u32,
-    /// True unless it or a group on the path is hidden.
+    /// False if the entry or a group on the path is hidden.
     pub visible: bool,
-    /// The transform into the space of the scene: the composition of those on the path.
+    /// The transform into the space of the scene: the composition of the transforms on the path.
     pub world: DAffine3,
 }
 
@@ -40,7 +40,7 @@ impl Scene {
             (paths[index as usize], levels[index as usize]) = (1, 1);
             alloc::push(&mut ready, index)?;
         }
-        // Each entry after all groups that contain it.
+        // Each entry follows all groups that contain it.
         while let Some(index) = ready.pop() {
             let (here, level) = (paths[index as usize], levels[index as usize]);
             counts.instances = counts.instances.saturating_add(here);

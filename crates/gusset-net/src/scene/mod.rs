@@ -2,12 +2,12 @@
 //! allowed").
 //!
 //! A scene is an arena of entries, nets and groups, each with a local transform into the space of
-//! its group. An entry in several groups has several instances, one for each path to it from an
-//! entry in no group. Invariant: the graph of groups is acyclic. Nothing recurses, so that a
-//! million levels are as good as one.
+//! its group. An entry in several groups has several instances, one for each path to it from a
+//! top-level entry. Invariant: the graph of groups is acyclic. Nothing recurses, so that a million
+//! levels work as well as one.
 //!
 //! `arena` holds the entries, `reachability` detects cycles, `instances` lists instances, `flatten`
-//! joins a scene to one net.
+//! joins a scene into one net.
 
 mod arena;
 mod flatten;

@@ -1,8 +1,8 @@
-//! Reachability in the graph of groups by bidirectional search: it keeps groups from containing
+//! Reachability in the graph of groups by bidirectional search, which keeps groups from containing
 //! themselves.
 //!
 //! Two depth-first searches are interleaved, one down from the ancestor and one up from the
-//! descendant; the first to finish decides. A chain of groups built from either end therefore costs
+//! descendant. The first to finish decides. A chain of groups built from either end therefore costs
 //! O(1) a link, and a query at most the smaller of the two searches. Nothing recurses.
 
 use gusset_base::alloc;
@@ -31,7 +31,8 @@ impl Marks {
         [self.search - 1, self.search]
     }
 
-    /// True if `to` can be reached from `from`. `child` and `parent` give neighbour k of an entry.
+    /// Returns true if `to` can be reached from `from`. `child` and `parent` return neighbour k of
+    /// an entry.
     pub(super) fn is_reachable(
         &mut self,
         from: u32,
@@ -62,7 +63,7 @@ impl Marks {
 
 /// A depth-first search that advances one step at a time.
 struct Search {
-    /// Its own number and that of the opposite search.
+    /// The number of this search and of the opposite one.
     numbers: [u32; 2],
     /// Entries on the path, each with the number of its neighbours examined.
     path: Vec<(u32, usize)>,
@@ -80,8 +81,8 @@ impl Search {
         Some((*at, *next - 1))
     }
 
-    /// Descends to a neighbour unless it was visited, or backtracks if there is none. True where
-    /// the two searches meet.
+    /// Descends to a neighbour unless it was visited, or backtracks if there is none. Returns true
+    /// where the two searches meet.
     fn visit(&mut self, neighbour: Option<u32>, marks: &mut Marks) -> Result<bool> {
         let [own, opposite] = self.numbers;
         let Some(entry) = neighbour else {

@@ -1,23 +1,24 @@
-//! Anderson's acceleration of steps: D. G. Anderson, *Iterative procedures for nonlinear integral
-//! equations* (1965), as Y. Peng et al. use it (*Anderson acceleration for geometry optimization
-//! and physics simulation*, 2018): the combination of the last steps of which the displacement is
-//! least. Whoever takes it sees that the energy falls. O(unknowns), for a window of some steps.
+//! Anderson acceleration of steps (D. G. Anderson, *Iterative procedures for nonlinear integral
+//! equations*, 1965), as in Y. Peng et al., *Anderson acceleration for geometry optimization and
+//! physics simulation* (2018). It combines the last steps so that the displacement becomes
+//! smallest. The caller must check that the energy decreases. O(unknowns), for a window of some
+//! steps.
 
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// The steps that are combined.
+/// The number of steps that are combined.
 const WINDOW: usize = 6;
-/// The share of the diagonal added to the normal equations, so that like steps do not cancel.
+/// The fraction of the diagonal added to the normal equations, so that similar steps do not cancel.
 const REGULARISATION: f64 = 1e-12;
 
-/// The last steps: changes of the displacement and of where it led to.
+/// The last steps: changes of the displacement and of its end.
 #[derive(Default)]
 pub(super) struct Anderson {
-    /// The displacement of the last step, from where it began.
+    /// The last step's displacement and start.
     last: Option<[Vec<DVec3>; 2]>,
-    /// Differences of displacements, and of starts, of steps in turn.
+    /// Differences of displacements, and of starts, between consecutive steps.
     changes: Vec<[Vec<DVec3>; 2]>,
 }
 
@@ -30,7 +31,7 @@ fn difference(a: &[DVec3], b: &[DVec3]) -> Result<Vec<DVec3>> {
 }
 
 impl Anderson {
-    /// A displacement that may lead farther than the step at these unknowns does; `None` at first.
+    /// An accelerated displacement for the step from these unknowns; `None` at first.
     pub(super) fn accelerated(&mut self, at: &[DVec3], step: &[DVec3]) -> Result<Option<Vec<DVec3>>> {
         if let Some([before, start]) = &self.last {
             if self.changes.len() == WINDOW {
@@ -53,7 +54,8 @@ impl Anderson {
         Ok(accelerated.iter().all(|p| p.is_finite()).then_some(accelerated))
     }
 
-    /// The combination of changes nearest to a step: its normal equations, by elimination.
+    /// The weights of the changes whose combination is closest to a step, by elimination of the
+    /// normal equations.
     fn weights(&self, step: &[DVec3]) -> [f64; WINDOW] {
         let m = self.changes.len();
         let (mut matrix, mut weights) = ([[0.0; WINDOW]; WINDOW], [0.0; WINDOW]);

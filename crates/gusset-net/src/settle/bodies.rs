@@ -1,4 +1,4 @@
-//! Rigid bodies: rotations that bring them nearer to rest.
+//! Rigid bodies: the rotations that lower the energy.
 
 use super::energy_model::Model;
 use super::motion::{Motion, outer};
@@ -7,16 +7,17 @@ use super::term::Term;
 use glam::{DMat3, DVec3};
 use gusset_base::geom::rotation::best_rotation;
 
-/// The share of a body's inertia that keeps it as it turns: rotations that change nothing are 0.
+/// The fraction of a body's inertia that resists its rotation, so that rotations without effect are
+/// 0.
 const INERTIA: f64 = 1e-9;
 
-/// What a body's terms say of its rotation about a pivot.
+/// The rotation of a body about a pivot, as determined by its terms.
 #[derive(Clone, Copy, Default)]
 struct Lever {
     /// Sums of w c^2 and w c A.
     weight: f64,
     moment: DVec3,
-    /// The sum of w (r - B) A^T, of which the rotation is best.
+    /// The sum of w (r - B) A^T, which determines the best rotation.
     covariance: DMat3,
     inertia: f64,
 }
@@ -32,7 +33,7 @@ fn share(model: &Model, term: &Term, x: &[DVec3], body: u32) -> (f64, DVec3) {
     share
 }
 
-/// Rotates each free body, the others as they are, to where the terms' sum is least.
+/// Rotates each free body, with the others fixed, to the minimum of the sum of terms.
 pub(super) fn rotate(model: &Model, terms: &[Term], x: &mut [DVec3], motions: &mut [Motion]) {
     for body in 0..motions.len() as u32 {
         if model.translations[body as usize] == NOWHERE {

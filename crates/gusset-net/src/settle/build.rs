@@ -17,21 +17,21 @@ use std::ops::Range;
 /// Lines made between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
-/// A composite on its way to rest.
+/// The model of a composite net.
 pub(super) struct Composite {
     pub(super) model: Model,
-    /// The points of the model before, rigid bodies in their shape.
+    /// The initial points of the model, with rigid bodies in their rest shape.
     pub(super) start: Vec<DVec3>,
     /// The points of the model.
     pub(super) points: Vec<DVec3>,
     pub(super) motions: Vec<Motion>,
-    /// What energies in the unit are multiplied by, and forces.
+    /// The units of energies and of forces, in the host's units.
     pub(super) energy_unit: [f64; 2],
     pub(super) settled: u32,
     pub(super) idle: u32,
-    /// The films: their quads, and their area before.
+    /// The films: their quads, and their initial area.
     pub(super) films: Vec<(Range<usize>, f64)>,
-    /// What each bridge that has forces has of the model.
+    /// The part of the model that belongs to each bridge with forces.
     pub(super) shares: Vec<Share>,
 }
 
@@ -53,22 +53,22 @@ struct Builder<'a> {
     composite: Composite,
 }
 
-/// The force that properties are relative to.
+/// The force relative to which properties are expressed.
 #[derive(Clone, Copy)]
 enum ForceScale {
     /// The largest finite property.
     Largest(f64),
-    /// The largest stiffness over the square of the unit, which itself may be too small or too large
-    /// a number: in units in which no other force comes near to it.
+    /// The largest stiffness over the square of the unit. The quotient may overflow or underflow;
+    /// all other forces are then negligible.
     Stiffness(f64),
 }
 
-/// Stiffness over the square of the unit and the largest property: beyond that squares of forces
-/// would overflow, or vanish.
+/// The range of stiffness over the square of the unit and the largest property. Outside this range,
+/// squares of forces would overflow or underflow.
 const PLAIN_STIFFNESS: [f64; 2] = [1e-100, 1e100];
 
 impl ForceScale {
-    fn of(parts: &Parts, net: &Net<'_>, unit: f64) -> ForceScale {
+    fn new(parts: &Parts, net: &Net<'_>, unit: f64) -> ForceScale {
         let forces = || parts.bridges.iter().map(|&index| &net.bridges()[index]).filter_map(|b| Some((b, forces(b)?)));
         let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
         let largest =
@@ -85,7 +85,7 @@ impl ForceScale {
         if others_are { scale } else { ForceScale::Largest(largest) }
     }
 
-    /// A force relative to it.
+    /// A force relative to this scale.
     fn relative(self, force: f64, unit: f64) -> f64 {
         match self {
             ForceScale::Largest(largest) => force / largest,
@@ -93,7 +93,7 @@ impl ForceScale {
         }
     }
 
-    /// A stiffness relative to it, in the unit.
+    /// A stiffness relative to this scale, in the unit.
     fn relative_stiffness(self, stiffness: f64, unit: f64) -> f64 {
         match self {
             ForceScale::Largest(largest) => stiffness / largest / unit / unit,
@@ -101,7 +101,7 @@ impl ForceScale {
         }
     }
 
-    /// What energies are multiplied by, and forces.
+    /// The units of energies and of forces.
     fn units(self, unit: f64) -> [f64; 2] {
         match self {
             ForceScale::Largest(largest) => [largest * unit, largest],
@@ -110,19 +110,19 @@ impl ForceScale {
     }
 }
 
-/// The length that a tension is multiplied by to be a force: of films it is that of a line.
+/// The length by which a tension is multiplied to be a force; for films, a line has that length.
 fn film_unit(bridge: &Bridge, unit: f64) -> f64 {
     if bridge.kind == BridgeKind::Tube { unit } else { 1.0 }
 }
 
-/// The composite of a net: `slots` are the bodies of its vertices.
+/// Builds the composite of a net. `slots` are the bodies of its vertices.
 pub(super) fn build<'a>(
     net: &'a Net<'a>,
     options: &SettleOptions<'a>,
     (parts, surface, slots): (&'a Parts, &'a Surface, Vec<u32>),
     job: &Job<'_>,
 ) -> Result<Composite> {
-    let scale = ForceScale::of(parts, net, surface.unit);
+    let scale = ForceScale::new(parts, net, surface.unit);
     let (translations, motions) = (Vec::new(), alloc::filled(Motion::NONE, parts.ranges.len())?);
     let (carried, lines, quads) = (Vec::new(), Vec::new(), Vec::new());
     let model = Model { slots, translations, carried, unknowns: 0, lines, quads };
@@ -185,7 +185,7 @@ impl Builder<'_> {
         alloc::push(&mut self.composite.shares, Share { unknowns, lines, quads })
     }
 
-    /// The properties in the unit and relative to the largest.
+    /// The properties in the unit, relative to the largest.
     fn law(&self, index: usize) -> Result<Law> {
         let bridge = &self.net.bridges()[index];
         let (p, unit) = (bridge.properties, self.surface.unit);
@@ -204,7 +204,7 @@ impl Builder<'_> {
         Ok(Law { tension, elasticity, stiffness })
     }
 
-    /// The vertices of a rigid bridge belong to the body on both its sides.
+    /// Assigns the vertices of a rigid bridge to the body on both its sides.
     fn add_rigid(&mut self, place: usize, bridge: &Bridge) {
         let body = BODY + self.parts.bodies[place];
         for i in bridge.first_side() + 1..bridge.at {
@@ -240,7 +240,7 @@ impl Builder<'_> {
         })
     }
 
-    /// The vertices from side to side.
+    /// The vertices of a line from side to side.
     fn line(&self, bridge: &Bridge, k: usize) -> Result<Vec<u32>> {
         alloc::collect((bridge.first_side() as usize..bridge.at as usize + 1).map(|i| self.vertex(i, k)))
     }
@@ -274,19 +274,19 @@ impl Builder<'_> {
         alloc::push(&mut self.composite.model.lines, Line { points, rests, spacing: h, aims, law })
     }
 
-    /// The row or column of a part next to the side of a bridge that is its end.
+    /// The row or column of a part that is adjacent to the bridge's side at an end.
     fn row_before(&self, place: usize, end: usize) -> Option<usize> {
         let rows = &self.parts.ranges[place + end];
         (rows.len() > 1).then(|| if end == 0 { rows.end - 2 } else { rows.start + 1 })
     }
 
-    /// The node that a line comes from.
+    /// The node before the start of a line, within the part.
     fn before(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
         let before = self.composite.points[self.vertex(self.row_before(place, end)?, k) as usize];
         before.is_finite().then_some(before)
     }
 
-    /// For a thread, the mean of the vertices that lie next to each of its ends.
+    /// For a thread, the mean of the vertices adjacent to each of its ends.
     fn centres(&self, place: usize) -> [Option<DVec3>; 2] {
         let along = self.parts.direction.extent(self.net.shape()).1;
         [0, 1].map(|end| {
@@ -304,8 +304,8 @@ impl Builder<'_> {
         })
     }
 
-    /// A point of the side's body a link away, in the direction from what lies before; `None` if it
-    /// has none.
+    /// Adds a point of the side's body one link away, in the direction from the previous node.
+    /// Returns `None` if the direction is undefined.
     fn add_aim(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
         let composite = &mut self.composite;
         let (at, slot) = (composite.points[side as usize], composite.model.slots[side as usize]);
@@ -332,7 +332,7 @@ impl Builder<'_> {
         alloc::push(&mut self.composite.films, (quads, area))
     }
 
-    /// Gives rigid bodies their inner vertices and their shape at rest.
+    /// Gives rigid bodies their inner vertices and their rest shape.
     fn shape_bodies(&mut self, options: &SettleOptions<'_>) -> Result<()> {
         let parts = self.parts;
         let mut is_rigid_body = alloc::filled(false, parts.ranges.len())?;
@@ -377,8 +377,8 @@ impl Builder<'_> {
         Ok(self.composite)
     }
 
-    /// Moves what is not held of a body, and the bridges within it, to where they are in the
-    /// reference beside what is held.
+    /// Moves the parts of a body that are not held, and the bridges within it, to their reference
+    /// positions relative to the held part.
     fn reshape(&mut self, body: u32, reference: &Net<'_>) {
         let (parts, surface, net) = (self.parts, self.surface, self.net);
         let own = |part: &usize| parts.bodies[*part] == body;

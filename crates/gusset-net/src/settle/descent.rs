@@ -1,4 +1,4 @@
-//! Steps down the energy.
+//! Descent steps of the energy.
 
 use super::anderson::Anderson;
 use super::bodies::rotate;
@@ -12,12 +12,12 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// A step is halved so often before it is given up.
+/// The maximum number of halvings of a step.
 const MAX_HALVINGS: u32 = 30;
-/// The energy may grow by this part of it: its rounding.
+/// The relative rounding error of the energy.
 const ROUNDING: f64 = 1e-15;
 
-/// How far the steps came.
+/// The result of the descent.
 pub(super) struct Descent {
     pub(super) iterations: u32,
     /// The largest force on an unknown.
@@ -25,8 +25,7 @@ pub(super) struct Descent {
     pub(super) converged: bool,
 }
 
-/// Goes down until a step is within the tolerance, or what it would gain is within the rounding of
-/// the energy.
+/// Descends until a step is within the tolerance, or its gain is within the rounding of the energy.
 pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: &Job<'_>) -> Result<Descent> {
     let mut descent = Descent { iterations: 0, residual: 0.0, converged: composite.model.unknowns == 0 };
     if descent.converged {
@@ -76,8 +75,9 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
     Ok(descent)
 }
 
-/// Whether what a step would gain is within so many roundings of the energy: of all of it, and of
-/// each bridge's own, as beside a bridge that is much stiffer all of another's may be rounding.
+/// Returns true if the gain of a step is within a number of roundings of the total energy and of
+/// each bridge's own energy. Next to a much stiffer bridge, another bridge's whole energy may be
+/// rounding.
 fn is_rounding(composite: &Composite, step: &[DVec3], gradient: &[DVec3], roundings: f64, energy: f64) -> bool {
     let gain = |unknowns: Range<usize>| -> f64 {
         step[unknowns.clone()].iter().zip(&gradient[unknowns]).map(|(s, g)| -s.dot(*g)).sum()
@@ -94,7 +94,7 @@ fn is_rounding(composite: &Composite, step: &[DVec3], gradient: &[DVec3], roundi
         && composite.shares.iter().all(|share| is_within(gain(share.unknowns.clone()), energy_of(share)))
 }
 
-/// Where the unknowns are.
+/// The current unknowns.
 fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
     let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknowns)?;
     for (&p, &slot) in composite.points.iter().zip(&composite.model.slots).filter(|(_, slot)| **slot < BODY) {
@@ -103,10 +103,10 @@ fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
     Ok(unknowns)
 }
 
-/// Points, motions and the energy there.
+/// Points, motions and their energy.
 type State = (Vec<DVec3>, Vec<Motion>, f64);
 
-/// The state after a step, or after a half, a quarter, ... of it, where the energy is no more.
+/// The state after the whole step, a half, a quarter and so on, once the energy is not larger.
 fn lower(composite: &Composite, step: &[DVec3], energy: f64, job: &Job<'_>) -> Result<Option<State>> {
     let mut part = 1.0;
     for _ in 0..MAX_HALVINGS {
@@ -121,7 +121,7 @@ fn lower(composite: &Composite, step: &[DVec3], energy: f64, job: &Job<'_>) -> R
     Ok(None)
 }
 
-/// The largest displacement of an unknown or a point of a body.
+/// The largest displacement of an unknown or of a point of a body.
 fn largest(composite: &Composite, x: &[DVec3], motions: &[Motion], next: &State) -> f64 {
     let own = composite.model.slots.iter().zip(x.iter().zip(&next.0)).filter(|(slot, _)| **slot < BODY);
     let own = own.map(|(_, (p, q))| p.distance(*q)).fold(0.0, f64::max);

@@ -1,19 +1,21 @@
-//! The energies of a line across a bridge and of a cell of a film, and sums of squares above them.
+//! The energies of a line across a bridge and of a cell of a film, and sums of squares that bound
+//! them from above.
 //!
-//! Above a length |e| lies |e|^2 / (2 l) + l / 2 with the present length l, and the force density
-//! 1 / l in it (Schek 1974); above the area of a triangle the Dirichlet energy of the map from the
-//! present one, with its cotangents (Pinkall and Polthier 1993; Pauletti and Pimenta 2008); above
-//! the energy of a spring that of one between points, its rest at its length in the present
-//! direction.
+//! A length |e| is at most |e|^2 / (2 l) + l / 2 with the current length l, and the force density
+//! is 1 / l (Schek 1974). The area of a triangle is at most the Dirichlet energy of the map from
+//! the current triangle, with its cotangents (Pinkall and Polthier 1993; Pauletti and Pimenta
+//! 2008). The energy of a spring is at most the energy of a spring between points that rests at its
+//! length in the current direction.
 
 use super::term::Term;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Lengths below this are 0 to weights, in the unit, which the net's size is about.
+/// Lengths below this count as 0 in weights. The unit is about the size of the net.
 pub(super) const MIN_LENGTH: f64 = 1e-12;
-/// The least double area of a triangle in squares of its longest side: no cotangent is infinite.
+/// The smallest double area of a triangle, relative to the square of its longest side, so that
+/// cotangents are finite.
 const MIN_SLENDERNESS: f64 = 1e-12;
 
 /// The parts of the energy.
@@ -42,11 +44,11 @@ pub(super) struct Law {
 pub(super) struct Line {
     /// The points from side to side.
     pub(super) points: Vec<u32>,
-    /// The rest lengths of the links; 0 where none is known.
+    /// The rest lengths of the links; 0 if unknown.
     pub(super) rests: Vec<f64>,
-    /// The mean of those that are known.
+    /// The mean of the known rest lengths.
     pub(super) spacing: f64,
-    /// The points that it aims at from its ends, one link away.
+    /// The targets of its ends, one link away.
     pub(super) aims: [Option<u32>; 2],
     pub(super) law: Law,
 }
@@ -56,14 +58,14 @@ impl Line {
         self.points.windows(2).map(|ends| x[ends[1] as usize] - x[ends[0] as usize])
     }
 
-    /// The root of the number of links times the sum of their squares: the length of the line once
-    /// its nodes are evenly spaced, which they become.
+    /// The square root of the number of links times the sum of their squares: the length of the
+    /// line once its nodes are evenly spaced, as in equilibrium.
     fn length(&self, x: &[DVec3]) -> f64 {
         (self.rests.len() as f64 * self.edges(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
     }
 
-    /// The weight of a squared second difference: stiffness / h^3, h being the rest length of a
-    /// link; 0 if there is none.
+    /// The weight of a squared second difference: stiffness / h^3 for the mean rest length h; 0 if
+    /// h is unknown.
     fn bending_weight(&self) -> f64 {
         let h = self.spacing;
         if self.law.stiffness > 0.0 && h > MIN_LENGTH { self.law.stiffness / (h * h * h) } else { 0.0 }
@@ -74,14 +76,14 @@ impl Line {
         self.rests.iter().map(|&rest| (self.law.elasticity > 0.0 && rest > MIN_LENGTH).then_some(rest))
     }
 
-    /// The ends: the point next to each, and what it is aimed at.
+    /// The clamped ends: the point next to each end, and its target.
     fn clamps(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let next = [1, self.points.len() - 2];
         (0..2).filter_map(move |end| Some([self.points[next[end]], self.aims[end]?]))
     }
 
-    /// The energy of its springs if each were as long again as at rest, about: what rounding of
-    /// their energy is relative to where it is nearly 0.
+    /// The approximate energy of its springs at twice their rest length. The rounding of their
+    /// energy is relative to it if the energy is nearly 0.
     pub(super) fn spring_scale(&self) -> f64 {
         self.law.elasticity * self.rests.iter().sum::<f64>()
     }
@@ -138,14 +140,14 @@ pub(super) struct Quad {
 }
 
 impl Quad {
-    /// The four triangles of its corners: both ways in which a diagonal halves it.
+    /// The four triangles of its corners, from both diagonals.
     fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
         let [a, b, c, d] = self.corners;
         let all = [[a, b, c], [a, c, d], [a, b, d], [b, c, d]];
         all.into_iter().filter(|[a, b, c]| a != b && b != c && c != a)
     }
 
-    /// The mean area of both ways.
+    /// The mean area of both triangulations.
     pub(super) fn area(&self, x: &[DVec3]) -> f64 {
         let double =
             |[a, b, c]: [u32; 3]| (x[b as usize] - x[a as usize]).cross(x[c as usize] - x[a as usize]).length();
@@ -165,7 +167,7 @@ impl Quad {
             for k in 0..3 {
                 let cotangent = -sides[(k + 1) % 3].dot(sides[(k + 2) % 3]) / double;
                 let (p, q) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
-                // Half the cotangent, and half of each of the two ways.
+                // Half the cotangent, and half the weight for each of the two triangulations.
                 alloc::push(terms, Term::edge(p, q, self.tension * cotangent / 4.0, DVec3::ZERO))?;
             }
         }

@@ -1,5 +1,5 @@
 //! The energy of a composite as sums over lines across its bridges and cells of films, and the
-//! quadratic sums that lie above it. O(nodes of bridges).
+//! quadratic sums that bound it from above. O(nodes of bridges).
 
 use super::energy::{Energies, Line, Quad};
 use super::motion::Motion;
@@ -12,17 +12,17 @@ use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 use gusset_base::sparse::Symmetric;
 
-/// The share of the diagonal that is added to it, so that what no force holds stays.
+/// The fraction of the diagonal that is added to it, so that unconstrained unknowns stay.
 const DAMPING: f64 = 1e-11;
 
-/// All that has forces, in the unit. Points are the classes of nodes, and after them the points
-/// that clamps aim at, which move with the bodies.
+/// Everything that has forces, scaled by the unit. Points are the classes of nodes, followed by the
+/// targets of clamps, which move with the bodies.
 pub(super) struct Model {
-    /// Of each point the number of its unknown, or its body above [`BODY`].
+    /// For each point the index of its unknown, or its body above [`BODY`].
     pub(super) slots: Vec<u32>,
-    /// The unknown that is the translation of each body; [`NOWHERE`] of those that stay.
+    /// The unknown that is the translation of each body; [`NOWHERE`] for bodies that stay.
     pub(super) translations: Vec<u32>,
-    /// The points of moving bodies that terms have, and where they were.
+    /// The points of moving bodies in the terms, and their initial positions.
     pub(super) carried: Vec<(u32, DVec3)>,
     pub(super) unknowns: usize,
     pub(super) lines: Vec<Line>,
@@ -46,7 +46,7 @@ impl Model {
         [self.unknowns, self.lines.len(), self.quads.len()]
     }
 
-    /// Puts the points of moving bodies where these are.
+    /// Moves the points of moving bodies.
     pub(super) fn place(&self, motions: &[Motion], x: &mut [DVec3]) {
         for &(point, start) in &self.carried {
             x[point as usize] = motions[(self.slots[point as usize] - BODY) as usize].apply(start);
@@ -60,7 +60,7 @@ impl Model {
         sum
     }
 
-    /// The terms of a sum of squares that is nowhere below the energy but for a constant, and
+    /// The terms of a sum of squares that bounds the energy from above, up to a constant, and
     /// touches it at x.
     pub(super) fn terms(&self, x: &[DVec3]) -> Result<Vec<Term>> {
         let mut terms = Vec::new();
@@ -87,7 +87,7 @@ impl Model {
         Ok(gradient)
     }
 
-    /// The displacements of the unknowns to where the sum is least, bodies not turning.
+    /// The displacements of the unknowns to the minimum of the sum, with bodies that do not rotate.
     pub(super) fn step(&self, terms: &[Term], gradient: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
         let matrix = self.matrix(terms, &job.part(0.0, 0.2))?;
         let mut solution = alloc::collect(gradient.iter().map(|&g| -g))?;
@@ -128,7 +128,7 @@ impl Model {
         Ok(Symmetric { start, entries, diagonal })
     }
 
-    /// The points and the motions after displacements, or a part of them.
+    /// The points and the motions after displacements, or after a fraction of them.
     pub(super) fn moved(
         &self,
         x: &[DVec3],

@@ -1,32 +1,32 @@
 //! The equilibrium of a composite net: bridges under tension, elasticity and stiffness (Deryagin,
 //! "Concatenation", Fig. 9: a bridge "can be given physical properties").
 //!
-//! The inner nodes of whole bridges, and parts that are free, each as a rigid body, move to where
-//! the sum of these energies is least. Lines run across a bridge, N links each; glued lines count
-//! once.
+//! The inner nodes of whole bridges, and free parts as rigid bodies, move to the minimum of the sum
+//! of these energies. Lines run across a bridge and have N links each; glued lines count once.
 //!
-//! | property | energy |
-//! |---|---|
-//! | tension T of a thread or ribbon | T times the root of N times the sum of the squared lengths
-//! of links, for each line: T times its length once its nodes are evenly spaced, which they become
-//! | | tension T of a tube | T times the area of its film, that of a cell being the mean of both
-//! triangulations | | elasticity Y | Y / 2 (l - r)^2 / r for each link of length l and rest length
-//! r across | | stiffness B | B / 2 h^3 times the sum of squared second differences along each
-//! line, and 2 (p1 - p0 - h d)^2 at each end, h being the mean rest length of its links and d the
-//! direction of the part's last link |
+//! - Tension T of a thread or ribbon: for each line, T times the square root of N times the sum of
+//!   its squared link lengths. That is T times the line's length once its nodes are evenly spaced,
+//!   as in equilibrium.
+//! - Tension T of a tube: T times the area of its film. The area of a cell is the mean of both
+//!   triangulations.
+//! - Elasticity Y: Y / 2 (l - r)^2 / r for each link across, of length l and rest length r.
+//! - Stiffness B: B / 2 h^3 times the sum of squared second differences along each line, plus 2
+//!   (p1 - p0 - h d)^2 at each end. h is the mean rest length of the line's links and d the
+//!   direction of the part's last link.
 //!
-//! The film of a ribbon would have free edges, and none is in equilibrium but one of no area: its
-//! tension acts in its lines. A bridge of infinite stiffness is one body with both its sides.
-//! Hidden bridges have no force, welded ones have no inner nodes and make one body of two.
+//! The tension of a ribbon acts in its lines, because a film with free edges would shrink to zero
+//! area. A bridge of infinite stiffness is one body with both its sides. Hidden bridges exert no
+//! force. Welded bridges lack inner nodes and unite two bodies.
 //!
-//! Each step goes to the minimum of a sum of squares that is nowhere below the energy and touches
-//! it where the net is: force densities (H.-J. Schek, *The force density method for form finding*,
-//! 1974), for films with the cotangents of U. Pinkall and K. Polthier (*Computing discrete minimal
-//! surfaces*, 1993), which are the natural force densities of R. Pauletti and P. Pimenta (2008).
-//! Bodies are translated with the nodes and then rotated each by itself. Where all parts are held,
-//! steps are accelerated (`anderson`) if that lowers the energy further. So it never grows;
-//! convergence is linear, and slow for films near the limit of stability. O(n^1.5) operations and
-//! O(n log n) memory for n inner nodes a step. One thread: the same bits always.
+//! Each step minimises a sum of squares that bounds the energy from above and touches it at the
+//! current net. For lines these are force densities (H.-J. Schek, *The force density method for
+//! form finding*, 1974). For films they use the cotangents of U. Pinkall and K. Polthier
+//! (*Computing discrete minimal surfaces*, 1993), which are the natural force densities of R.
+//! Pauletti and P. Pimenta (2008). Bodies are translated with the nodes and then rotated one by
+//! one. If all parts are held, steps are accelerated (`anderson`) whenever that lowers the energy
+//! further. The energy therefore never grows. Convergence is linear, and slow for films near the
+//! limit of stability. A step takes O(n^1.5) operations and O(n log n) memory for n inner nodes, on
+//! one thread.
 
 mod anderson;
 mod bodies;
@@ -50,52 +50,58 @@ use gusset_base::job::Job;
 use parts::{BODY, NOWHERE, Parts};
 pub use settle_options::SettleOptions;
 
-/// What was done to a net. Energies are in units of force times length.
+/// The result of [`settle`]. Energies are in units of force times length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Settled {
-    /// The energy before, rigid bridges in their shape.
+    /// The initial energy, with rigid bridges in their rest shape.
     pub energy_before: f64,
-    /// The energy of tension now.
+    /// The final energy of tension.
     pub tension_energy: f64,
-    /// The energy of springs now.
+    /// The final energy of springs.
     pub elastic_energy: f64,
-    /// The energy of bending now.
+    /// The final energy of bending.
     pub bending_energy: f64,
-    /// The largest force on an inner vertex or a free body now.
+    /// The largest remaining force on an inner vertex or a free body.
     pub residual_force: f64,
     /// The largest displacement of a vertex.
     pub max_displacement: f64,
-    /// The steps taken.
+    /// The number of steps.
     pub iterations: u32,
-    /// The whole bridges that have a force.
+    /// The number of whole bridges with a force.
     pub settled: u32,
-    /// The whole bridges without: hidden or welded ones, and those whose properties are all 0.
+    /// The number of whole bridges without a force: hidden or welded ones, and bridges whose
+    /// properties are all 0.
     pub idle: u32,
-    /// The films that have collapsed: to less than a millionth of their area in places.
+    /// The number of collapsed films, in which a cell has less than a millionth of the mean area.
     pub collapsed: u32,
-    /// True if the last step was within the tolerance, or too small to lower the energy, and no
+    /// Whether the last step was within the tolerance, or too small to lower the energy, and no
     /// film has collapsed.
     pub converged: bool,
 }
 
-/// The steps unless options say otherwise.
+/// The default limit on steps.
 const DEFAULT_ITERATIONS: u32 = 1000;
-/// The tolerance unless options say otherwise.
+/// The default tolerance.
 const DEFAULT_TOLERANCE: f64 = 1e-12;
-/// A cell of a film with less than this part of the mean area before has collapsed.
-const COLLAPSED: f64 = 1e-6;
+/// A film has collapsed if a cell is below this fraction of the initial mean area.
+const MIN_RELATIVE_CELL_AREA: f64 = 1e-6;
 
 /// Moves the inner nodes of the whole bridges of a net, and its free parts, to equilibrium.
 ///
-/// Whole bridges run from side to side; those count whose direction is that of the last. If of
-/// parts that bridges join none is held, the first is. Lines with a missing node have no force, and
-/// links without a rest length no elasticity. A step that does not converge is told by the result.
+/// Whole bridges run from side to side; only bridges in the direction of the last one count. In a
+/// group of parts that bridges join, the first part is held if the caller holds none. Lines with a
+/// missing node exert no force, and links without a rest length lack elasticity. If the steps do
+/// not converge, the result says so.
 ///
 /// # Errors
-/// [`Error::BadProperty`], [`Error::OptionOutOfRange`] for the tolerance and the ratio,
-/// [`Error::ArrayTooShort`] for flags of some parts only, [`Error::SidesDiffer`] for a reference of
-/// another size, [`Error::NoSuch`] for bridges that overlap or leave the net, [`Error::OutOfMemory`],
-/// [`Error::Cancelled`]. The net is then unchanged.
+/// - [`Error::BadProperty`].
+/// - [`Error::OptionOutOfRange`]: the tolerance or the ratio.
+/// - [`Error::ArrayTooShort`]: flags of some parts only.
+/// - [`Error::SidesDiffer`]: a reference of another size.
+/// - [`Error::NoSuch`]: bridges that overlap or leave the net.
+/// - [`Error::OutOfMemory`], [`Error::Cancelled`].
+///
+/// The net is then unchanged.
 pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> Result<Settled> {
     let (tolerance, ratio) = (options.tolerance, options.rest_ratio);
     Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
@@ -105,8 +111,8 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
         return Err(Error::SidesDiffer { a, b });
     }
     job.step(0.0, "settle")?;
-    let mut parts = Parts::of(net, options)?;
-    let surface = Surface::of(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
+    let mut parts = Parts::new(net, options)?;
+    let surface = Surface::new(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
     let slots = parts.unite(net, &surface.classes, &job.part(0.1, 0.15))?;
     let mut composite = build(net, options, (&parts, &surface, slots), &job.part(0.15, 0.2))?;
     let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.size;
@@ -119,7 +125,7 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
     let mut moved = composite.positions(surface.positions.len())?;
     surface.round(&mut moved, net.coordinates().scalar());
     job.step(1.0, "settle")?;
-    // Nothing can fail any more.
+    // Nothing below can fail.
     surface.write(net, &moved);
     let displacements = moved.iter().zip(&surface.positions).map(|(p, q)| p.distance(*q));
     Ok(Settled {
@@ -138,10 +144,10 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
 }
 
 impl Composite {
-    /// The films of which a cell has collapsed.
+    /// The number of films with a collapsed cell.
     fn collapsed(&self) -> u32 {
         let has_collapsed = |(quads, area): &&(std::ops::Range<usize>, f64)| {
-            let least = COLLAPSED * area / quads.len().max(1) as f64;
+            let least = MIN_RELATIVE_CELL_AREA * area / quads.len().max(1) as f64;
             let mut cells = self.model.quads[quads.clone()].iter();
             cells.any(|quad| quad.area(&self.start) >= least && quad.area(&self.points) < least)
         };

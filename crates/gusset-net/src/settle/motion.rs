@@ -17,14 +17,13 @@ impl Motion {
         self.rotation * p + self.translation
     }
 
-    /// This motion, and then a rotation about a point.
+    /// This motion, followed by a rotation about a point.
     pub(super) fn turned(&self, rotation: DQuat, about: DVec3) -> Motion {
         let translation = rotation * (self.translation - about) + about;
         Motion { rotation: (rotation * self.rotation).normalize(), translation }
     }
 
-    /// The motion that brings points nearest to others, in the sum of squares: B. K. P. Horn
-    /// (1987).
+    /// The motion that best maps points to other points, by least squares: B. K. P. Horn (1987).
     pub(super) fn fitted(pairs: impl Iterator<Item = [DVec3; 2]> + Clone) -> Motion {
         let (mut sums, mut count) = ([DVec3::ZERO; 2], 0.0);
         pairs.clone().for_each(|[p, q]| (sums, count) = ([sums[0] + p, sums[1] + q], count + 1.0));

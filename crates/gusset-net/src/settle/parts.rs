@@ -11,40 +11,40 @@ use std::ops::Range;
 
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
-/// Of a vertex that no bridge and no part has.
+/// Marks a vertex that does not belong to a bridge or a part.
 pub(super) const NOWHERE: u32 = u32::MAX;
-/// Of vertices of bodies: the number of the body above this.
+/// For vertices of bodies, the body's index is stored above this.
 pub(super) const BODY: u32 = 1 << 31;
 
-/// What a composite net consists of, along one direction.
+/// The parts and bridges of a composite net, along one direction.
 pub(super) struct Parts {
     pub(super) direction: Direction,
-    /// The numbers of the whole bridges, in order of place.
+    /// The indices of the whole bridges, sorted by place.
     pub(super) bridges: Vec<usize>,
     /// The rows (`Down`) or columns of each part: one more than bridges.
     pub(super) ranges: Vec<Range<usize>>,
     /// The body of each part.
     pub(super) bodies: Vec<u32>,
-    /// True of bodies that stay, by number; entries of parts that are not the first of a body are
-    /// not read.
+    /// True for bodies that stay. Only entries of the first part of each body are used.
     pub(super) held: Vec<bool>,
     /// The parts that the caller holds.
     pub(super) held_parts: Vec<bool>,
 }
 
-/// The properties under which a bridge has a force; `None` if it has none.
+/// The properties of a bridge that has a force; `None` if it has none.
 pub(super) fn forces(bridge: &Bridge) -> Option<BridgeProperties> {
     let p = bridge.properties;
     let pulls = p.tension > 0.0 || p.elasticity > 0.0 || p.stiffness > 0.0;
     (bridge.mode == BridgeMode::Keep && pulls).then_some(p)
 }
 
-/// True if a bridge and its sides move as one body.
+/// Returns true if a bridge and its sides move as one body.
 pub(super) fn is_rigid(bridge: &Bridge) -> bool {
     forces(bridge).is_some_and(|p| p.stiffness == f64::INFINITY)
 }
 
-/// [`Error::BadProperty`] for a property that is negative or NaN, or infinite but for stiffness.
+/// Returns [`Error::BadProperty`] for a property that is negative, NaN, or infinite; stiffness may
+/// be infinite.
 fn check(index: usize, p: BridgeProperties) -> Result<()> {
     for (property, value) in [("tension", p.tension), ("elasticity", p.elasticity), ("stiffness", p.stiffness)] {
         let is_valid = value >= 0.0 && (value.is_finite() || property == "stiffness");
@@ -57,7 +57,7 @@ fn check(index: usize, p: BridgeProperties) -> Result<()> {
 
 impl Parts {
     /// The parts between the whole bridges in the direction of the last of them.
-    pub(super) fn of(net: &Net<'_>, options: &SettleOptions<'_>) -> Result<Self> {
+    pub(super) fn new(net: &Net<'_>, options: &SettleOptions<'_>) -> Result<Self> {
         let all = net.bridges();
         let whole = |bridge: &Bridge| bridge.is_whole(net.shape());
         let direction = all.iter().rfind(|bridge| whole(bridge)).map_or(Direction::Down, |bridge| bridge.direction);
@@ -70,7 +70,7 @@ impl Parts {
             let (at, rows) = (all[index].at, all[index].rows);
             let is_inside = rows < at && (at as usize) < direction.extent(net.shape()).0;
             if !is_inside || (all[index].first_side() as usize) < start {
-                // It is no bridge of this net, or lies within another.
+                // The bridge does not belong to this net, or lies within another.
                 return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
             }
             ranges.push(start..all[index].first_side() as usize + 1);
@@ -93,8 +93,8 @@ impl Parts {
         classes.representative(classes.shape().node(i, j))
     }
 
-    /// Unites parts that are glued or joined by rigid bridges to bodies, and returns for each class
-    /// of nodes its body above [`BODY`], or [`NOWHERE`] for what only bridges have.
+    /// Unites parts that are glued or joined by rigid bridges into bodies. Returns for each class
+    /// of nodes its body above [`BODY`], or [`NOWHERE`] if only bridges contain it.
     pub(super) fn unite(&mut self, net: &Net<'_>, classes: &Classes, job: &Job<'_>) -> Result<Vec<u32>> {
         let shape = net.shape();
         let along = self.direction.extent(shape).1;
@@ -133,8 +133,8 @@ impl Parts {
         Ok(slots)
     }
 
-    /// Finds which bodies stay: those with a part that is held, and of bodies that bridges join,
-    /// none of which is held, the first.
+    /// Determines the bodies that stay: bodies with a held part, and the first of a group of bodies
+    /// that bridges join if none of them is held.
     fn hold(&mut self, net: &Net<'_>) -> Result<()> {
         let count = self.ranges.len();
         self.held = alloc::filled(false, count)?;

@@ -17,7 +17,7 @@ const SAMPLE: usize = 2048;
 /// Nodes in the sample for the order of coordinates.
 const ORDER_SAMPLE: usize = 512;
 
-/// Nodes that are not stored, as they repeat an earlier one.
+/// Nodes that are not stored, because they repeat an earlier one.
 #[derive(Debug)]
 pub(super) struct Duplicates {
     shape: Shape,
@@ -30,14 +30,14 @@ impl Duplicates {
         Duplicates { shape, pairs: Vec::new() }
     }
 
-    /// All nodes but the first of each class.
+    /// All nodes except the first of each class.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub(super) fn of(topology: &Topology) -> Result<Self> {
+    pub(super) fn from_topology(topology: &Topology) -> Result<Self> {
         let mut duplicates = Duplicates::none(topology.shape());
         let pairs = &mut duplicates.pairs;
-        Classes::of(topology)?.each_glued(|node, first| alloc::push(pairs, [node, first]))?;
+        Classes::new(topology)?.each_glued(|node, first| alloc::push(pairs, [node, first]))?;
         Ok(duplicates)
     }
 
@@ -50,7 +50,7 @@ impl Duplicates {
         row.for_each(|&[node, first]| visit((node - start) as usize, first));
     }
 
-    /// True if duplicates equal the nodes that they repeat bit for bit.
+    /// Returns true if duplicates equal the nodes that they repeat bit for bit.
     pub(super) fn are_exact<T: Bits>(&self, planes: &Planes<'_, T>) -> bool {
         let levels = |node: u32| {
             let (i, j) = self.shape.place(node);
@@ -129,7 +129,7 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
     }
 }
 
-/// Decodes a block into its rows of the three matrices, all but duplicates.
+/// Decodes a block into its rows of the three matrices, except duplicates.
 ///
 /// # Errors
 /// [`Error::BadStream`](gusset_base::Error::BadStream),
@@ -143,7 +143,7 @@ pub(super) fn decode<T: Bits>(
     mut to: [&mut [T]; 3],
 ) -> Result<()> {
     let (columns, order) = (info.shape.columns(), ORDERS[info.order as usize]);
-    let start = from.bad("what is coded is no net");
+    let start = from.bad("the coded data do not describe a net");
     let may_miss = from.flag()?.ok_or(start)?;
     let mut predictors = [(0, Predictor::new(&Predictor::PARALLELOGRAM, 1)); 3];
     for (before, predictor) in predictors.iter_mut().enumerate() {
@@ -156,7 +156,7 @@ pub(super) fn decode<T: Bits>(
     // Padding that the encoder adds to streams that are short for their content.
     let rest = from.raw(from.remaining())?;
     if rest.iter().any(|&byte| byte != 0) || (block + 1 < info.block_count() && !rest.is_empty()) {
-        return Err(from.bad("there is something after the end"));
+        return Err(from.bad("there are bytes after the end"));
     }
     let mut coder = Decoder::new(words, bits)?;
     let mut state = RowCoder::new(columns, predictors)?;
@@ -173,7 +173,7 @@ pub(super) fn decode<T: Bits>(
     if coder.is_sound() { Ok(()) } else { Err(start) }
 }
 
-/// Stores the numbers of a row; false if a level has no number.
+/// Stores the numbers of a row. Returns false if a level is out of range.
 fn store<T: Bits>(row: &Row, levels: &impl Levels<T>, to: &mut [&mut [T]; 3]) -> bool {
     let mut sound = true;
     for (axis, (to, from)) in to.iter_mut().zip(&row.levels).enumerate() {
@@ -199,9 +199,9 @@ fn fraction(info: &StreamInfo) -> u32 {
     }
 }
 
-/// True if a coordinate of a row is not finite.
+/// Returns true if a coordinate of a row is not finite.
 fn has_non_finite<T: Bits>(row: [&[T]; 3]) -> bool {
-    // Counted, not searched, so that the loop vectorises.
+    // Counts instead of searching, so that the loop vectorises.
     row.into_iter()
         .any(|numbers| numbers.iter().map(|&x| u32::from(!Into::<f64>::into(x).is_finite())).sum::<u32>() > 0)
 }

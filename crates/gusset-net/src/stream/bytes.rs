@@ -128,10 +128,11 @@ impl<'a> Reader<'a> {
         for shift in (0..64).step_by(7) {
             let byte = self.u8()?;
             value |= u64::from(byte & 0x7f) << shift;
-            // One encoding of each number: no trailing zeros, no bits beyond the 64th.
+            // Each number has one encoding: without trailing zeros and without bits beyond the
+            // 64th.
             if byte < 0x80 {
                 let good = (byte > 0 || shift == 0) && (shift < 63 || byte == 1);
-                return if good { Ok(value) } else { Err(self.bad("a number is written in an odd way")) };
+                return if good { Ok(value) } else { Err(self.bad("the encoding of a number is not the shortest")) };
             }
         }
         Err(self.bad("a number is too long"))
@@ -154,7 +155,7 @@ impl<'a> Reader<'a> {
 
     /// Requires that all bytes were read.
     pub(super) fn finish(self) -> Result<()> {
-        if self.remaining() == 0 { Ok(()) } else { Err(self.bad("there is something after the end")) }
+        if self.remaining() == 0 { Ok(()) } else { Err(self.bad("there are bytes after the end")) }
     }
 }
 

@@ -10,8 +10,8 @@ use constriction::stream::{Decode, Encode};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 
-/// An encoder or a decoder of a sequence of numbers: an encoder writes each number that it is
-/// given, a decoder ignores it and returns the one it reads.
+/// An encoder or a decoder of a sequence of numbers. An encoder writes each number that it is
+/// given. A decoder ignores its argument and returns the number that it reads.
 pub(super) trait Coder {
     /// Codes a symbol by an adaptive model, and updates the model.
     fn symbol<const N: usize>(&mut self, model: &mut Model<N>, symbol: usize) -> usize;

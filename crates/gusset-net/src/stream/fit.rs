@@ -1,8 +1,9 @@
-//! Fitting of a block's predictors to a sample of its nodes: iteratively reweighted least squares.
+//! Fitting of a block's predictors to a sample of its nodes, by iteratively reweighted least
+//! squares.
 //!
-//! The code length grows with the logarithm of the residual, so observations are given Cauchy
-//! weights; a few nodes at discontinuities then cannot spoil the fit of the rest. O(sample) per
-//! round; a few rounds.
+//! The code length grows with the logarithm of the residual, so observations have Cauchy weights. A
+//! few nodes at discontinuities then cannot spoil the fit of the others. O(sample) per round; a few
+//! rounds.
 
 use super::levels::Levels;
 use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS, WEIGHTS_PER_ERROR, place};

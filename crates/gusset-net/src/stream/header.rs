@@ -49,7 +49,7 @@ pub struct StreamInfo {
     pub step: [f64; 3],
     /// Bytes before the first block.
     pub prelude_size: u64,
-    /// True if of each class of glued nodes only the first is stored.
+    /// Whether only the first node of each class of glued nodes is stored.
     pub(super) folded: bool,
     /// For [`Mode::Lossless`], the bits of the coordinates of missing nodes.
     pub(super) missing: [u64; 3],
@@ -61,7 +61,7 @@ pub struct StreamInfo {
 }
 
 impl StreamInfo {
-    /// The header of a stream without any content yet.
+    /// The header of an empty stream.
     pub(super) fn new(shape: Shape, scalar: Scalar, mode: Mode, rows_per_block: usize) -> Self {
         StreamInfo {
             shape,
@@ -84,7 +84,7 @@ impl StreamInfo {
     /// # Errors
     /// [`Error::BadStream`](gusset_base::Error::BadStream).
     pub fn read(bytes: &[u8]) -> Result<Self> {
-        // Whatever else is wrong, of other bytes that is said first.
+        // Reports other bytes first, before any other fault.
         if bytes.iter().zip(&MAGIC).any(|(byte, own)| byte != own) {
             return Err(bad("it does not begin as a stream of a net does", 0));
         }
@@ -120,9 +120,10 @@ impl StreamInfo {
             1 => Scalar::F64,
             _ => return Err(from.bad("the type of the coordinates is unknown")),
         };
-        let shape = Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("no net has this size"))?;
+        let shape =
+            Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("the size is impossible for a net"))?;
         if flags > 1 || order > 5 || reserved != [0; 3] || zero != 0 || !(1..=rows).contains(&rows_per_block) {
-            return Err(from.bad("a field has no such value"));
+            return Err(from.bad("a field has an unknown value"));
         }
         let numbers = [from.u64()?, from.u64()?, from.u64()?];
         let step = [from.f64()?, from.f64()?, from.f64()?];
@@ -130,10 +131,10 @@ impl StreamInfo {
         let (origin, missing) = if quantised { (numbers.map(f64::from_bits), [0; 3]) } else { ([0.0; 3], numbers) };
         let is_grid = |axis: usize| step[axis] > 0.0 && step[axis].is_finite() && origin[axis].abs() <= f64::MAX / 4.0;
         if quantised && !(0..3).all(is_grid) {
-            return Err(from.bad("a step or an origin is no number that it can be"));
+            return Err(from.bad("a step or an origin is out of range"));
         }
         if !quantised && step != [0.0; 3] {
-            return Err(from.bad("a field has no such value"));
+            return Err(from.bad("a field has an unknown value"));
         }
         let plain = StreamInfo::new(shape, scalar, mode, rows_per_block as usize);
         let mut info =

@@ -9,11 +9,11 @@ use crate::Real;
 pub(super) trait Bits: Real {
     /// Bytes of a number.
     const SIZE: usize = size_of::<Self>();
-    /// The number as an integer in numerical order, from -infinity to infinity, -0 before 0; NaN
-    /// beyond both.
+    /// The number as an integer that sorts numerically, from -infinity to infinity, with -0 before
+    /// 0 and NaN beyond both.
     fn level(self) -> i64;
     /// The number of a level, if it is in range.
-    fn of_level(level: i64) -> Option<Self>;
+    fn from_level(level: i64) -> Option<Self>;
     /// Little-endian bytes.
     fn write(self, to: &mut [u8]);
     /// From little-endian bytes, exactly [`Bits::SIZE`] of them.
@@ -34,7 +34,7 @@ macro_rules! bits {
             }
 
             #[inline(always)]
-            fn of_level(level: i64) -> Option<Self> {
+            fn from_level(level: i64) -> Option<Self> {
                 let level = $whole::try_from(level).ok()?;
                 Some($scalar::from_bits((level ^ ((level >> ($whole::BITS - 1)) & $whole::MAX)) as _))
             }
@@ -69,7 +69,7 @@ pub(super) trait Levels<T>: Sync {
     fn nearest(&self, axis: usize, value: f64) -> i64;
     /// The spacing of values near this one.
     fn resolution(&self, value: f64) -> f64;
-    /// True for a node that is marked as missing and not coded.
+    /// Returns true for a node that is marked as missing and not coded.
     fn is_missing(&self, node: [T; 3]) -> bool;
     /// The coordinates that missing nodes get.
     fn missing(&self) -> [T; 3];
@@ -90,17 +90,17 @@ impl<T: Bits> Levels<T> for LosslessLevels<T> {
 
     #[inline(always)]
     fn number(&self, _: usize, level: i64) -> Option<T> {
-        T::of_level(level)
+        T::from_level(level)
     }
 
     #[inline(always)]
     fn value(&self, level: i64) -> f64 {
-        T::of_level(level).map_or(0.0, Into::into)
+        T::from_level(level).map_or(0.0, Into::into)
     }
 
     #[inline(always)]
     fn nearest(&self, _: usize, value: f64) -> i64 {
-        T::of(value).level()
+        T::from_f64(value).level()
     }
 
     fn resolution(&self, value: f64) -> f64 {
@@ -139,7 +139,7 @@ impl<T: Bits> Levels<T> for UniformLevels {
     #[inline(always)]
     fn number(&self, axis: usize, level: i64) -> Option<T> {
         let in_range = (0..=self.last).contains(&level);
-        in_range.then(|| T::of(self.origin[axis] + level as f64 * self.step[axis]))
+        in_range.then(|| T::from_f64(self.origin[axis] + level as f64 * self.step[axis]))
     }
 
     #[inline(always)]

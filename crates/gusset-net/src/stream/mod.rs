@@ -1,30 +1,30 @@
 //! Nets as bytes: compact streams (Deryagin, "transfer of information in various systems").
 //!
-//! A stream consists of, all numbers little-endian:
+//! A stream consists of these parts; all numbers are little-endian:
 //!
-//! | part | bytes | what |
+//! | part | bytes | content |
 //! |---|---|---|
 //! | header | 128 | magic, version, mode, sizes, grid of levels, checksums ([`StreamInfo`]) |
-//! | stream_structure | as in the header | topology (sides in a byte, or contracted links in runs; seams) and bridges |
+//! | structure | as in the header | topology (sides in a byte, or contracted links in runs; seams) and bridges |
 //! | table | 12 a block | size (8) and CRC-32 (4) of each block |
 //! | blocks | as in the table | coordinates of some rows each |
 //!
-//! * [`Mode::Raw`]: X, Y and Z of the rows of a block, row after row without gaps, each at a
+//! - [`Mode::Raw`]: X, Y and Z of the rows of a block, row after row without gaps, each at a
 //!   multiple of 64 bytes of the stream. One block by default: the three matrices, ready for memory
 //!   mapping.
-//! * [`Mode::Quantised`]: each coordinate is the nearest level `origin + k * step`; decoding gives
-//!   exactly that number, computed in double precision by one multiplication and one addition and
-//!   rounded to the scalar type. The step is the extent of the bounding box (its longest side, or
-//!   that of each axis) over the number of levels less one, or the larger intrinsic step of the
-//!   coordinates. Missing nodes become three quiet NaN.
-//! * [`Mode::Lossless`]: every bit is restored, those of NaN too.
+//! - [`Mode::Quantised`]: each coordinate is the nearest level `origin + k * step`. Decoding
+//!   computes exactly that number in double precision, by one multiplication and one addition, and
+//!   rounds it to the scalar type. The step is the extent of the bounding box (its longest side, or
+//!   each axis's own) over the number of levels minus one. If the coordinates have a larger
+//!   intrinsic step, that one is used. Missing nodes become three quiet NaN.
+//! - [`Mode::Lossless`]: every bit is restored, including NaN payloads.
 //!
-//! In the last two modes only the smallest node of each class is stored; decoding copies it bit for
-//! bit (lossless: only if the class is equal bit for bit). Coordinates are predicted linearly from
-//! their neighbours and from the errors of the node's other coordinates, with weights fitted to
-//! each block and stored with it; residuals are range coded by adaptive models in the context of
-//! neighbouring residuals. Blocks are independent, so that they can be coded in parallel, sent one
-//! at a time, and decoded as they arrive ([`StreamDecoder`]).
+//! The last two modes store only the smallest node of each class. Decoding copies it bit for bit
+//! (in lossless mode only if the class is equal bit for bit). Coordinates are predicted linearly
+//! from their neighbours and from the errors of the node's other coordinates. The weights are
+//! fitted to each block and stored with it. Residuals are range coded by adaptive models in the
+//! context of neighbouring residuals. Blocks are independent, so they can be coded in parallel,
+//! sent one at a time, and decoded as they arrive ([`StreamDecoder`]).
 
 mod block;
 mod bytes;

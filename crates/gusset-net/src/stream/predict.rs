@@ -2,10 +2,10 @@
 //!
 //! A coordinate is predicted as a linear combination of its causal neighbours N, NW, NE, NEE, NWW,
 //! WW and NN (N is the row above), all relative to W on its left, and of the prediction errors of
-//! the node's earlier coordinates. These are correlated: a depth camera's x is z times a linear
-//! function of the column, so that their weights are linear functions of column and row. Invariant:
-//! weights are multiples of 2^-fraction, and all operations are in one order: encoder and decoder
-//! predict the same bits. O(1) a node.
+//! the node's earlier coordinates. The errors are correlated: a depth camera's x is z times a
+//! linear function of the column. Their weights are therefore linear functions of column and row.
+//! Invariant: weights are multiples of 2^-fraction, and all operations have a fixed order, so that
+//! encoder and decoder predict the same bits. O(1) a node.
 
 use super::bytes::{Reader, Writer};
 use gusset_base::alloc;
@@ -25,8 +25,9 @@ const MARGIN_AFTER: usize = 2;
 /// The largest magnitude of a weight.
 const MAX_WEIGHT: f64 = 64.0;
 
-/// The weights of one coordinate, in units of 2^-fraction: of N, NW, NE, WW, NN, NEE, NWW, then of
-/// the error of each earlier coordinate: constant, times the column, times the row.
+/// The weights of one coordinate, in units of 2^-fraction. First the weights of N, NW, NE, WW, NN,
+/// NEE, NWW, then three for the error of each earlier coordinate: constant, times the column, times
+/// the row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Predictor {
     weights: [i32; WEIGHTS],
@@ -120,8 +121,7 @@ impl Line {
         }
     }
 
-    /// The weights of the neighbours. In the second row there is no NN, and it is predicted by
-    /// parallelograms.
+    /// The weights of the neighbours. The second row lacks NN and is predicted by parallelograms.
     fn weights(i: usize, predictor: &Predictor) -> [f64; NEIGHBOURS] {
         std::array::from_fn(|k| if i == 1 { Predictor::PARALLELOGRAM[k] } else { predictor.weight(k) })
     }

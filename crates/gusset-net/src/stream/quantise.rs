@@ -1,8 +1,8 @@
 //! The choice of quantisation levels.
 //!
 //! The step follows from the number of bits and the bounding box. Scanners often have an intrinsic
-//! step: if the coordinates of an axis already lie in equal steps larger than the requested one,
-//! theirs is used, which is more exact and takes fewer bits. O(nodes).
+//! step. If the coordinates of an axis already lie in equal steps larger than the requested one,
+//! the intrinsic step is used, which is more accurate and takes fewer bits. O(nodes).
 
 use super::levels::{Bits, Levels, UniformLevels};
 use crate::Planes;
@@ -90,7 +90,7 @@ fn intrinsic_step<T: Bits>(planes: &Planes<'_, T>, axis: usize, step: f64) -> Re
     Ok(Some((found[0] - distance * libm::rint((found[0] - bounds(planes)[0][axis]) / distance), distance)))
 }
 
-/// True if rounding to the levels moves no coordinate of an axis by more than `tolerance`.
+/// Returns true if rounding to the levels moves the coordinates of an axis by at most `tolerance`.
 fn is_exact_enough<T: Bits>(planes: &Planes<'_, T>, axis: usize, grid: &UniformLevels, tolerance: f64) -> bool {
     (0..planes.shape().rows()).all(|i| {
         planes.row(i)[axis].iter().all(|&number| {

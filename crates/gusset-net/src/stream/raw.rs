@@ -1,5 +1,5 @@
-//! Uncompressed blocks: the rows of X, then of Y, then of Z, without gaps, each of the three at a
-//! multiple of 64 bytes from the start of the block; little-endian. O(nodes).
+//! Uncompressed blocks: the rows of X, then of Y, then of Z, without gaps, in little-endian. Each
+//! of the three starts at a multiple of 64 bytes from the start of the block. O(nodes).
 
 use super::bytes::Reader;
 use super::header::{ALIGNMENT, StreamInfo};
@@ -37,7 +37,7 @@ pub(super) fn decode<T: Bits>(info: &StreamInfo, block: usize, mut from: Reader<
         let numbers = from.raw(size)?;
         matrix.iter_mut().zip(numbers.chunks_exact(T::SIZE)).for_each(|(to, bytes)| *to = T::read(bytes));
         if from.raw(aligned - size)?.iter().any(|&byte| byte != 0) {
-            return Err(from.bad("what fills up a block is not zero"));
+            return Err(from.bad("the padding of a block is not zero"));
         }
     }
     from.finish()

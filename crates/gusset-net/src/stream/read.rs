@@ -1,7 +1,7 @@
 //! Decoding of streams, whole or as they arrive.
 //!
-//! Invariant: bytes that no encoder wrote are refused, and memory is allocated only within the
-//! bound that the length of the stream implies. O(nodes), blocks in parallel.
+//! Invariant: bytes that an encoder cannot have written are rejected. Memory is allocated only
+//! within the bound that the length of the stream implies. O(nodes), blocks in parallel.
 
 use super::block::{self, Duplicates};
 use super::bytes::{Reader, bad, checksum};
@@ -51,20 +51,20 @@ impl Prelude {
         }
         let padding = info.prelude_size - table_at - info.table_size();
         if from.raw(usize::try_from(padding).unwrap_or(usize::MAX))?.iter().any(|&byte| byte != 0) {
-            return Err(from.bad("what fills up the stream before the first block is not zero"));
+            return Err(from.bad("the padding before the first block is not zero"));
         }
         let (entries, end) = read_table(&info, Reader::new(table, table_at))?;
         if let Some(total) = total.filter(|&total| total != end) {
-            return Err(bad("its blocks are not as long as the table says", end.min(total)));
+            return Err(bad("the length of its blocks differs from the table", end.min(total)));
         }
         let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
         let from = Reader::new(structure, HEADER_SIZE as u64);
         let (topology, bridges) = stream_structure::read(info.shape, limit, from)?;
-        let duplicates = if info.folded { Duplicates::of(&topology)? } else { Duplicates::none(info.shape) };
+        let duplicates = if info.folded { Duplicates::from_topology(&topology)? } else { Duplicates::none(info.shape) };
         Ok(Prelude { info, topology, bridges, duplicates, entries })
     }
 
-    /// Decodes a block into its rows of the three matrices, all but duplicates.
+    /// Decodes a block into its rows of the three matrices, except duplicates.
     fn decode<T: Bits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
         let Entry { offset, checksum: expected, .. } = self.entries[block];
         if checksum(bytes) != expected {
@@ -76,7 +76,7 @@ impl Prelude {
             Mode::Raw => raw::decode(info, block, from, to),
             Mode::Lossless => {
                 let bad = from.bad("the numbers of missing nodes are out of range");
-                let number = |bits: u64| T::of_level(bits as i64);
+                let number = |bits: u64| T::from_level(bits as i64);
                 let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
                 block::decode(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
             }
@@ -112,10 +112,10 @@ fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u6
     Ok((entries, offset))
 }
 
-/// The net of a stream.
+/// Decodes the net of a stream.
 ///
-/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones
-/// by their checksums; there are no more than 4096 nodes for each byte.
+/// O(nodes); blocks are decoded in parallel. Bytes that an encoder cannot have written are
+/// rejected, and damaged ones fail their checksums. There are at most 4096 nodes for each byte.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -123,11 +123,11 @@ pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
     decode_within(bytes, u64::MAX, job)
 }
 
-/// [`decode`], of streams that may be hostile: a net of more nodes than `node_limit` is refused
-/// before memory is asked for.
+/// [`decode`] for streams that may be hostile. A net of more than `node_limit` nodes is rejected
+/// before memory is allocated.
 ///
 /// # Errors
-/// Those of [`decode`]; [`Error::TooLarge`].
+/// The errors of [`decode`]; [`Error::TooLarge`].
 pub fn decode_within(bytes: &[u8], node_limit: u64, job: &Job<'_>) -> Result<Net<'static>> {
     let info = StreamInfo::read(bytes)?;
     Error::check_count("nodes", info.shape.node_count() as u64, node_limit)?;
@@ -172,15 +172,15 @@ pub struct StreamDecoder {
 }
 
 impl StreamDecoder {
-    /// `node_limit`: a larger net is refused, as its memory is allocated before the stream is
-    /// complete.
+    /// Creates a decoder. A net of more than `node_limit` nodes is rejected, because its memory is
+    /// allocated before the stream is complete.
     pub fn new(node_limit: u64) -> Self {
         StreamDecoder { pending: Vec::new(), offset: 0, node_limit, state: None, next: 0, failed: None }
     }
 
     /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the
-    /// number of complete rows. An error is final and returned again, but for that of memory, which
-    /// leaves all as it was.
+    /// number of complete rows. An error is final and returned again, except a lack of memory,
+    /// which leaves the decoder unchanged.
     ///
     /// # Errors
     /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -191,7 +191,7 @@ impl StreamDecoder {
         let (pending, next, begun) = (self.pending.len(), self.next, self.state.is_some());
         let done = self.take(bytes);
         if let Err(Error::OutOfMemory { .. }) = done {
-            // Rows that were decoded are decoded again.
+            // Rows that were already decoded are decoded again.
             self.pending.truncate(pending);
             self.next = next;
             self.state.take_if(|_| !begun);
@@ -221,12 +221,12 @@ impl StreamDecoder {
         self.pending.drain(..used);
         self.offset += used as u64;
         if self.next == prelude.entries.len() && !self.pending.is_empty() {
-            return Err(bad("there is something after the end", self.offset));
+            return Err(bad("there are bytes after the end", self.offset));
         }
         Ok(())
     }
 
-    /// Reads the prelude once it is complete; its bytes.
+    /// Reads the prelude once it is complete. Returns the number of its bytes.
     fn start(&mut self) -> Result<usize> {
         if self.pending.len() < HEADER_SIZE {
             return Ok(0);
@@ -256,7 +256,8 @@ impl StreamDecoder {
     /// The complete rows as a net: a sheet without bridges.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn preview(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let Some((prelude, coordinates)) = &self.state else {
             return Err(Error::NetTooSmall { rows: 0, columns: 0 });
@@ -264,13 +265,13 @@ impl StreamDecoder {
         let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
         let whole = Rearrangement::Part { row: 0, column: 0 };
         let part = rearrange(coordinates, shape, &whole, job)?;
-        Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
+        Ok(Net::new(part, Topology::from_sides(shape, Sides::SHEET)))
     }
 
-    /// The net, once the stream is complete; the decoder is then reset.
+    /// Returns the net once the stream is complete, and resets the decoder.
     ///
     /// # Errors
-    /// [`Error::BadStream`] if it is not, or the error of [`StreamDecoder::push`].
+    /// [`Error::BadStream`] if it is not complete, or the error of [`StreamDecoder::push`].
     pub fn finish(&mut self) -> Result<Net<'static>> {
         if let Some(error) = self.failed {
             return Err(error);

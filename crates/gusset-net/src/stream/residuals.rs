@@ -1,9 +1,9 @@
 //! Coding of residuals: contexts by expected magnitude, with an adaptive model each.
 //!
-//! The magnitudes of neighbouring residuals predict that of the next, and choose one of many
-//! models. Each starts from a geometric distribution of the expected mean, so that small nets need
-//! not learn from nothing. Symbols are magnitude classes in the manner of Golomb-Rice codes; the
-//! bits below are coded as they are. O(1) a residual.
+//! The magnitudes of neighbouring residuals predict the next magnitude and choose one of many
+//! models. Each model starts from a geometric distribution of the expected mean, so that small nets
+//! need not train it. Symbols are magnitude classes in the manner of Golomb-Rice codes; the bits
+//! below are stored uncoded. O(1) a residual.
 
 use super::coder::Coder;
 use super::symbol_model::Model;
@@ -124,7 +124,7 @@ mod tests {
     use constriction::stream::model::DecoderModel;
 
     #[test]
-    fn every_magnitude_is_in_its_range() {
+    fn every_magnitude_is_in_its_class() {
         for magnitude in 0..1000 {
             let found = range(magnitude);
             assert!(STARTS[found] <= magnitude);
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn probabilities_are_positive_and_whole() {
+    fn probabilities_are_positive_and_complete() {
         for level in 0..LEVELS {
             let mut model = Model::new(geometric(level));
             for k in 0..5000 {

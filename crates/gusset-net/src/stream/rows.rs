@@ -19,7 +19,7 @@ pub(super) enum NodeState {
     Coded,
     /// It repeats an earlier node.
     Duplicate,
-    /// It has no coordinates.
+    /// It lacks coordinates.
     Missing,
 }
 
@@ -83,8 +83,8 @@ impl RowCoder {
         })
     }
 
-    /// Codes the next row, at `vertical` between -1 and 1. `may_miss`: gaps among nodes that are no
-    /// duplicates are coded first.
+    /// Codes the next row, at `vertical` between -1 and 1. If `may_miss`, gaps among nodes that are
+    /// not duplicates are coded first.
     pub(super) fn code<C: Coder, T, L: Levels<T>>(
         &mut self,
         coder: &mut C,

@@ -19,18 +19,18 @@ const REVERSED: u8 = 128;
 const KINDS: [BridgeKind; 3] = [BridgeKind::Ribbon, BridgeKind::Tube, BridgeKind::Thread];
 const MODES: [BridgeMode; 3] = [BridgeMode::Keep, BridgeMode::Hide, BridgeMode::Weld];
 
-/// Writes all of a net but its coordinates. Returns the number of nodes and pairs of seams of all
-/// topologies.
+/// Writes everything of a net except its coordinates. Returns the number of nodes and pairs of
+/// seams of all topologies.
 pub(super) fn write(net: &Net<'_>, to: &mut Writer) -> Result<u64> {
     write_topology(net.topology(), to)?;
-    let adaptations = Adaptations::of(net.bridges())?;
+    let adaptations = Adaptations::new(net.bridges())?;
     adaptations.write(to)?;
     write_bridges(net.bridges(), &adaptations.numbers, to)?;
     let adapted = adaptations.list.iter().map(|adaptation| work(&adaptation.topology));
     Ok(adapted.fold(work(net.topology()), u64::saturating_add))
 }
 
-/// `limit`: the largest number of nodes and pairs of seams.
+/// Reads a topology and its bridges. `limit` is the maximum number of nodes and pairs of seams.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`].
@@ -67,18 +67,18 @@ fn write_topology(topology: &Topology, to: &mut Writer) -> Result<()> {
 
 /// Subtracts the work of the topology from `limit` before memory is allocated.
 fn read_topology(shape: Shape, limit: &mut u64, from: &mut Reader<'_>) -> Result<Topology> {
-    let too_much = from.bad("it is too short for so much");
+    let too_much = from.bad("it is too short for its content");
     *limit = limit.checked_sub(shape.node_count() as u64).ok_or(too_much)?;
     let bits = from.u8()?;
     let links = match bits & !REVERSED {
         MATRIX => Links::Matrix(read_matrix(shape, from)?),
-        sides if sides < MATRIX => Links::Sides(sides_of(sides)),
+        sides if sides < MATRIX => Links::Sides(sides_from_bits(sides)),
         _ => return Err(from.bad("the kind of gluing is unknown")),
     };
     let seams = read_list(from, read_seam)?;
     let pairs = seams.iter().fold(0u64, |sum, seam| sum.saturating_add(seam.count.into()));
     *limit = limit.checked_sub(pairs).ok_or(too_much)?;
-    let bad = from.bad("the gluing is none that a net has");
+    let bad = from.bad("the gluing is impossible for a net");
     let topology = match Topology::canonical(shape, links, seams) {
         Err(Error::OutOfMemory { bytes }) => return Err(Error::OutOfMemory { bytes }),
         topology => topology.ok().flatten().ok_or(bad)?,
@@ -89,12 +89,12 @@ fn read_topology(shape: Shape, limit: &mut u64, from: &mut Reader<'_>) -> Result
 /// The adaptations of joined nets, each once, in topological order: those referred to come first.
 struct Adaptations<'a> {
     list: Vec<&'a Adaptation>,
-    /// The place of each in the list, from 1 on.
+    /// The position of each in the list, from 1 on.
     numbers: HashMap<*const Adaptation, u64>,
 }
 
 impl<'a> Adaptations<'a> {
-    fn of(bridges: &'a [Bridge]) -> Result<Self> {
+    fn new(bridges: &'a [Bridge]) -> Result<Self> {
         let mut adaptations = Adaptations { list: Vec::new(), numbers: HashMap::new() };
         let mut open = Vec::new();
         push_adaptations(bridges, &mut open)?;
@@ -143,7 +143,7 @@ fn push_adaptations<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a Adaptation, b
 
 fn read_adaptation(adaptations: &[Arc<Adaptation>], limit: &mut u64, from: &mut Reader<'_>) -> Result<Adaptation> {
     let joined = read_shape(from)?;
-    let flipped = from.flag()?.ok_or_else(|| from.bad("a field has no such value"))?;
+    let flipped = from.flag()?.ok_or_else(|| from.bad("a field has an unknown value"))?;
     let twist = from.varint_u32()?;
     let mut end = 0u64;
     let copies = read_list(from, |from| {
@@ -157,7 +157,7 @@ fn read_adaptation(adaptations: &[Arc<Adaptation>], limit: &mut u64, from: &mut 
     Ok(Adaptation { joined, flipped, copies, twist, topology, bridges })
 }
 
-/// True if the adaptation is possible for a net joined in that direction.
+/// Returns true if the adaptation is possible for a net joined in that direction.
 fn is_possible(adaptation: &Adaptation, direction: Direction) -> bool {
     let [(across, along), (old_across, old_along)] =
         [adaptation.joined, adaptation.topology.shape()].map(|shape| direction.extent(shape));
@@ -174,7 +174,7 @@ fn write_shape(shape: Shape, to: &mut Writer) -> Result<()> {
 
 fn read_shape(from: &mut Reader<'_>) -> Result<Shape> {
     let [rows, columns] = [from.varint_u32()?, from.varint_u32()?];
-    Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("no net has this size"))
+    Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("the size is impossible for a net"))
 }
 
 /// A list preceded by its length.
@@ -197,7 +197,7 @@ fn sides_bits(sides: Sides) -> u8 {
     bits.into_iter().enumerate().map(|(k, bit)| u8::from(bit) << k).sum()
 }
 
-fn sides_of(bits: u8) -> Sides {
+fn sides_from_bits(bits: u8) -> Sides {
     let [rows_closed, columns_closed, pole_top, pole_bottom, pole_left, pole_right] =
         std::array::from_fn(|k| bits >> k & 1 == 1);
     Sides { rows_closed, columns_closed, pole_top, pole_bottom, pole_left, pole_right }
@@ -273,9 +273,9 @@ fn write_bridges(bridges: &[Bridge], adaptations: &HashMap<*const Adaptation, u6
     bridges.iter().try_for_each(|bridge| write_bridge(bridge, adaptations, to))
 }
 
-/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the inner rows
-/// if there are any, the adaptations of the nets on both sides, and the properties if they are not
-/// all zero.
+/// Writes a bridge: direction, kind and mode in a byte, the place, the extent and the nesting. The
+/// inner rows follow if there are any, then the adaptations of the nets on both sides, then the
+/// properties unless all are zero.
 fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     let direction = u8::from(bridge.direction == Direction::Down);
     let kind = KINDS.iter().position(|&kind| kind == bridge.kind).unwrap_or(0) as u8;
@@ -306,10 +306,10 @@ fn read_bridge(shape: Shape, adaptations: &[Arc<Adaptation>], from: &mut Reader<
     let rows = if byte & 64 == 0 { 0 } else { from.varint_u32()? };
     let (across, along) = direction.extent(shape);
     let inside = (1..across).contains(&(at as usize)) && end.saturating_sub(start) > 1 && end as usize <= along;
-    // Inner rows are written where there are any; none are welded.
+    // Inner rows are written only if there are any, and never in a welded bridge.
     let is_possible_width = rows < at && (byte & 64 == 0) == (rows == 0) && (rows == 0 || mode != BridgeMode::Weld);
     if byte >= 128 || !inside || !is_possible_width {
-        return Err(from.bad("a bridge is none that a net has"));
+        return Err(from.bad("a bridge is impossible for the net"));
     }
     let mut bridge = Bridge { start, nesting, rows, ..Bridge::new(direction, at, end, kind, mode) };
     for adaptation in &mut bridge.adaptations {
@@ -317,7 +317,7 @@ fn read_bridge(shape: Shape, adaptations: &[Arc<Adaptation>], from: &mut Reader<
         if number > 0 {
             let place = usize::try_from(number - 1).unwrap_or(usize::MAX);
             let found = adaptations.get(place).filter(|adaptation| is_possible(adaptation, direction));
-            *adaptation = Some(Arc::clone(found.ok_or_else(|| from.bad("what was done to a net is impossible"))?));
+            *adaptation = Some(Arc::clone(found.ok_or_else(|| from.bad("the adaptation of a net is impossible"))?));
         }
     }
     if byte & 32 != 0 {

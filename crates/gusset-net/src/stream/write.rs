@@ -41,13 +41,13 @@ impl StreamOptions {
     }
 }
 
-/// The stream of a net: see the module.
+/// Encodes a net as a stream; see the module.
 ///
-/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and that of
+/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and the memory of
 /// [`Classes`](crate::Classes).
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, to be
+/// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, if
 /// quantised), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<Vec<u8>> {
     if let Mode::Quantised { bits } = options.mode {
@@ -70,7 +70,7 @@ fn encode_planes<T: Bits>(
         let blocks = in_parallel(&info, job, |info, block| raw::encode(info, planes, block))?;
         return assemble(net, info, blocks);
     }
-    let all = Duplicates::of(net.topology())?;
+    let all = Duplicates::from_topology(net.topology())?;
     job.step(0.05, SAMPLING)?;
     let rest = job.part(0.1, 1.0);
     let blocks = match info.mode {

@@ -1,11 +1,11 @@
-//! The canonical seams of a partition: those that glue the connected components that contracted
-//! links leave of each class.
+//! The canonical seams of a partition. They glue the connected components that contracted links
+//! leave of each class.
 //!
-//! One pair for each component is enough: the first nodes of the class and of the component. A
+//! One pair for each component suffices: the first nodes of the class and of the component. A
 //! greedy search takes the longest run of equal steps through each pair, in the first of the
-//! directions; runs are then extended through pairs that are one point already, and those that
-//! merge nothing are dropped. Invariant: the result depends on the partition alone, not on the
-//! seams it came from. O(pairs log pairs) for each of 80 directions.
+//! directions that reach it. Runs are then extended through pairs that are already identified, and
+//! runs that merge nothing are dropped. Invariant: the result depends only on the partition, not on
+//! the seams from which it came. O(pairs log pairs) for each of 80 directions.
 
 use super::{Run, Seam};
 use crate::Shape;
@@ -17,8 +17,8 @@ use gusset_base::sort;
 /// Rows and columns from one node to the next.
 type Step = (i64, i64);
 
-/// The seams that glue the components of each class. `table`: the representatives of the classes;
-/// `pieces`: those of the components that contracted links alone make.
+/// The seams that glue the components of each class. `table` has the representatives of the
+/// classes, `pieces` the representatives of the components under contracted links alone.
 pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
     let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
     let mut pairs = alloc::gather(nodes.map(|((node, &class), _)| [class, node]))?;
@@ -85,8 +85,8 @@ impl RunSearch<'_> {
         Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
     }
 
-    /// The number of consecutive pairs in no run yet before pair `k` and after it. A fold meets
-    /// itself in the middle.
+    /// The number of consecutive unused pairs before pair `k` and after it. A fold meets itself in
+    /// the middle.
     fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
         self.trial += 1;
         self.seen[k] = self.trial;
@@ -104,7 +104,7 @@ impl RunSearch<'_> {
         })
     }
 
-    /// The number of consecutive pairs beyond `end` that are one point, but not by links alone.
+    /// The number of consecutive pairs beyond `end` that are identified, but not by links alone.
     fn glued_pairs_after(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
@@ -133,7 +133,7 @@ impl RunSearch<'_> {
     }
 }
 
-/// Pairs of steps to neighbours, diagonal ones included; one of the two runs may stand still.
+/// Pairs of steps to neighbours, including diagonal ones; one of the two runs may stay at its node.
 fn directions() -> impl Iterator<Item = [Step; 2]> {
     let steps = || (0..9).map(|k| (k / 3 - 1, k % 3 - 1));
     steps().flat_map(move |a| steps().map(move |b| [a, b])).filter(|&steps| steps != [(0, 0); 2])

@@ -1,7 +1,7 @@
-//! The polygon that a cell becomes once glued corners are one (Deryagin, Fig. 4): consecutive equal
-//! corners are merged. O(1).
+//! The polygon to which a cell reduces when glued corners are identified (Deryagin, Fig. 4):
+//! consecutive equal corners are merged. O(1).
 
-/// A cell whose glued corners are one. Corners are the representatives of their classes, in the
+/// A cell after identifying glued corners. Corners are the representatives of their classes, in the
 /// cell's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reduced {
@@ -9,15 +9,15 @@ pub enum Reduced {
     Quad([u32; 4]),
     /// One side is contracted.
     Triangle([u32; 3]),
-    /// Two sides are contracted, and the other two are one edge.
+    /// Two sides are contracted, and the other two form one edge.
     Digon([u32; 2]),
     /// One point.
     Point(u32),
-    /// Opposite corners are one, the first of the three: the sides are the two edges from it to the
-    /// others (type c(1,2)).
+    /// Opposite corners coincide, in the first of the three. The sides are the two edges from it to
+    /// the others (type c(1,2)).
     Fold([u32; 3]),
-    /// Both pairs of opposite corners are one each: no surface does that, and no
-    /// [`Topology`](super::Topology) has such a cell.
+    /// Both pairs of opposite corners coincide, which is impossible on a surface. A
+    /// [`Topology`](super::Topology) never has such a cell.
     Crossing([u32; 2]),
 }
 

@@ -1,9 +1,9 @@
-//! Classes of nodes that are one point: the connected components of contracted links and seams, by
+//! Classes of glued nodes: the connected components under contracted links and seams, by
 //! union-find.
 //!
 //! Invariant: the representative of a class is its smallest node, so that tables of classes are in
-//! the order of nodes and independent of the order of unions. O(1) for sides alone, else O(nodes)
-//! with 4 bytes a node.
+//! the order of nodes and independent of the order of unions. O(1) for sides alone, otherwise
+//! O(nodes) with 4 bytes a node.
 
 use super::{Links, Matrix, Seam, Sides, Topology};
 use crate::shape::{Shape, corner_places};
@@ -28,20 +28,20 @@ enum ClassMap {
 }
 
 impl Classes {
-    /// The classes of a topology. O(1) if its sides describe it; else O(nodes + contracted links),
-    /// and 4 bytes a node.
+    /// The classes of a topology. O(1) if its sides describe it; otherwise O(nodes + contracted
+    /// links), and 4 bytes a node.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn of(topology: &Topology) -> Result<Self> {
-        Self::of_cancellable(topology, &Job::default(), "")
+    pub fn new(topology: &Topology) -> Result<Self> {
+        Self::new_cancellable(topology, &Job::default(), "")
     }
 
-    /// [`Classes::of`] for large nets.
+    /// [`Classes::new`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn of_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
             return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
@@ -79,13 +79,13 @@ impl Classes {
     #[inline]
     pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
         match &self.map {
-            // Row and column are known: no division.
+            // Row and column are known, so no division is needed.
             ClassMap::Sides(sides) => corner_places(i, j).map(|(i, j)| sides.representative(self.shape, i, j)),
             ClassMap::Table(table) => self.shape.corners(i, j).map(|node| table[node as usize]),
         }
     }
 
-    /// True if the two ends of the link are one point.
+    /// Returns true if the two ends of the link belong to one class.
     pub fn contracts(&self, link: u32) -> bool {
         let [a, b] = self.shape.ends(link);
         self.representative(a) == self.representative(b)
@@ -119,7 +119,7 @@ impl Classes {
     }
 
     /// Calls `visit` with each node that is not its own representative, and its representative.
-    /// O(H + W) for sides alone, else O(nodes).
+    /// O(H + W) for sides alone, otherwise O(nodes).
     pub(crate) fn each_glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
         let (h, w) = (self.shape.rows(), self.shape.columns());
         let mut visit =
@@ -146,11 +146,11 @@ impl Classes {
         let mut glued = Vec::new();
         self.each_glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
-        let mut groups = Groups { offsets: alloc::filled(0, 1)?, members: alloc::with_capacity(2 * glued.len())? };
+        let mut groups = Groups { offsets: alloc::filled(0, 1)?, nodes: alloc::with_capacity(2 * glued.len())? };
         for class in glued.chunk_by(|a, b| a.0 == b.0) {
-            groups.members.push(class[0].0);
-            groups.members.extend(class.iter().map(|&(_, node)| node));
-            alloc::push(&mut groups.offsets, groups.members.len() as u32)?;
+            groups.nodes.push(class[0].0);
+            groups.nodes.extend(class.iter().map(|&(_, node)| node));
+            alloc::push(&mut groups.offsets, groups.nodes.len() as u32)?;
         }
         Ok(groups)
     }
@@ -160,7 +160,7 @@ impl Classes {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Groups {
     offsets: Vec<u32>,
-    members: Vec<u32>,
+    nodes: Vec<u32>,
 }
 
 impl Groups {
@@ -169,14 +169,14 @@ impl Groups {
         self.offsets.len() - 1
     }
 
-    /// True if no two nodes are glued.
+    /// Returns true if nothing is glued.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// Class k: its nodes in order, the representative first.
     pub fn get(&self, k: usize) -> &[u32] {
-        &self.members[self.offsets[k] as usize..self.offsets[k + 1] as usize]
+        &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }
 
     /// All classes.
@@ -184,14 +184,14 @@ impl Groups {
         (0..self.len()).map(|k| self.get(k))
     }
 
-    /// Where each class starts among the members; one entry more than there are classes.
+    /// The start of each class among the nodes; one entry more than there are classes.
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
 
     /// The nodes of all classes, one class after the other.
-    pub fn members(&self) -> &[u32] {
-        &self.members
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes
     }
 }
 

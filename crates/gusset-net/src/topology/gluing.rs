@@ -1,9 +1,9 @@
-//! Gluing and ungluing by hand: a link, the star of a node, a cell, a run of nodes (Deryagin,
+//! Explicit gluing and ungluing: a link, the star of a node, a cell, a run of nodes (Deryagin,
 //! "Local gluings of nodes", Fig. 4).
 //!
-//! Every request resolves to pairs of nodes: gluing contracts or seams a pair, ungluing removes
-//! every link and seam that names it. A batch is done as a whole or not at all. O(nodes), and a
-//! sort of the pairs.
+//! Every request resolves to pairs of nodes. Gluing contracts or seams a pair; ungluing removes
+//! every link and seam that names it. A batch is executed as a whole or not at all. O(nodes), plus
+//! a sort of the pairs.
 
 use super::local_gluing::{cell_links, star_links};
 use super::{GluingType, Links, Run, Seam, Topology};
@@ -13,7 +13,7 @@ use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 
-/// Which corners of a cell a diagonal joins (type c(1,2)).
+/// The corners of a cell that a diagonal joins (type c(1,2)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CellDiagonal {
     /// The first and the third.
@@ -28,8 +28,8 @@ pub enum Gluing {
     /// The two ends of a link.
     Link(u32),
     /// A node and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8.
-    /// At the sides of the net the links go round to the other side, as the characteristic matrix
-    /// has them.
+    /// At the sides of the net the links wrap around to the other side, as in the characteristic
+    /// matrix.
     Star {
         /// The node.
         node: u32,
@@ -47,7 +47,7 @@ pub enum Gluing {
     CellDiagonal {
         /// The cell.
         cell: u32,
-        /// Which.
+        /// The diagonal.
         diagonal: CellDiagonal,
     },
     /// Two runs of nodes.
@@ -55,10 +55,10 @@ pub enum Gluing {
 }
 
 impl Gluing {
-    /// The gluing of a type at a node (numbers 0 to 12) or a cell (13 to 17):
-    /// [`classify_node`](super::classify_node) or [`classify_cell`](super::classify_cell) finds it
-    /// there again, if the surroundings are not glued.
-    pub fn of_type(kind: GluingType, at: u32) -> Self {
+    /// The gluing of a given type at a node (types 0 to 12) or a cell (types 13 to 17).
+    /// [`classify_node`](super::classify_node) or [`classify_cell`](super::classify_cell) returns
+    /// that type there, if the surroundings are not glued.
+    pub fn from_type(kind: GluingType, at: u32) -> Self {
         match (kind.star_mask(), kind.cell_mask()) {
             (Some(mask), _) => Gluing::Star { node: at, mask },
             (_, Some(mask)) => Gluing::Cell { cell: at, mask },
@@ -136,12 +136,12 @@ impl Topology {
         Ok(glued.with_reversed(self.is_reversed()))
     }
 
-    /// The topology without the gluings of these pairs of nodes: their links are freed, and seams
-    /// that contain them are split there. Nodes may remain one point by way of others; a pair that
-    /// is not glued by name is left alone. O(nodes), and a sort of the pairs.
+    /// Removes the gluings of these pairs of nodes: their links are freed, and seams that contain
+    /// them are split there. Nodes may remain identified through others. Pairs that are not glued
+    /// by name are ignored. O(nodes), plus a sort of the pairs.
     ///
     /// # Errors
-    /// As for [`Topology::glued`].
+    /// The errors of [`Topology::glued`].
     pub fn unglued(&self, gluings: &[Gluing]) -> Result<Self> {
         let shape = self.shape();
         let mut pairs: Vec<[u32; 2]> = Vec::new();

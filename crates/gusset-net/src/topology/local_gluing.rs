@@ -1,10 +1,11 @@
 //! The 18 local gluings (Deryagin, Fig. 4), and their classification.
 //!
 //! Up to translation, the star of a node (its four links) and the rim of a cell can be glued in 18
-//! ways: 13 partitions come from contracting links of a star (15 sets, two of them translates), 11
-//! from the non-crossing partitions of the four corners of a cell (Catalan number 14, without the
-//! identity and two translates), and 6 are both. The nineteenth, both pairs of opposite corners,
-//! crosses itself: no surface does that. Classification is a table look-up by a mask of four bits.
+//! ways. 13 partitions come from contracting links of a star (15 sets, two of them translates). 11
+//! come from the non-crossing partitions of the four corners of a cell (Catalan number 14, without
+//! the identity and two translates). 6 are both. The nineteenth, both pairs of opposite corners,
+//! crosses itself and is impossible on a surface. Classification is a table look-up by a mask of
+//! four bits.
 
 use super::{Classes, Matrix, Topology};
 use crate::Shape;
@@ -13,7 +14,7 @@ use gusset_base::job::Job;
 
 /// One of the 18 local gluings, by its number:
 ///
-/// | number | type | what is contracted |
+/// | number | type | contracted |
 /// |---|---|---|
 /// | 0, 1 | n(1) = c(1) | one link: horizontal, vertical |
 /// | 2 to 5 | n(2,1) = c(2,0) | two links at a corner: east and south of the node, south and west, west and north, north and east |
@@ -22,11 +23,11 @@ use gusset_base::job::Job;
 /// | 12 | n(4) | all links of a node |
 /// | 13, 14 | c(2,1) | two opposite links of a cell: top and bottom, right and left |
 /// | 15 | c(3) | three links of a cell, and so the fourth |
-/// | 16, 17 | c(1,2) | a diagonal of a cell, which is no link: first to third corner, second to fourth |
+/// | 16, 17 | c(1,2) | a diagonal of a cell, which is not a link: first to third corner, second to fourth |
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct GluingType(u8);
 
-/// No type: nothing is contracted.
+/// No type, because nothing is contracted.
 const NO_TYPE: u8 = u8::MAX;
 
 /// The type of a star by its mask: east 1, south 2, west 4, north 8.
@@ -41,7 +42,7 @@ impl GluingType {
     pub const COUNT: usize = 18;
 
     /// The type of an entry of the tables.
-    fn of_entry(number: u8) -> Option<Self> {
+    fn from_entry(number: u8) -> Option<Self> {
         (number != NO_TYPE).then_some(GluingType(number))
     }
 
@@ -50,13 +51,13 @@ impl GluingType {
         u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
     }
 
-    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above
-    /// 12.
+    /// The links of a star that form this type: see [`Gluing::Star`](super::Gluing::Star). `None`
+    /// above 12.
     pub(super) fn star_mask(self) -> Option<u8> {
         (0..16u8).find(|&mask| TYPE_OF_STAR[usize::from(mask)] == self.0)
     }
 
-    /// The links of a cell that make it; `None` for diagonals.
+    /// The links of a cell that form this type; `None` for diagonals.
     pub(super) fn cell_mask(self) -> Option<u8> {
         (0..16u8).find(|&mask| TYPE_OF_CELL[usize::from(mask)] == self.0)
     }
@@ -80,14 +81,14 @@ pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
 }
 
-/// The type of the star of node (i, j) by its contracted links. `cyclic`: closing links to the
-/// first row and column count too. `None` if no link is contracted.
+/// The type of the star of node (i, j) by its contracted links. If `cyclic`, closing links to the
+/// first row and column count too. Returns `None` if no link is contracted.
 pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
     let links = star_links(shape, i, j);
     let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
-    GluingType::of_entry(TYPE_OF_STAR[set.fold(0, |mask, k| mask | 1 << k)])
+    GluingType::from_entry(TYPE_OF_STAR[set.fold(0, |mask, k| mask | 1 << k)])
 }
 
 /// The type of the cell at (i, j); `None` if it is a quad.
@@ -99,7 +100,7 @@ pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType
         0 if b == d => 17,
         _ => TYPE_OF_CELL[mask],
     };
-    GluingType::of_entry(number)
+    GluingType::from_entry(number)
 }
 
 impl Topology {
@@ -107,21 +108,23 @@ impl Topology {
     /// [`Classes`].
     ///
     /// # Errors
-    /// [`Error::NoSuch`](gusset_base::Error::NoSuch), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn node_type(&self, node: u32, cyclic: bool, job: &Job<'_>) -> Result<Option<GluingType>> {
         self.shape().check_node(node)?;
         let (i, j) = self.shape().place(node);
-        Ok(classify_node(&Classes::of_cancellable(self, job, STAGE)?, i, j, cyclic))
+        Ok(classify_node(&Classes::new_cancellable(self, job, STAGE)?, i, j, cyclic))
     }
 
     /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the
     /// [`Classes`].
     ///
     /// # Errors
-    /// [`Error::NoSuch`](gusset_base::Error::NoSuch), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
+    /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
+    /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn cell_type(&self, cell: u32, job: &Job<'_>) -> Result<Option<GluingType>> {
         let (i, j) = self.shape().checked_cell_place(cell)?;
-        Ok(classify_cell(&Classes::of_cancellable(self, job, STAGE)?, i, j))
+        Ok(classify_cell(&Classes::new_cancellable(self, job, STAGE)?, i, j))
     }
 }
 
@@ -147,9 +150,9 @@ pub struct Histogram {
 pub fn histogram(topology: &Topology, job: &Job<'_>) -> Result<Histogram> {
     let shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let classes = Classes::of_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
+    let classes = Classes::new_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
     let table = classes.table_cancellable(&job.part(0.4, 0.5), STAGE)?;
-    let (links, job) = (Matrix::of_table(shape, &table)?, job.part(0.5, 1.0));
+    let (links, job) = (Matrix::from_table(shape, &table)?, job.part(0.5, 1.0));
     let mut histogram = Histogram::default();
     let count = |counts: &mut [u64; GluingType::COUNT], number: u8| {
         if number != NO_TYPE {

@@ -1,5 +1,5 @@
 //! The characteristic matrix C (Deryagin, "Non-spatial operations"): one bit for each link, 1 for a
-//! contracted one. 2 bits a node; whole words at a time where many links are tested or set.
+//! contracted one. It takes 2 bits a node. Many links are tested or set in whole words at a time.
 
 use super::Sides;
 use crate::Shape;
@@ -9,15 +9,16 @@ use std::ops::Range;
 
 const WORD: usize = u64::BITS as usize;
 
-/// The paper's matrix C of 2H x W bits. Its element (2i, j) is the horizontal link of node (i, j)
-/// and (2i + 1, j) the vertical one (rows and columns from 0); the two bits of a node are adjacent.
+/// The paper's matrix C of 2H x W bits. Its element (2i, j) is the horizontal link of node (i, j),
+/// its element (2i + 1, j) the vertical one (rows and columns from 0). The two bits of a node are
+/// adjacent.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix {
     words: Vec<u64>,
 }
 
 impl Matrix {
-    /// No link contracted.
+    /// Creates a matrix without contracted links.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -25,22 +26,22 @@ impl Matrix {
         Ok(Matrix { words: alloc::zeroed((2 * shape.node_count()).div_ceil(WORD))? })
     }
 
-    /// The links that [`Sides`] contract.
+    /// Creates a matrix of the links that [`Sides`] contract.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn of_sides(shape: Shape, sides: Sides) -> Result<Self> {
-        Matrix::of_links(shape, sides.links(shape))
+    pub fn from_sides(shape: Shape, sides: Sides) -> Result<Self> {
+        Matrix::from_links(shape, sides.links(shape))
     }
 
-    /// Some links contracted.
-    pub(crate) fn of_links(shape: Shape, links: impl Iterator<Item = u32>) -> Result<Self> {
+    /// Creates a matrix of the given contracted links.
+    pub(crate) fn from_links(shape: Shape, links: impl Iterator<Item = u32>) -> Result<Self> {
         let mut matrix = Matrix::empty(shape)?;
         links.for_each(|link| matrix.set(link, true));
         Ok(matrix)
     }
 
-    /// From the paper's layout: 2H rows of W bytes, 0 or 1, row after row.
+    /// Reads the paper's layout: 2H rows of W bytes, 0 or 1, row after row.
     ///
     /// # Errors
     /// [`Error::ArrayTooShort`], [`Error::OptionOutOfRange`] for a byte other than 0 and 1,
@@ -62,7 +63,7 @@ impl Matrix {
         Ok(matrix)
     }
 
-    /// True if the link is contracted.
+    /// Returns true if the link is contracted.
     pub fn get(&self, link: u32) -> bool {
         self.words[link as usize / WORD] >> (link as usize % WORD) & 1 != 0
     }
@@ -114,7 +115,7 @@ impl Matrix {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub(super) fn of_table(shape: Shape, table: &[u32]) -> Result<Self> {
+    pub(super) fn from_table(shape: Shape, table: &[u32]) -> Result<Self> {
         let mut matrix = Matrix::empty(shape)?;
         let (h, w) = (shape.rows(), shape.columns());
         for i in 0..h {
@@ -150,7 +151,7 @@ impl Matrix {
         Ok(Matrix { words: alloc::copied(&self.words)? })
     }
 
-    /// The sides that contract the same links, if any do.
+    /// The sides that contract the same links, if they exist.
     pub(super) fn as_sides(&self, shape: Shape) -> Option<Sides> {
         let (h, w) = (shape.rows(), shape.columns());
         let sides = Sides {
@@ -161,7 +162,7 @@ impl Matrix {
             pole_left: self.get(shape.vertical_link(0, 0)),
             pole_right: self.get(shape.vertical_link(0, w - 1)),
         };
-        // The sides' links are all set, and no others: no second matrix is needed.
+        // All of the sides' links are set, and no others, so a second matrix is unnecessary.
         let ones: usize = self.words.iter().map(|word| word.count_ones() as usize).sum();
         let mut expected = 0;
         let all = sides.links(shape).all(|link| {

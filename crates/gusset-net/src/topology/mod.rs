@@ -1,15 +1,15 @@
 //! The topology of a net: its contracted links and its seams (Deryagin, "Non-spatial operations";
 //! the characteristic matrix, Figs. 4 and 5).
 //!
-//! * [`Sides`]: closures that need no matrix. [`Matrix`]: the paper's characteristic matrix.
+//! - [`Sides`]: closures that need no matrix. [`Matrix`]: the paper's characteristic matrix.
 //!   [`Seam`]: gluings that neither can express.
-//! * [`Topology`]: links and seams in one normal form.
-//! * [`Classes`]: the nodes that are one point. [`Reduced`]: what a cell becomes once glued corners
-//!   are one. [`GluingType`]: the 18 local gluings; [`occurrences()`]: those of a net. [`Gluing`]:
-//!   editing by hand.
+//! - [`Topology`]: links and seams in a normal form.
+//! - [`Classes`]: the classes of glued nodes. [`Reduced`]: the polygon to which a cell reduces.
+//!   [`GluingType`]: the 18 local gluings; [`occurrences()`] lists a net's. [`Gluing`]: explicit
+//!   editing.
 //!
 //! Invariant: links and seams name pairs of nodes, and the partition into classes is their
-//! reflexive-transitive closure; no cell has both pairs of opposite corners in one class each.
+//! equivalence closure. No cell has both pairs of opposite corners in one class each.
 
 mod canonical_seams;
 mod cell;

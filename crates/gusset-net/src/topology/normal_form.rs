@@ -1,7 +1,7 @@
-//! The normal form of a topology, and its canonical form, which follows from the classes alone.
+//! The normal form of a topology, and its canonical form, which depends only on the classes.
 //!
-//! Normal form: links that sides can express are sides, seams that links can express are links,
-//! seams are in order and each in its smallest spelling, and no cell is crossed. O(nodes).
+//! In normal form, links that sides can express are sides, and seams that links can express are
+//! links. Seams are sorted, each in its smallest spelling, and no cell is crossed. O(nodes).
 
 use super::{Classes, Links, Matrix, Seam, Topology, canonical_seams};
 use crate::Shape;
@@ -71,10 +71,10 @@ impl Topology {
         Ok(Some(topology))
     }
 
-    /// The canonical form: every link whose ends are one point contracted, and seams for what links
-    /// cannot express. It follows from the classes alone: two topologies of one size that glue the
-    /// same nodes and have the same face orientation have equal canonical forms. O(nodes), and a
-    /// sort of the classes that seams glue.
+    /// The canonical form: every link whose ends belong to one class is contracted, and seams
+    /// express the rest. It depends only on the classes and the face orientation: two topologies of
+    /// equal size that agree in both have equal canonical forms. O(nodes), plus a sort of the
+    /// classes that seams glue.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -87,20 +87,21 @@ impl Topology {
     /// # Errors
     /// Also [`Error::Cancelled`].
     pub fn saturated_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let classes = Classes::of_cancellable(self, &job.part(0.0, 0.3), stage)?;
+        let classes = Classes::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
         let table = classes.table_cancellable(&job.part(0.3, 0.5), stage)?;
-        let matrix = Matrix::of_table(self.shape, &table)?;
+        let matrix = Matrix::from_table(self.shape, &table)?;
         let links = Links::Matrix(matrix).normal(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
-            let pieces = Classes::of_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
+            let pieces = Classes::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
             let pieces = pieces.table_cancellable(&job.part(0.8, 1.0), stage)?;
             saturated.seams = canonical_seams::seams(self.shape, &table, &pieces)?;
         }
         Ok(saturated)
     }
 
-    /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.
+    /// Returns [`Error::CrossingCell`] for the first cell whose opposite corners are glued
+    /// crosswise.
     pub(crate) fn check_crossings(&self) -> Result<()> {
         self.check_crossings_cancellable(&Job::default(), "")
     }
@@ -109,7 +110,7 @@ impl Topology {
         if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
-        let classes = Classes::of_cancellable(self, &job.part(0.0, 0.8), stage)?;
+        let classes = Classes::new_cancellable(self, &job.part(0.0, 0.8), stage)?;
         let (table, w) = (classes.table_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
         for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
             let crosses = |j: usize| {

@@ -9,21 +9,21 @@ use gusset_base::job::Job;
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
 
-/// The letters of a type and its orders, as the caption of Fig. 4 has them.
+/// The letters and orders of a type, as in the caption of Fig. 4.
 ///
-/// At a node the type is n(a, b): a nodes are glued to it, and b is 1 if two of them are adjacent
-/// on the way round it and 2 if they are opposite. Of a cell it is c(a, b): a of its links are
-/// glued, and b of the other links lie between them: 0 or 1. A diagonal is c(1, 2): one gluing
+/// At a node, the type is n(a, b). a nodes are glued to the node; b is 1 if two of them are
+/// adjacent around it, and 2 if they are opposite. At a cell, the type is c(a, b). a of its links
+/// are glued, and b (0 or 1) of the other links lie between them. A diagonal is c(1, 2): one gluing
 /// across two links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Signature {
-    /// a.
+    /// The letter a.
     pub a: u8,
-    /// b; `None` for types that have one letter.
+    /// The letter b; `None` for types with one letter.
     pub b: Option<u8>,
-    /// The number of nodes that the gluing makes one.
+    /// The number of nodes that the gluing identifies.
     pub node_order: u8,
-    /// The number of links that it makes one; 1 if none are.
+    /// The number of links that the gluing identifies; 1 if none.
     pub link_order: u8,
 }
 
@@ -66,18 +66,19 @@ pub struct Occurrence {
     pub kind: GluingType,
     /// Its letters and orders.
     pub signature: Signature,
-    /// The number of nodes of the net that are one point with this node, or with the largest of the
-    /// glued corners of this cell: more than `node_order` where gluings meet.
+    /// The size of the class of this node, or of the largest class among the glued corners of this
+    /// cell. It exceeds `node_order` where gluings meet.
     pub class_size: u32,
 }
 
-/// All local gluings of a net: of its nodes, in order, then of its cells. `cyclic`: closing links
-/// to the first row and column count too. O(nodes), 4 bytes a node and what there is.
+/// All local gluings of a net: of its nodes, in order, then of its cells. If `cyclic`, closing
+/// links to the first row and column count too. O(nodes), 4 bytes a node plus the result.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory), [`Error::Cancelled`](gusset_base::Error::Cancelled).
+/// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<Occurrence>> {
-    let (shape, classes) = (topology.shape(), Classes::of_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
+    let (shape, classes) = (topology.shape(), Classes::new_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
     let job = job.part(0.2, 1.0);
     let (h, w) = (shape.rows(), shape.columns());
     let mut sizes = alloc::filled(0u32, shape.node_count())?;

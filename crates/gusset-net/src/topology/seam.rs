@@ -1,6 +1,6 @@
 //! Seams: runs of nodes glued to runs of nodes, for gluings that the characteristic matrix cannot
-//! express. An extension of Deryagin's model, as the 1-to-1 connectivity of CGNS is (PointRange and
-//! PointRangeDonor): O(1) memory whatever the length of the run.
+//! express. They extend Deryagin's model, like the 1-to-1 connectivity of CGNS (PointRange and
+//! PointRangeDonor). A run takes O(1) memory for any length.
 
 use crate::Shape;
 use gusset_base::error::{Error, Result};
@@ -70,24 +70,24 @@ impl Run {
     }
 }
 
-/// Node k of run `a` is node k of run `b`, for all k below `count`.
+/// Glues node k of run `a` to node k of run `b`, for all k below `count`.
 ///
-/// Needed for closures that reverse a side (Möbius strip, Klein bottle, projective plane), for the
-/// cross unwrapping of the cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and
-/// for closed nets within larger ones.
+/// Seams are needed for closures that reverse a side (Möbius strip, Klein bottle, projective plane)
+/// and for the cross unwrapping of the cube. They also express diagonals of cells (type c(1,2) of
+/// the paper's Fig. 4) and closed nets within larger ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Seam {
     /// The first run.
     pub a: Run,
     /// The second run.
     pub b: Run,
-    /// The number of nodes of each; at least 1, and 1 if neither run moves.
+    /// The number of nodes of each run; at least 1, and exactly 1 if neither run moves.
     pub count: u32,
 }
 
 impl Seam {
-    /// [`Error::BadSeam`] if the seam is empty, leaves the net or repeats one pair. `index`: the
-    /// number of the seam. A seam that passes has at most as many pairs as the net has rows or
+    /// Returns [`Error::BadSeam`] if the seam is empty, leaves the net or repeats one pair. `index`
+    /// is the index of the seam. A valid seam has at most as many pairs as the net has rows or
     /// columns.
     pub(crate) fn check(&self, shape: Shape, index: usize) -> Result<()> {
         let moves = [self.a, self.b].iter().any(|run| (run.row_step, run.column_step) != (0, 0));
@@ -98,7 +98,7 @@ impl Seam {
         if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
     }
 
-    /// All of `seams`, with a report once in so many pairs.
+    /// Calls `visit` for all of `seams`, with a progress report once in [`PAIRS_PER_REPORT`] pairs.
     pub(super) fn each_cancellable(
         seams: &[Seam],
         job: &Job<'_>,
@@ -115,7 +115,7 @@ impl Seam {
         })
     }
 
-    /// The smallest of the spellings of this seam: either run first, in either sense.
+    /// The smallest of the spellings of this seam: either run first, in either direction.
     pub(crate) fn canonical(self) -> Self {
         let Seam { mut a, mut b, count } = self;
         if count == 1 {
@@ -125,7 +125,7 @@ impl Seam {
         spellings.into_iter().min().unwrap_or(self)
     }
 
-    /// The four spellings: as it is, with the runs exchanged, and both in reverse.
+    /// The four spellings: unchanged, with the runs exchanged, and both in reverse.
     pub(crate) fn spellings(self) -> [Self; 4] {
         let reversed = self.reversed();
         [self, self.exchanged(), reversed, reversed.exchanged()]

@@ -14,13 +14,13 @@ pub struct Sides {
     pub rows_closed: bool,
     /// Every column is closed.
     pub columns_closed: bool,
-    /// The first row is one point.
+    /// The first row is a single point.
     pub pole_top: bool,
-    /// The last row is one point.
+    /// The last row is a single point.
     pub pole_bottom: bool,
-    /// The first column is one point.
+    /// The first column is a single point.
     pub pole_left: bool,
-    /// The last column is one point.
+    /// The last column is a single point.
     pub pole_right: bool,
 }
 
@@ -36,16 +36,16 @@ impl Sides {
     };
     /// Rows closed; the first and the last row are rims.
     pub const TUBE: Sides = Sides { rows_closed: true, ..Sides::SHEET };
-    /// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and
-    /// pyramids with their caps.
+    /// Rows closed, and the first and the last row contracted to points: spheres, and cylinders,
+    /// prisms, cones and pyramids with their caps.
     pub const TWO_POLES: Sides = Sides { pole_top: true, pole_bottom: true, ..Sides::TUBE };
-    /// All four sides are one point: a disc with its rim contracted.
+    /// All four sides contracted to one point: a disc with its rim contracted.
     pub const ONE_POLE: Sides =
         Sides { pole_top: true, pole_bottom: true, pole_left: true, pole_right: true, ..Sides::SHEET };
     /// Rows and columns closed.
     pub const TORUS: Sides = Sides { columns_closed: true, ..Sides::TUBE };
 
-    /// True if the link is contracted.
+    /// Returns true if the link is contracted.
     pub fn contracts(self, shape: Shape, link: u32) -> bool {
         let (i, j) = shape.place(link / 2);
         let (last_row, last_column) = (i + 1 == shape.rows(), j + 1 == shape.columns());
@@ -70,7 +70,7 @@ impl Sides {
         }
     }
 
-    /// The links that are contracted, each once, at the sides only: O(H + W) of them.
+    /// The contracted links, each once, only at the sides: O(H + W) of them.
     pub(crate) fn links(self, shape: Shape) -> impl Iterator<Item = u32> {
         let (h, w) = (shape.rows(), shape.columns());
         let when = |condition: bool, count: usize| 0..if condition { count } else { 0 };

@@ -6,17 +6,17 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::sort::sort_distinct;
 
-/// How contracted links are kept.
+/// The representation of contracted links.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Links {
-    /// The sides say everything: no memory.
+    /// Sides that describe all links; takes no memory.
     Sides(Sides),
-    /// Two bits a node.
+    /// A matrix; takes two bits a node.
     Matrix(Matrix),
 }
 
 impl Links {
-    /// As sides, if these contract the same links.
+    /// Converts to sides, if sides contract the same links.
     pub(super) fn normal(self, shape: Shape) -> Self {
         match self {
             Links::Matrix(matrix) => matrix.as_sides(shape).map_or(Links::Matrix(matrix), Links::Sides),
@@ -27,7 +27,7 @@ impl Links {
     /// The links as a matrix.
     pub(crate) fn into_matrix(self, shape: Shape) -> Result<Matrix> {
         match self {
-            Links::Sides(sides) => Matrix::of_sides(shape, sides),
+            Links::Sides(sides) => Matrix::from_sides(shape, sides),
             Links::Matrix(matrix) => Ok(matrix),
         }
     }
@@ -35,11 +35,11 @@ impl Links {
 
 /// The gluing of a net: its contracted links and its seams.
 ///
-/// Kept in normal form: links that sides can express are sides, seams that links can express are
-/// links, seams are in order, and no cell is crossed (see [`Reduced::Crossing`](super::Reduced)).
+/// It is kept in normal form: links that sides can express are sides, seams that links can express
+/// are links, seams are sorted, and no cell is crossed (see [`Reduced::Crossing`](super::Reduced)).
 /// Two topologies are equal if they contract the same links by name, list the same seams and have
-/// the same face orientation. Different links and seams may glue the same nodes:
-/// [`Topology::saturated`] decides whether they do.
+/// the same face orientation. Different links and seams may glue the same nodes; compare
+/// [`Topology::saturated`] to detect that.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     pub(super) shape: Shape,
@@ -49,8 +49,8 @@ pub struct Topology {
 }
 
 impl Topology {
-    /// A topology that the sides describe.
-    pub fn of_sides(shape: Shape, sides: Sides) -> Self {
+    /// Creates a topology that the sides describe.
+    pub fn from_sides(shape: Shape, sides: Sides) -> Self {
         Topology { shape, links: Links::Sides(sides), seams: Vec::new(), reversed: false }
     }
 
@@ -66,9 +66,9 @@ impl Topology {
         Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
     }
 
-    /// From links and seams that cannot cross a cell, as they come from valid topologies: unlike
-    /// [`Topology::new`] this does not check, and a seam stays one even where links could express
-    /// it. O(contracted links + pairs of seams).
+    /// Creates a topology from links and seams that cannot cross a cell because they come from
+    /// valid topologies. Unlike [`Topology::new`] it does not check, and keeps a seam even if links
+    /// could express it. O(contracted links + pairs of seams).
     pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Self {
         seams.iter_mut().for_each(|seam| *seam = seam.canonical());
         sort_distinct(&mut seams);
@@ -107,8 +107,8 @@ impl Topology {
         &self.seams
     }
 
-    /// True if faces have the opposite orientation, as in nets that were flipped, so that their
-    /// normals stay what they were.
+    /// Returns true if faces have the opposite orientation, as in flipped nets, so that their
+    /// normals stay the same.
     pub fn is_reversed(&self) -> bool {
         self.reversed
     }
@@ -119,8 +119,9 @@ impl Topology {
         Topology { reversed, ..self }
     }
 
-    /// True if the link is contracted by name; [`Classes::contracts`](super::Classes::contracts)
-    /// tells whether its ends are one point for any reason.
+    /// Returns true if the link is contracted by name.
+    /// [`Classes::contracts`](super::Classes::contracts) tells whether its ends belong to one class
+    /// for any reason.
     pub fn contracts(&self, link: u32) -> bool {
         match &self.links {
             Links::Sides(sides) => sides.contracts(self.shape, link),
@@ -134,7 +135,7 @@ impl Topology {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn matrix(&self) -> Result<Matrix> {
         match &self.links {
-            Links::Sides(sides) => Matrix::of_sides(self.shape, *sides),
+            Links::Sides(sides) => Matrix::from_sides(self.shape, *sides),
             Links::Matrix(matrix) => matrix.copied(),
         }
     }

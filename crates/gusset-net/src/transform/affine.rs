@@ -20,7 +20,7 @@ impl Axis {
         self as usize
     }
 
-    /// A triple by axis, permuted cyclically so that this axis is the last.
+    /// Cyclically permutes a triple by axis so that this axis is the last.
     pub(crate) fn last<T>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Axis::X => [y, z, x],
@@ -36,8 +36,8 @@ pub enum Sense {
     /// Right-handed: anticlockwise seen from the tip of the axis.
     #[default]
     RightHanded,
-    /// As in the paper's formula, which is written for row vectors and applied to columns:
-    /// left-handed.
+    /// Left-handed, as printed: the paper's formula is written for row vectors and applied to
+    /// columns.
     AsPrinted,
 }
 
@@ -49,31 +49,31 @@ impl Affine {
     /// The identity.
     pub const IDENTITY: Affine = Affine(DAffine3::IDENTITY);
 
-    /// Any map: (x, y, z) goes to `rows` times (x, y, z, 1).
+    /// Creates any affine map: (x, y, z) maps to `rows` times (x, y, z, 1).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite.
     pub fn new(rows: [[f64; 4]; 3]) -> Result<Self> {
         let [x, y, z] = rows.map(|[a, b, c, _]| DVec3::new(a, b, c));
         let displacement = DVec3::from_array(rows.map(|row| row[3]));
-        Self::of(DMat3::from_cols(x, y, z).transpose(), displacement)
+        Self::from_parts(DMat3::from_cols(x, y, z).transpose(), displacement)
     }
 
     /// The paper's T(c): a translation.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
+    /// [`Error::OptionOutOfRange`] if a number is not finite; likewise for all functions below.
     pub fn translation(by: DVec3) -> Result<Self> {
-        Self::of(DMat3::IDENTITY, by)
+        Self::from_parts(DMat3::IDENTITY, by)
     }
 
     /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in
-    /// the paper). The axis need not be a unit vector. `angle`: radians.
+    /// the paper). The axis need not be a unit vector. `angle` is in radians.
     ///
     /// # Errors
     /// Also [`Error::OptionOutOfRange`] if the axis is zero.
     pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: Sense) -> Result<Self> {
-        // Scaled first, so that the length neither overflows nor underflows.
+        // Scaled first, so that the length does not overflow or underflow.
         let unit = (axis / axis.abs().max_element()).normalize();
         Error::require(unit.is_finite(), "axis", axis.length())?;
         let (sine, cosine) = libm::sincos(if sense == Sense::AsPrinted { -angle } else { angle });
@@ -84,11 +84,10 @@ impl Affine {
             DVec3::new(unit.y, -unit.x, 0.0),
         );
         let linear = DMat3::from_diagonal(DVec3::splat(cosine)) + outer * (1.0 - cosine) + cross * sine;
-        Self::of(linear, pivot - linear * pivot)
+        Self::from_parts(linear, pivot - linear * pivot)
     }
 
-    /// The paper's S(k): away from the origin by `ratio`, the ratio of new distance to old.
-    /// Negative ones mirror.
+    /// The paper's S(k): scales distances from the origin by `ratio`. Negative ratios mirror.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -96,8 +95,8 @@ impl Affine {
         Self::stretching(DVec3::splat(ratio))
     }
 
-    /// The paper's C(k): away from a coordinate axis by `ratio`, the ratio of new distance to old.
-    /// Points on the axis stay, and so do distances along it.
+    /// The paper's C(k): scales distances from a coordinate axis by `ratio`. Points on the axis
+    /// stay, and distances along the axis are kept.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -107,15 +106,15 @@ impl Affine {
         Self::stretching(ratios)
     }
 
-    /// Each coordinate by a ratio of its own.
+    /// Scales each coordinate by its own ratio.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub fn stretching(ratios: DVec3) -> Result<Self> {
-        Self::of(DMat3::from_diagonal(ratios), DVec3::ZERO)
+        Self::from_parts(DMat3::from_diagonal(ratios), DVec3::ZERO)
     }
 
-    fn of(linear: DMat3, displacement: DVec3) -> Result<Self> {
+    fn from_parts(linear: DMat3, displacement: DVec3) -> Result<Self> {
         let map = Affine(DAffine3::from_mat3_translation(linear, displacement));
         map.rows().as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
         Ok(map)
@@ -127,7 +126,7 @@ impl Affine {
     /// [`Error::OptionOutOfRange`] if the product overflows.
     pub fn then(&self, next: &Affine) -> Result<Self> {
         let DAffine3 { matrix3, translation } = next.0 * self.0;
-        Self::of(matrix3, translation)
+        Self::from_parts(matrix3, translation)
     }
 
     /// The rows.
@@ -140,7 +139,7 @@ impl Affine {
         self.0.matrix3.determinant()
     }
 
-    /// True if the map reverses orientation, even where the ratio of volumes overflows or
+    /// Returns true if the map reverses orientation, even where the ratio of volumes overflows or
     /// underflows.
     pub fn mirrors(&self) -> bool {
         mirrors(self.0.matrix3)
@@ -152,7 +151,7 @@ impl Affine {
     }
 }
 
-/// True if a matrix reverses orientation.
+/// Returns true if a matrix reverses orientation.
 pub(crate) fn mirrors(matrix: DMat3) -> bool {
     // Rows, then columns, are scaled by powers of two, which is exact and keeps the sign.
     let scaled = |vector: DVec3| {

@@ -2,7 +2,7 @@
 //! to transforms of the space"): translations, rotations, scalings, compressions, all other affine
 //! maps.
 //!
-//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass.
+//! Operations are composed into one matrix, which is applied to all nodes in place, in one pass.
 //! Invariant: each node is computed independently, so that glued nodes of equal bits keep equal
 //! bits. O(nodes), bound by memory.
 
@@ -19,15 +19,15 @@ use gusset_base::simd::{self, Kernel};
 
 /// Moves every node, in place, in the arithmetic of the net's type.
 ///
-/// A map that mirrors (negative determinant) turns the surface inside out; the topology's
-/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as
-/// before. Missing nodes stay missing. Cancellable before the first node is moved: all nodes are
-/// moved, or none. O(nodes), no memory.
+/// A mirroring map (negative determinant) turns the surface inside out. The topology's
+/// [`is_reversed`](super::Topology::is_reversed) then changes, so that faces still look outwards.
+/// Missing nodes stay missing. The host can cancel before the first node moves, so that all nodes
+/// move or none. O(nodes), without extra memory.
 ///
 /// # Errors
-/// [`Error::FieldUndefined`] for the first node whose coordinates would overflow, and no node is
-/// moved (coordinates beyond the root of the greatest number of their type, 1e19 and 1e154, may
-/// overflow under harmless maps and are missing then); [`Error::Cancelled`].
+/// [`Error::FieldUndefined`] for the first node whose coordinates would overflow; no node moves.
+/// Coordinates beyond the square root of the largest number of their type, 1e19 and 1e154, may
+/// overflow under harmless maps and then become missing. [`Error::Cancelled`].
 pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "transform")?;
     each!(net.coordinates_mut(), planes => {
@@ -42,14 +42,14 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
     Ok(())
 }
 
-/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are checked only if the map
-/// is so large that nodes of common size may overflow.
+/// Returns [`Error::FieldUndefined`] for the first node that overflows. Checks nodes only if the
+/// map is so large that nodes of common size may overflow.
 fn check<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
     let bound = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::MAX.sqrt() + d.abs();
     if affine.rows().into_iter().all(|row| bound(row) <= T::MAX) {
         return Ok(());
     }
-    let rows = affine.rows().map(|row| row.map(T::of));
+    let rows = affine.rows().map(|row| row.map(T::from_f64));
     chunks::for_each_chunk_mut(planes, threads, chunks::CHUNK, |first, [x, y, z]| {
         let overflows = |k: usize| {
             let node = [x[k], y[k], z[k]];
@@ -63,7 +63,7 @@ fn check<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -
 }
 
 fn apply<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
-    let rows = affine.rows().map(|row| row.map(T::of));
+    let rows = affine.rows().map(|row| row.map(T::from_f64));
     chunks::for_each_chunk_mut(planes, threads, chunks::BLOCK, |_, [x, y, z]| {
         simd::run(Apply { rows, x, y, z });
         Ok(())
@@ -88,8 +88,8 @@ impl<T: Real> Kernel for Apply<'_, T> {
 
 #[inline(always)]
 fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
-    // Whole runs; the remainder elsewhere, as its loop would hold the matrix in registers that the
-    // vectors need.
+    // Whole runs. The remainder is processed elsewhere, because its loop would hold the matrix in
+    // registers that the vectors need.
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = [x, y, z].map(<[T]>::as_chunks_mut);
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         apply_to_run(rows, x, y, z);
@@ -103,7 +103,7 @@ const RUN: usize = 16;
 #[inline(always)]
 fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
     // Separate results, which cannot alias the operands.
-    let mut moved = [[T::of(0.0); RUN]; 3];
+    let mut moved = [[T::from_f64(0.0); RUN]; 3];
     let [new_x, new_y, new_z] = &mut moved;
     for k in 0..RUN {
         new_x[k] = rows[0][0] * x[k] + rows[0][1] * y[k] + rows[0][2] * z[k] + rows[0][3];
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+    fn results_are_equal_for_any_vector_width() {
         // Longer than runs, with a rest.
         let numbers = |k: usize| (0..3 * RUN + 5).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
         let rows = [[0.3, -0.7, 0.1, 1e-3], [0.9, 0.2, -0.4, 7.0], [-0.1, 0.6, 0.8, -2.5]];

@@ -50,7 +50,7 @@ impl Scan {
             mesh.face(f).for_each(|v| is_used.insert(v));
         }
         job.step(0.0, STAGE)?;
-        let all = Aabb::of((0..count as u32).filter(|&v| is_used.contains(v)).map(at));
+        let all = Aabb::from_points((0..count as u32).filter(|&v| is_used.contains(v)).map(at));
         job.step(0.0, STAGE)?;
         let centre = centre.unwrap_or(if all.is_empty() { DVec3::ZERO } else { all.centre() });
         let mut points = alloc::filled(DVec3::ZERO, count)?;
@@ -64,7 +64,7 @@ impl Scan {
         }
         let (normals, spacing) = normals(mesh, &points, &job.part(0.4, 0.8))?;
         job.step(0.8, STAGE)?;
-        let bounds = Aabb::of((0..count).filter(|&v| normals[v] != DVec3::ZERO).map(|v| points[v]));
+        let bounds = Aabb::from_points((0..count).filter(|&v| normals[v] != DVec3::ZERO).map(|v| points[v]));
         let used = alloc::gather((0..count as u32).filter(|&v| normals[v as usize] != DVec3::ZERO))?;
         let (mean, covariance) = moments(mesh, &points, &job.part(0.8, 1.0))?;
         let radius = (0..3).map(|k| covariance[k][k]).sum::<f64>().sqrt();

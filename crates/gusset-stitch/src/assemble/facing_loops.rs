@@ -78,7 +78,7 @@ impl FacingSearch<'_> {
     fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
         let LoopVertices { points, owners, groups, firsts } = self.all_vertices()?;
         let total = points.len();
-        let tree = KdTree::grouped(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
+        let tree = KdTree::with_groups(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
         let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
         let looks = Looks::default();
@@ -96,7 +96,7 @@ impl FacingSearch<'_> {
                     looks.add();
                     owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize)
                 };
-                let nearest = if self.used[r] { None } else { tree.nearest_elsewhere(p, limit, own, accept) };
+                let nearest = if self.used[r] { None } else { tree.nearest_in_other_groups(p, limit, own, accept) };
                 of_rim.push(match nearest {
                     Some((squared, v)) => {
                         let k = owners[v as usize];

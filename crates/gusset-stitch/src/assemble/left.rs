@@ -32,7 +32,7 @@ impl FacingSearch<'_> {
             return alloc::collect(left.iter().map(|_| None));
         }
         let loops = self.all_vertices()?;
-        let tree = KdTree::grouped(&loops.points, &loops.owners, &job.part(0.0, 0.2), STAGE)?;
+        let tree = KdTree::with_groups(&loops.points, &loops.owners, &job.part(0.0, 0.2), STAGE)?;
         let looks = Looks::default();
         let nearest = |r: usize, own: bool, job: &Job<'_>| -> Result<Option<(usize, f64)>> {
             let mut seen = alloc::with_capacity(self.rims[r].points.len())?;
@@ -45,7 +45,7 @@ impl FacingSearch<'_> {
                     let k = loops.owners[v as usize] as usize;
                     k != r && (self.candidates[k].component == self.candidates[r].component) == own
                 };
-                if let Some((squared, v)) = tree.nearest_elsewhere(p, f64::INFINITY, r as u32, accept) {
+                if let Some((squared, v)) = tree.nearest_in_other_groups(p, f64::INFINITY, r as u32, accept) {
                     seen.push((loops.owners[v as usize] as usize, squared.sqrt()));
                 }
             }

@@ -167,7 +167,7 @@ impl FacingSearch<'_> {
     /// Of some vertices of each loop, the nearest loop before them, where there is any.
     fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<Ahead>>> {
         let loops = self.all_vertices()?;
-        let tree = KdTree::grouped(&loops.points, &loops.groups, &job.part(0.0, 0.0), STAGE)?;
+        let tree = KdTree::with_groups(&loops.points, &loops.groups, &job.part(0.0, 0.0), STAGE)?;
         let mut before = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
             job.step(r as f64 / self.rims.len() as f64, STAGE)?;
@@ -183,7 +183,7 @@ impl FacingSearch<'_> {
                     k != r && self.may_join(r, k) && way.dot(ahead) >= MIN_COSINE_AHEAD * way.length()
                 };
                 // A gap in the mean may be wider in places.
-                if let Some((squared, v)) = tree.nearest_elsewhere(p, 4.0 * widest * widest, own, accept) {
+                if let Some((squared, v)) = tree.nearest_in_other_groups(p, 4.0 * widest * widest, own, accept) {
                     let rim = loops.owners[v as usize];
                     alloc::push(&mut of_loop, Ahead { place: i as u32, rim, distance: squared.sqrt() })?;
                 }

@@ -9,7 +9,7 @@ use super::simple_loops::STAGE;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::{Across, MeshView, Topology};
+use gusset_mesh::{MeshView, Opposite, Topology};
 
 /// A half-edge with a direction of travel: forward is its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,7 +77,7 @@ impl<'m, 'a> Walker<'m, 'a> {
 
     /// True if the edge of `h` has three or more faces.
     pub(super) fn is_singular(&self, h: u32) -> bool {
-        self.topology.across(h) == Across::Singular
+        self.topology.opposite(h) == Opposite::Singular
     }
 
     /// True if a walk has passed `v` and its faces form more than one fan.
@@ -140,8 +140,8 @@ impl<'m, 'a> Walker<'m, 'a> {
         loop {
             corners += 1;
             let other = if arriving { self.topology.next(self.mesh, h) } else { self.topology.previous(self.mesh, h) };
-            let across = self.topology.across(other);
-            if let Across::Mate(mate) = across {
+            let across = self.topology.opposite(other);
+            if let Opposite::Mate(mate) = across {
                 h = mate;
                 arriving = origin(self.mesh, mate) != v;
                 continue;
@@ -149,7 +149,7 @@ impl<'m, 'a> Walker<'m, 'a> {
             if corners < self.topology.corner_count(v) {
                 self.bow_tie[v as usize] = true;
             }
-            let stop = across == Across::Singular && self.mode == NonManifold::Stop;
+            let stop = across == Opposite::Singular && self.mode == NonManifold::Stop;
             return (!stop).then_some(Dart { half_edge: other, forward: arriving });
         }
     }

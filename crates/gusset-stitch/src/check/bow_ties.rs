@@ -4,7 +4,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_mesh::{Across, MeshView, Topology};
+use gusset_mesh::{MeshView, Opposite, Topology};
 
 /// Half-edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
@@ -23,7 +23,7 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
         if topology.is_ignored(h) {
             continue;
         }
-        if let Across::Mate(mate) = topology.across(h)
+        if let Opposite::Mate(mate) = topology.opposite(h)
             && h < mate
         {
             let (next, mate_next) = (topology.next(mesh, h), topology.next(mesh, mate));

@@ -12,7 +12,7 @@ use gusset_base::geom::disjoint_sets::{DisjointSets, ParitySets};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
-use gusset_mesh::{Across, Defect, MeshView, Topology, unordered};
+use gusset_mesh::{Defect, MeshView, Opposite, Topology, unordered};
 
 /// What [`check`] found. Lists are ascending.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -138,10 +138,10 @@ impl Check {
             if topology.is_ignored(h) {
                 continue;
             }
-            match topology.across(h) {
-                Across::Free => alloc::push(&mut self.boundary_edges, h)?,
-                Across::Mate(_) => halves += 1,
-                Across::Singular => {}
+            match topology.opposite(h) {
+                Opposite::Free => alloc::push(&mut self.boundary_edges, h)?,
+                Opposite::Mate(_) => halves += 1,
+                Opposite::Singular => {}
             }
         }
         self.edges = (self.boundary_edges.len() + halves / 2 + self.non_manifold_edges.len()) as u32;
@@ -161,13 +161,13 @@ impl Check {
                 if topology.is_ignored(h as u32) {
                     continue;
                 }
-                match topology.across(h as u32) {
-                    Across::Free => {}
-                    Across::Singular => {
+                match topology.opposite(h as u32) {
+                    Opposite::Free => {}
+                    Opposite::Singular => {
                         let ends = [h as u32, faces.next(h as u32)].map(|h| faces.corner(h));
                         alloc::push(&mut singular, (unordered(ends), f as u32))?;
                     }
-                    Across::Mate(mate) => {
+                    Opposite::Mate(mate) => {
                         let (f, g) = (f as u32, faces.face_of(mate));
                         pieces.union(f, g);
                         let opposed = faces.corner(h as u32) == faces.corner(mate);

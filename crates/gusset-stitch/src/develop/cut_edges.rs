@@ -8,7 +8,7 @@ use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::scale::distance;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_mesh::{Across, Defect, MeshView, NONE, Topology, half_edges};
+use gusset_mesh::{Defect, MeshView, NONE, Opposite, Topology, half_edges};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
@@ -35,7 +35,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         for f in 0..mesh.faces().len() {
             job.part(0.8, 1.0).step_within(f, STAGE)?;
             for (h, u, v) in half_edges(mesh, f) {
-                if let Across::Mate(mate) = topology.across(h)
+                if let Opposite::Mate(mate) = topology.opposite(h)
                     && (mesh.faces().corner(mate), mesh.faces().corner(mesh.faces().next(mate))) == (v, u)
                 {
                     mates[h as usize] = mate;

@@ -88,7 +88,7 @@ pub(super) fn cheapest(
     job: &Job<'_>,
 ) -> Result<Vec<Vec<usize>>> {
     let loops = alloc::collect(groups.iter().map(|group| candidates[group[0]].vertices.as_slice()))?;
-    let around = |vertices: &&[u32]| Aabb::of(vertices.iter().map(|&v| mesh.positions().get(v)));
+    let around = |vertices: &&[u32]| Aabb::from_points(vertices.iter().map(|&v| mesh.positions().get(v)));
     let boxes = alloc::collect(loops.iter().map(around))?;
     let near = faces_near(mesh, &boxes, &job.part(0.0, 0.05))?;
     let surroundings = Surroundings::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;

@@ -193,7 +193,7 @@ fn measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
         return Measures::default();
     }
     let point = |i: usize| mesh.positions().get(vertices[i % n]);
-    let whole = Aabb::of((0..n).map(point));
+    let whole = Aabb::from_points((0..n).map(point));
     let centre = (0..n).map(|i| point(i) / n as f64).sum::<DVec3>();
     Measures {
         length: (0..n).map(|i| distance(point(i), point(i + 1))).sum(),

@@ -56,7 +56,7 @@ impl<'a> Filling<'a> {
             let rim = &points[first..];
             // New vertices are faired, or on creases.
             let bulges = options.refinement != Refinement::None;
-            alloc::push(&mut boxes, if bulges { neighbourhood(rim) } else { Aabb::of(rim) })?;
+            alloc::push(&mut boxes, if bulges { neighbourhood(rim) } else { Aabb::from_points(rim) })?;
         }
         let near = faces_near(mesh, &boxes, &job.part(0.0, 0.9))?;
         let surroundings = Surroundings::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;

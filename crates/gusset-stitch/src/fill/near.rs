@@ -24,7 +24,7 @@ pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> 
     let chunk = |range: Range<usize>| -> Result<Vec<u32>> {
         let mut found = Vec::new();
         for f in range {
-            let around = Aabb::of(mesh.face(f).map(|v| mesh.positions().get(v)));
+            let around = Aabb::from_points(mesh.face(f).map(|v| mesh.positions().get(v)));
             let met = Cell::new(false);
             let enter = |_, node: &Aabb| !met.get() && node.overlaps(&around);
             tree.descend(enter, |_| {

@@ -233,7 +233,7 @@ fn is_near(rim: &Rim, points: &[DVec3]) -> bool {
 
 /// What no patch leaves.
 pub(super) fn neighbourhood(rim: &[DVec3]) -> Aabb {
-    let around = Aabb::of(rim);
+    let around = Aabb::from_points(rim);
     around.inflated(MAX_BULGE * around.diagonal())
 }
 

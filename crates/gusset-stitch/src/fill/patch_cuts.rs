@@ -110,7 +110,7 @@ impl<'a> Trials<'a> {
     /// `rooms`: of each patch, what it stays in, whichever way it is made. O(n log n) for n old
     /// triangles and patches.
     pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
-        let boxes = old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v))));
+        let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| pool.at(v))));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
         Ok(Trials {
             old,

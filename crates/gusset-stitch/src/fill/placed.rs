@@ -78,7 +78,7 @@ impl<'a> Pool<'a> {
         let rounded = |p: DVec3| if single { p.as_vec3().as_dvec3() } else { p };
         alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.placed(p))))?;
         let own = self.points[self.points.len() - patch.points.len()..].iter().copied();
-        let around = Aabb::of(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
+        let around = Aabb::from_points(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
         // Of the first triangulation's triangle that each lay on, before fairing.
         let mut parents = nearest_places(&rim.points[..rim.count], &patch.coarse, &patch.unfaired, "refining", job)?;
         parents.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| names[v as usize]));

@@ -63,7 +63,7 @@ impl Fans {
             let first = (node * width - leaves) * group;
             let triangles = &order[first.min(order.len())..(first + width * group).min(order.len())];
             let corners = triangles.iter().flat_map(|&t| new[t as usize]).filter(|&v| v != apex);
-            *fan = Fan { apex, others: Aabb::of(corners.map(at)) };
+            *fan = Fan { apex, others: Aabb::from_points(corners.map(at)) };
         }
         Ok(Fans(fans))
     }

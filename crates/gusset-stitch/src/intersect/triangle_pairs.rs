@@ -46,7 +46,7 @@ fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<
     let mut boxes = alloc::collect_cancellable(empty, &job.part(0.0, 0.0), STAGE)?;
     for (k, (turned, group)) in boxes[leaves..].iter_mut().zip(groups).enumerate() {
         job.step_every(GROUPS_PER_REPORT, k, leaves, STAGE)?;
-        *turned = OrientedBox::of(group.iter().map(|&i| corners(i)));
+        *turned = OrientedBox::from_triangles(group.iter().map(|&i| corners(i)));
     }
     for node in (1..leaves).rev() {
         job.step_every(GROUPS_PER_REPORT, node, leaves, STAGE)?;
@@ -80,7 +80,7 @@ pub(crate) fn intersecting_pairs_where(
         return Ok(Vec::new());
     }
     job.step(0.0, STAGE)?;
-    let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
+    let around = |t: &[u32; 3]| Aabb::from_points(t.map(&soup.at));
     let boxes = alloc::collect_cancellable(soup.new.iter().map(around), &job.part(0.0, 0.0), STAGE)?;
     let order = spatial_order(&boxes, LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);

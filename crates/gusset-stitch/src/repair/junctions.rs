@@ -135,7 +135,7 @@ impl Border<'_> {
         })?;
         let mut boxes = alloc::with_capacity(long.len())?;
         job.part(0.0, 0.0).ranges(STAGE, long.len(), |range| {
-            boxes.extend(long[range].iter().map(|&e| Aabb::of(ends(e))));
+            boxes.extend(long[range].iter().map(|&e| Aabb::from_points(ends(e))));
             Ok(())
         })?;
         let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
@@ -155,7 +155,7 @@ impl Border<'_> {
                 continue;
             }
             let (point, reach) = (p / unit, reach.get(i).map_or(0.0, |reach| reach / unit));
-            tree.overlapping(&Aabb::of([point]), reach, |leaf| {
+            tree.overlapping(&Aabb::from_points([point]), reach, |leaf| {
                 leaves += 1;
                 if leaves % LEAVES_PER_REPORT == 0 {
                     here.step(0.0, STAGE)?;

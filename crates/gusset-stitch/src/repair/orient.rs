@@ -15,7 +15,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
-use gusset_mesh::{Across, Mesh, MeshView, NONE, Topology, concat};
+use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology, concat};
 use std::slice;
 
 /// Which way closed components face.
@@ -223,7 +223,7 @@ impl<'m> Search<'m> {
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);
             for h in faces.range(f as usize).map(|h| h as u32).filter(proper) {
-                let Across::Mate(mate) = self.topology.across(h) else {
+                let Opposite::Mate(mate) = self.topology.opposite(h) else {
                     self.closed = false;
                     continue;
                 };

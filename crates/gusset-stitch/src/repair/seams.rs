@@ -22,7 +22,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
-use gusset_mesh::{Across, MeshView, NONE, Topology, half_edges, unordered};
+use gusset_mesh::{MeshView, NONE, Opposite, Topology, half_edges, unordered};
 use std::iter;
 
 /// Pairs between two progress reports.
@@ -32,7 +32,7 @@ const STAGE: &str = "sewing edges";
 
 /// The half-edge's face is the only one at its edge.
 pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
-    !topology.is_ignored(h) && topology.across(h) == Across::Free
+    !topology.is_ignored(h) && topology.opposite(h) == Opposite::Free
 }
 
 /// The half-edges of free edges, with their ends.

@@ -97,7 +97,7 @@ impl Tolerance {
 /// How far two copies of one vertex can be apart.
 fn round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
     let at = |v: u32| mesh.positions().get(v);
-    let whole = Aabb::of(members.iter().map(|&v| at(v)));
+    let whole = Aabb::from_points(members.iter().map(|&v| at(v)));
     if whole.is_empty() {
         return Ok(0.0);
     }

@@ -252,7 +252,7 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Res
         points.extend(run.places(b.len()).map(|j| b[j]));
         owner.extend((0..run.count).map(|_| k));
     }
-    let tree = KdTree::boxed(&points, &job.part(0.0, 0.5), STAGE)?;
+    let tree = KdTree::with_boxes(&points, &job.part(0.0, 0.5), STAGE)?;
     let job = job.part(0.5, 1.0);
     let interval = (REPORT_INTERVAL / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);

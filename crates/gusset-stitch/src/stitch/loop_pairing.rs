@@ -29,12 +29,12 @@ pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Ve
 ///
 /// Box tests for all pairs, and nearest-point searches for those that the boxes do not rule out.
 pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job: &Job<'_>) -> Result<(Rim, Rim)> {
-    let boxes = alloc::collect(b.iter().map(|rim| Aabb::of(&rim.points)))?;
+    let boxes = alloc::collect(b.iter().map(|rim| Aabb::from_points(&rim.points)))?;
     let mut best = (f64::INFINITY, None);
     for (i, p) in a.iter().enumerate() {
         let job = job.share(i, a.len());
         job.step(0.0, STAGE)?;
-        let (around, tree_p) = (Aabb::of(&p.points), tree(&p.points, &job.part(0.0, 0.1))?);
+        let (around, tree_p) = (Aabb::from_points(&p.points), tree(&p.points, &job.part(0.0, 0.1))?);
         let job = job.part(0.1, 1.0);
         for (j, q) in b.iter().enumerate() {
             // No points of the two rims are nearer than their boxes.

@@ -112,10 +112,13 @@ impl<'a> Neighbourhood<'a> {
     pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<Triangles> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
         let new = self.points.iter().chain(straight).copied();
-        let Aabb { low, high } = Aabb::of(rims.chain(new));
+        let Aabb { low, high } = Aabb::from_points(rims.chain(new));
         // In the host's numbers: the unit is a power of two, and what is far below it became 0.
         let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
-        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around), job)
+        self.old_triangles(
+            |face| Aabb::from_points(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around),
+            job,
+        )
     }
 
     /// The pairs of triangles that cut each other, and the strip's triangles that they are counted

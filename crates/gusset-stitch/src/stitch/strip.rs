@@ -142,7 +142,7 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     other_b.start_at((j2 + count - j) % count);
     let linear = matches!(options.meridians, Meridians::Index | Meridians::ArcLength | Meridians::Greedy);
     let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
-    let (first, other) = par::both(
+    let (first, other) = par::run_both(
         &job.with_threads(threads),
         meridian::STAGE,
         |job| from_given_start(a, b, bridges, options, job),

@@ -58,7 +58,7 @@ impl Layer {
             alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
         }
         // In one group: of points that lie in one, one is looked at.
-        let tree = KdTree::grouped(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
+        let tree = KdTree::with_groups(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
         let viewpoint = options.viewpoints.get(k).map(|viewpoint| *viewpoint / unit - origin);
         let of = |v: usize| {
             let (p, n) = (scan.points[v], scan.normals[v]);

@@ -11,7 +11,7 @@ use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
-use gusset_mesh::{Across, MeshView, NONE, Topology, half_edges};
+use gusset_mesh::{MeshView, NONE, Opposite, Topology, half_edges};
 
 /// Components of a piece that have so many times fewer faces than its largest are islands, too, if
 /// they are small.
@@ -52,8 +52,8 @@ impl<'m, 'a> Region<'m, 'a> {
             job.part(0.5, 0.5).step_within(f, STAGE)?;
             face_of[mesh.faces().range(f)].fill(f as u32);
         }
-        let beyond = |h| match topology.across(h) {
-            Across::Mate(mate) => face_of[mate as usize],
+        let beyond = |h| match topology.opposite(h) {
+            Opposite::Mate(mate) => face_of[mate as usize],
             _ => NONE,
         };
         let halves = 0..face_of.len() as u32;

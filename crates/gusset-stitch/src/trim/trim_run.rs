@@ -189,5 +189,5 @@ fn keep(
 
 /// The box of what faces use.
 fn bounds(piece: &MeshView<'_>, unit: f64) -> Aabb {
-    Aabb::of((0..piece.faces().len()).flat_map(|f| piece.face(f).map(|v| piece.positions().get(v) / unit)))
+    Aabb::from_points((0..piece.faces().len()).flat_map(|f| piece.face(f).map(|v| piece.positions().get(v) / unit)))
 }

@@ -3,7 +3,7 @@
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::{Across, MeshView, NONE, Topology};
+use gusset_mesh::{MeshView, NONE, Opposite, Topology};
 
 /// How the faces of the mesh run, seen from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -171,10 +171,10 @@ fn mate(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> (Option<u32>, u32) 
     if topology.is_ignored(h) {
         return (None, EdgeMarks::DEGENERATE);
     }
-    match topology.across(h) {
-        Across::Free => (None, 0),
-        Across::Singular => (None, EdgeMarks::NON_MANIFOLD),
-        Across::Mate(mate) if mesh.faces().corner(mate) == mesh.faces().corner(h) => (None, EdgeMarks::NOT_ORIENTED),
-        Across::Mate(mate) => (Some(mate), 0),
+    match topology.opposite(h) {
+        Opposite::Free => (None, 0),
+        Opposite::Singular => (None, EdgeMarks::NON_MANIFOLD),
+        Opposite::Mate(mate) if mesh.faces().corner(mate) == mesh.faces().corner(h) => (None, EdgeMarks::NOT_ORIENTED),
+        Opposite::Mate(mate) => (Some(mate), 0),
     }
 }

@@ -92,7 +92,7 @@ impl CurveNet<'_> {
 
     /// The diagonal of the box of all curves, and the largest of their coordinates.
     fn extent(&self) -> (f64, f64) {
-        let bounds = Aabb::of(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
+        let bounds = Aabb::from_points(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
         (bounds.diagonal(), bounds.low.abs().max(bounds.high.abs()).max_element())
     }
 }

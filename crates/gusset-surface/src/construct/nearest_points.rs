@@ -29,7 +29,7 @@ pub(super) struct Boxes {
 impl Boxes {
     pub(super) fn of<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
         let mut levels = alloc::with_capacity(32)?;
-        let mut level = alloc::collect(net_curve.segments.iter().map(Aabb::of))?;
+        let mut level = alloc::collect(net_curve.segments.iter().map(Aabb::from_points))?;
         while level.len() > 1 {
             let joined = |pair: &[Aabb]| pair.iter().fold(Aabb::EMPTY, |whole, part| whole.union(*part));
             let above = alloc::collect(level.chunks(2).map(joined))?;
@@ -138,7 +138,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 }
                 self.splits += 1;
                 parts.halves().into_iter().try_for_each(|half| {
-                    let [a, b] = half.points.map(Aabb::of);
+                    let [a, b] = half.points.map(Aabb::from_points);
                     self.wait(a.distance(&b), Task::SegmentPair(Box::new(half)))
                 })
             }
@@ -166,7 +166,7 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
 impl<const N: usize> SegmentPair<N> {
     /// The halves of the longer one, each with the other.
     fn halves(&self) -> [SegmentPair<N>; 2] {
-        let [a, b] = self.points.map(|points| Aabb::of(points).size().length_squared());
+        let [a, b] = self.points.map(|points| Aabb::from_points(points).size().length_squared());
         let longer = usize::from(b > a);
         [0.0, 0.5].map(|from| {
             let mut half = SegmentPair { depth: self.depth + 1, ..*self };

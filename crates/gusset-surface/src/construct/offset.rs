@@ -6,7 +6,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::node_normals::node_normals;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
-use gusset_curve::frame::by_node;
+use gusset_curve::frame::node_distances;
 
 const STAGE: &str = "offsetting";
 
@@ -32,7 +32,7 @@ impl Sheet<'_> {
     pub fn offset(&self, distances: &[f64], job: &Job<'_>) -> Result<(Sheet<'static>, f64)> {
         let ([rows, columns], closed) = (self.cells(), self.is_closed());
         let [height, width] = [rows + 1, columns + 1];
-        let distance = by_node(distances, [height, width])?;
+        let distance = node_distances(distances, [height, width])?;
         let corner = |k: usize| self.corner(k / width, k % width);
         let normals = match self {
             Sheet::Grid(_) => {

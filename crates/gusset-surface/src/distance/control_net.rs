@@ -29,7 +29,7 @@ pub(super) struct Ball {
 
 impl Ball {
     fn of(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
-        let bounds = Aabb::of(vectors.clone());
+        let bounds = Aabb::from_points(vectors.clone());
         if bounds.is_empty() {
             return Ball::default();
         }

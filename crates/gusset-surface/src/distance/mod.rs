@@ -191,7 +191,7 @@ impl Surface<'_> {
 
     /// The corners of the box.
     fn corners(&self) -> [DVec3; 8] {
-        pieces::corners(&Aabb::of(self.bounds()))
+        pieces::corners(&Aabb::from_points(self.bounds()))
     }
 
     /// Space as it is, from the middle of the surface.

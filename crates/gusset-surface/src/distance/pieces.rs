@@ -208,7 +208,7 @@ impl<'a> Pieces<'a> {
         for point in points {
             alloc::push(&mut self.points, point)?;
         }
-        let bounds = Aabb::of(&self.points[first..]);
+        let bounds = Aabb::from_points(&self.points[first..]);
         let (parts, whereabouts) = ([[0; 2]; 2], Whereabouts::default());
         let piece = Piece { kind, first, shape, bounds, parts, whereabouts, size: [1.0; 2], balls: None };
         alloc::push(&mut self.pieces, piece)
@@ -242,7 +242,9 @@ impl<'a> Pieces<'a> {
                 let whereabouts = Whereabouts { number: from, ..Whereabouts::default() };
                 return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);
             }
-            Source::Curve(curve) => (from..to).map(|k| Aabb::of(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union),
+            Source::Curve(curve) => {
+                (from..to).map(|k| Aabb::from_points(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union)
+            }
             Source::Point => Aabb::EMPTY,
         };
         self.add_box(Kind::Range { from, to }, corners(&bounds))

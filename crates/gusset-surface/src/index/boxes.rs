@@ -126,7 +126,7 @@ impl OrientedBox {
         let mut found = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
         // The box is made for the axes as they will be used, rounded.
         let axes = found.frame();
-        let bounds = Aabb::of(points.iter().map(|&point| axes * point));
+        let bounds = Aabb::from_points(points.iter().map(|&point| axes * point));
         // The reach of the displacements along the axes.
         let (middle, half) = (by.centre(), 0.5 * by.size());
         let reach = DVec3::from_array([0, 1, 2].map(|k| axes.row(k).abs().dot(half)));

@@ -188,7 +188,7 @@ impl Pyramid {
 fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
     let [rows, columns] = cells.counts();
     let places = (0..=8).flat_map(|k| (0..=8).map(move |n| (k * rows / 8, n * columns / 8)));
-    Aabb::of(places.map(|(i, j)| cells.corner(i, j))).centre()
+    Aabb::from_points(places.map(|(i, j)| cells.corner(i, j))).centre()
 }
 
 /// Builds the boxes of a row of blocks; `bounds`: those of the displacements of its blocks.
@@ -284,7 +284,7 @@ mod tests {
             );
             // Thin ones, those that touch 0, and points too.
             let b = [b, a + 1e-3 * b, a, DVec3::ZERO][k as usize % 4];
-            let bounds = Aabb::of([a, b]);
+            let bounds = Aabb::from_points([a, b]);
             let packed = PackedBox::new(bounds);
             let (held, length) = (packed.unpack(), f64::from(packed.max_length));
             assert!(length >= bounds.max_norm() && length <= bounds.max_norm() * (1.0 + 1e-6), "{bounds:?}");

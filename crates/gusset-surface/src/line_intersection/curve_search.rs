@@ -54,7 +54,7 @@ impl<const M: usize> CurvePart<M> {
     }
 
     fn bounds(&self) -> Aabb {
-        Aabb::of(self.points)
+        Aabb::from_points(self.points)
     }
 }
 
@@ -146,7 +146,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         let along = part.bounds();
         for [i, j] in cells_of_block(block, self.cells.counts()) {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
-            let cell = Aabb::of(corners.map(|(i, j)| self.cells.corner(i, j) - self.index.origin()));
+            let cell = Aabb::from_points(corners.map(|(i, j)| self.cells.corner(i, j) - self.index.origin()));
             if cell.inflated(deviation).overlaps(&along) {
                 self.cell(part, [i, j], solver, finds)?;
             }

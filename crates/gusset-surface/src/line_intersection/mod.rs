@@ -104,7 +104,7 @@ impl Line {
     /// Keeps the places of the endless line that are on this one, to 1e-12 of the curve's size.
     fn exact_meetings(&self, curve: &CurveView<'_>, places: &[CurvePlace]) -> Result<NearMisses> {
         let (along, length) = self.along();
-        let slack = 1e-12 * Aabb::of(curve.points()).size().max_element() / length;
+        let slack = 1e-12 * Aabb::from_points(curve.points()).size().max_element() / length;
         let mut found = NearMisses::default();
         for &a in places {
             let t = (curve.point(a)? - self.origin).dot(along) / length;
@@ -131,7 +131,7 @@ impl Line {
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
         let [low, high] = range(parameters);
         // A curve across the line has no extent along it.
-        let size = Aabb::of(curve.points()).size().max_element();
+        let size = Aabb::from_points(curve.points()).size().max_element();
         let slack = within + 1e-6 * size;
         let from = ((low - slack) / length).max(self.from);
         let to = ((high + slack) / length).min(self.to);

@@ -69,7 +69,7 @@ impl Surface<'_> {
 
 /// The queries' numbers in the order of Morton's curve through their box.
 fn sort_along_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
-    let Aabb { low, high } = Aabb::of(queries);
+    let Aabb { low, high } = Aabb::from_points(queries);
     // 10 bits a coordinate: 2^30 places for 2^16 queries.
     let scale = 1023.0 / (0.5 * high - 0.5 * low).max_element().max(f64::MIN_POSITIVE);
     order.clear();

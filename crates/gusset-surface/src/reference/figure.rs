@@ -45,7 +45,7 @@ impl<'a> Figure<'a> {
             Figure::Object(object) => Measure::Object(object.target()?),
             Figure::Curve(curve) if curve.is_empty() => return Err(Error::EmptyCurve),
             Figure::Curve(curve) => {
-                Measure::Curve { search: CurveSearch::new(&curve)?, size: Aabb::of(curve.points()).diagonal() }
+                Measure::Curve { search: CurveSearch::new(&curve)?, size: Aabb::from_points(curve.points()).diagonal() }
             }
             Figure::Surface(surface) => Measure::Surface(surface),
         })

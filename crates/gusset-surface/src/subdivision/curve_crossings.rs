@@ -156,7 +156,7 @@ fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
 
 impl<const M: usize, const N: usize> Pair<M, N> {
     fn classify(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<Crossing, ()> {
-        let (along, across) = (Aabb::of(self.curve), Aabb::of(self.patch.points.as_flattened()));
+        let (along, across) = (Aabb::from_points(self.curve), Aabb::from_points(self.patch.points.as_flattened()));
         let gap = along.separation(&across);
         if gap.max_element() > rounding_error {
             return BoxTest::Empty;
@@ -203,7 +203,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         // How far rounding may move the root.
         let rows = inverse.transpose();
         let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
-        let (along, across) = (Aabb::of(curve), Aabb::of(patch.points.as_flattened()));
+        let (along, across) = (Aabb::from_points(curve), Aabb::from_points(patch.points.as_flattened()));
         if (along.separation(&across) - slack).max_element() > 0.0 {
             return Some(BoxTest::Empty);
         }

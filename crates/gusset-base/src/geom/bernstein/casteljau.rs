@@ -9,10 +9,10 @@ use std::ops::{Mul, Sub};
 
 /// A coefficient: a number, a point, or a row of coefficients.
 pub trait Coefficient: Copy {
-    /// Replaces it by (1 - t) times itself plus t times the next one.
+    /// Replaces the coefficient by (1 - t) times itself plus t times the next one.
     fn blend(&mut self, next: &Self, t: f64);
 
-    /// Replaces it by half the sum of itself and the next one.
+    /// Replaces the coefficient by the mean of itself and the next one.
     fn average(&mut self, next: &Self);
 }
 
@@ -45,8 +45,8 @@ impl<T: Coefficient, const N: usize> Coefficient for [T; N] {
     }
 }
 
-/// One column of de Casteljau's scheme: combines each coefficient with the next one, but for the
-/// last.
+/// One column of de Casteljau's scheme: combines each coefficient except the last with the next
+/// one.
 #[inline(always)]
 fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
     for k in 1..c.len() {
@@ -55,8 +55,8 @@ fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
     }
 }
 
-/// De Casteljau's columns at t down to the last `keep`, which are the first ones of `c` then; the
-/// others keep what they had when they were left.
+/// Applies de Casteljau's columns at t until `keep` coefficients are left, at the start of `c`. The
+/// other coefficients keep their last values.
 #[inline(always)]
 pub fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
     for count in (keep..c.len()).rev() {
@@ -84,8 +84,8 @@ where
     [work[0], slope]
 }
 
-/// The value and the first derivative at t, by differences: x + t (y - x) in place of (1 - t) x + t
-/// y, which is cheaper, but does not end at y.
+/// The value and the first derivative at t. It blends by x + t (y - x), which is cheaper than (1 -
+/// t) x + t y but may miss y at t = 1.
 #[inline(always)]
 pub fn value_and_slope_by_differences<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
     let mut work = *c;
@@ -96,7 +96,7 @@ pub fn value_and_slope_by_differences<const N: usize>(c: &[f64; N], t: f64) -> [
     [work[0] + t * rise, (N - 1) as f64 * rise]
 }
 
-/// Splits at t: `c` keeps the part after t, `before` receives the one before.
+/// Splits at t. `c` keeps the part after t; `before` receives the part before it.
 #[inline(always)]
 pub fn split<T: Coefficient>(c: &mut [T], t: f64, before: &mut [T]) {
     let n = c.len();
@@ -106,7 +106,7 @@ pub fn split<T: Coefficient>(c: &mut [T], t: f64, before: &mut [T]) {
     }
 }
 
-/// Splits at 1/2: `c` keeps the part after, `before` receives the one before.
+/// Splits at 1/2. `c` keeps the part after 1/2; `before` receives the part before it.
 #[inline(always)]
 pub fn halve<T: Coefficient>(c: &mut [T], before: &mut [T]) {
     let n = c.len();
@@ -116,7 +116,7 @@ pub fn halve<T: Coefficient>(c: &mut [T], before: &mut [T]) {
     }
 }
 
-/// The halves before and after 1/2.
+/// Returns the parts before and after 1/2.
 #[inline(always)]
 pub fn halves<T: Coefficient, const N: usize>(c: &[T; N]) -> [[T; N]; 2] {
     let (mut before, mut after) = (*c, *c);
@@ -124,7 +124,7 @@ pub fn halves<T: Coefficient, const N: usize>(c: &[T; N]) -> [[T; N]; 2] {
     [before, after]
 }
 
-/// Restricts to the part from one parameter to a greater one, exactly itself over all.
+/// Restricts a polynomial to a range of parameters. The range [0, 1] returns it bit for bit.
 #[inline(always)]
 pub fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
     let mut end = to;
@@ -143,8 +143,8 @@ pub fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
     }
 }
 
-/// Raises a polynomial of `degree` to the degree that fills `c`: c'_k = k / n c_(k - 1) + (1 - k /
-/// n) c_k for each new degree n.
+/// Elevates a polynomial of `degree` to the degree that fills `c`. Each step to degree n sets
+/// c'_k = k / n c_(k - 1) + (1 - k / n) c_k.
 #[inline(always)]
 pub fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
     for n in degree + 1..c.len() {
@@ -156,8 +156,8 @@ pub fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
     }
 }
 
-/// Replaces coefficients by those of the derivative, n (c_(i + 1) - c_i), and returns how many
-/// there are: 0 for a constant.
+/// Replaces the coefficients by the derivative's, n (c_(i + 1) - c_i), and returns their number: 0
+/// for a constant.
 #[inline(always)]
 pub fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> usize {
     let n = c.len().saturating_sub(1);
@@ -167,8 +167,9 @@ pub fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> 
     n
 }
 
-/// The blossom at as many arguments as the degree (Ramshaw 1987): the symmetric function that is
-/// affine in each and the polynomial where all are equal. Exact where the arguments are 0 and 1.
+/// The blossom (Ramshaw 1987): the symmetric multi-affine function that equals the polynomial if
+/// all arguments are equal. It takes one argument for each degree. Exact where the arguments are 0
+/// and 1.
 #[inline(always)]
 pub fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoIterator<Item = f64>) -> T {
     let mut work = *c;
@@ -178,7 +179,7 @@ pub fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoI
     work[0]
 }
 
-/// The Bernstein polynomials of the degree that fills `values`, at t.
+/// Computes the values at t of the Bernstein polynomials whose degree fills `values`.
 #[inline(always)]
 pub fn basis(values: &mut [f64], t: f64) {
     values[0] = 1.0;
@@ -188,7 +189,7 @@ pub fn basis(values: &mut [f64], t: f64) {
     }
 }
 
-/// From the Bernstein polynomials of a degree, and a 0 behind them, to those of the next degree.
+/// Raises the degree of the basis by one. `values` holds the Bernstein polynomials at t, then a 0.
 #[inline(always)]
 fn raise_basis(values: &mut [f64], t: f64) {
     for k in (1..values.len()).rev() {
@@ -215,7 +216,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The definition, term by term, with binomials from Pascal's triangle.
+    /// Evaluates the definition term by term, with binomials from Pascal's triangle.
     fn by_definition(c: &[f64], t: f64) -> f64 {
         let mut row = vec![1.0];
         for _ in 1..c.len() {
@@ -234,7 +235,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn values_are_those_of_the_definition(c in coefficients(), t in 0.0..1.0f64) {
+        fn values_agree_with_the_definition(c in coefficients(), t in 0.0..1.0f64) {
             let truth = by_definition(&c, t);
             let steps: Vec<f64> = c.windows(2).map(|pair| 5.0 * (pair[1] - pair[0])).collect();
             let slope = by_definition(&steps, t);
@@ -257,7 +258,7 @@ mod tests {
         }
 
         #[test]
-        fn parts_are_the_whole(c in coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
+        fn parts_agree_with_the_whole(c in coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
             let near = |a: f64, b: f64| (a - b).abs() < 1e-13;
             for at in [from, to] {
                 let (mut after, mut before) = (c, [0.0; 6]);
@@ -276,9 +277,9 @@ mod tests {
             prop_assert_eq!(all, c);
         }
 
-        /// A net is a curve of curves, and a curve of points one of coordinates.
+        /// Compares a net with a curve of curves, and a curve of points with curves of coordinates.
         #[test]
-        fn nets_are_polynomials_with_rows(rows in prop::array::uniform4(prop::array::uniform4(-1.0..1.0f64))) {
+        fn nets_agree_with_polynomials_of_rows(rows in prop::array::uniform4(prop::array::uniform4(-1.0..1.0f64))) {
             let turned = |c: &[[f64; 4]; 4]| -> [[f64; 4]; 4] {
                 std::array::from_fn(|a| std::array::from_fn(|b| c[b][a]))
             };

@@ -1,16 +1,16 @@
 //! Polynomials in Bernstein form over 0 <= t <= 1: f(t) = sum over i of C(n, i) t^i (1 - t)^(n - i)
 //! c_i.
 //!
-//! Coefficients are numbers, points, or rows of either: the net of a tensor patch is a polynomial
-//! in u whose coefficients are rows, so that one scheme serves both parameters. Everything here
-//! goes back to de Casteljau's scheme, whose columns are convex combinations of neighbours and
-//! therefore stable (Farouki and Rajan 1987); it costs O(n^2).
+//! Coefficients are numbers, points, or rows of either. The net of a tensor patch is a polynomial
+//! in u whose coefficients are rows, so one scheme serves both parameters. Most functions use de
+//! Casteljau's scheme. Its columns are convex combinations of neighbours and therefore stable
+//! (Farouki and Rajan 1987). It costs O(n^2).
 //!
-//! * `casteljau`: evaluation, subdivision, degree elevation, derivatives, blossoms and basis
+//! - `casteljau`: evaluation, subdivision, degree elevation, derivatives, blossoms and basis
 //!   functions;
-//! * `polynomial`: evaluation in O(n), binomial coefficients, products and integrals of scalar
+//! - `polynomial`: evaluation in O(n), binomial coefficients, products and integrals of scalar
 //!   polynomials;
-//! * `roots`: real roots by Descartes' rule.
+//! - `roots`: real roots by Descartes' rule.
 
 mod casteljau;
 mod polynomial;

@@ -1,15 +1,15 @@
 //! Scalar polynomials in Bernstein form: values in O(n), binomial coefficients, products and
 //! integrals (Farouki and Rajan 1988).
 
-/// The highest degree of a curve's segments.
+/// The highest degree of a curve segment.
 pub const MAX_DEGREE: usize = 64;
 
-/// The most coefficients that are searched for roots: (C - q) . C' of a segment C has degree 2 n -
-/// 1.
+/// The largest number of coefficients in a search for roots: (C - q) . C' for a segment C has
+/// degree 2 n - 1.
 pub const MAX_COEFFICIENTS: usize = 2 * MAX_DEGREE;
 
-/// f(t) and f'(t). The sum runs from the nearer end by a scheme like Horner's, so that no power
-/// overflows its binomial.
+/// Evaluates f(t) and f'(t). The sum starts at the nearer end and follows a Horner-like scheme, so
+/// that powers do not underflow before the binomials scale them.
 pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     let n = c.len() - 1;
     let backwards = t > 0.5;
@@ -33,17 +33,17 @@ pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     (value * scale * s, slope * scale * n as f64)
 }
 
-/// C(n, 0), ..., C(n, n), the factors of the Bernstein polynomials. Exact up to 2^53, then rounded.
+/// The binomials C(n, 0), ..., C(n, n). Exact up to 2^53, then rounded.
 pub(super) fn binomials(n: usize) -> impl Iterator<Item = f64> + Clone {
     (0..=n).scan(1.0, move |next, i| {
         let now: f64 = *next;
         *next = now * (n - i) as f64 / (i + 1) as f64;
-        // Up to 2^53 the quotient is a whole number.
+        // Up to 2^53 the quotient is exact.
         Some(now)
     })
 }
 
-/// C(n, 0), ..., C(n, n), then zeros; for n < M.
+/// The binomials C(n, 0), ..., C(n, n), padded with zeros; n < M.
 pub const fn binomial_row<const M: usize>(n: usize) -> [f64; M] {
     let (mut row, mut k) = ([0.0; M], 0);
     row[0] = 1.0;
@@ -54,8 +54,8 @@ pub const fn binomial_row<const M: usize>(n: usize) -> [f64; M] {
     row
 }
 
-/// Adds the product of two polynomials, times `factor`, to `out`, whose degree is the sum of
-/// theirs: (f g)_k = sum over i + j = k of C(n, i) C(m, j) / C(n + m, k) f_i g_j.
+/// Adds `factor` times the product of two polynomials to `out`, whose degree is the sum of their
+/// degrees: (f g)_k = sum over i + j = k of C(n, i) C(m, j) / C(n + m, k) f_i g_j.
 pub fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
     let (n, m) = (f.len() - 1, g.len() - 1);
     let mut weights = [0.0; 4 * MAX_DEGREE + 1];
@@ -69,13 +69,13 @@ pub fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
     }
 }
 
-/// The integral over 0 to 1: the mean of the coefficients.
+/// The integral over 0 to 1, which is the mean of the coefficients.
 #[inline]
 pub fn integral(c: &[f64]) -> f64 {
     c.iter().sum::<f64>() / c.len() as f64
 }
 
-/// The integral over 0 to 1 of a product.
+/// The integral of a product over 0 to 1.
 #[inline]
 pub fn integral_of_product(f: &[f64], g: &[f64]) -> f64 {
     let mut product = [0.0; 4 * MAX_DEGREE + 1];
@@ -111,7 +111,7 @@ mod tests {
         for n in 0..20 {
             assert!(binomials(n).eq(binomial_row::<20>(n)[..=n].iter().copied()));
         }
-        // All ones stay one in any degree.
+        // Coefficients that are all 1 stay 1 in any degree.
         let ones = [1.0; MAX_COEFFICIENTS];
         assert!((value_and_slope(&ones, 0.3).0 - 1.0).abs() < 1e-13);
     }

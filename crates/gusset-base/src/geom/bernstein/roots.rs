@@ -1,27 +1,27 @@
 //! All real roots of a polynomial in Bernstein form between 0 and 1.
 //!
-//! A polynomial has at most as many roots in (0, 1) as its coefficients change sign, and the
-//! difference is even (Descartes' rule in Bernstein form; Farouki and Rajan 1987): none or one
-//! change decides, and otherwise the interval is halved, which de Casteljau's scheme does without
-//! loss. One root is closed in on by Newton's method, held inside its bracket.
+//! Descartes' rule in Bernstein form (Farouki and Rajan 1987): the number of roots in (0, 1) is the
+//! number of sign changes of the coefficients, or less by an even number. No change or one change
+//! decides an interval. Otherwise de Casteljau's scheme halves it exactly. Newton's method, kept
+//! within its bracket, converges to a single root.
 //!
-//! Multiple roots are where rounding hides the sign: values within `noise` of 0 cannot be told from
-//! 0. So the rule is asked of f - noise and of f + noise: where the coefficients of neither change
-//! sign more than once, f is within the noise on one interval at most, and otherwise the halving
-//! goes on, however the signs of f itself may be. Intervals where all coefficients are within the
-//! noise and the roots that adjoin them become one root: where the polynomial, or else one of its
-//! first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is found
-//! once; places that come closer to 0 than the noise without reaching it count as double roots.
+//! At multiple roots, rounding hides the sign: values within `noise` of 0 cannot be distinguished
+//! from 0. The rule is therefore applied to f - noise and f + noise. If neither has more than one
+//! sign change, f is within the noise on at most one interval; otherwise the halving continues.
+//! Intervals whose coefficients are all within the noise merge with adjacent roots into one root.
+//! The root is placed where the polynomial changes its sign, or else its first or second
+//! derivative, or else in the middle. A root of multiplicity m is thus found once. Places that come
+//! closer to 0 than the noise without reaching 0 count as double roots.
 
 use super::casteljau::{derive, halve};
 use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
 
-/// Roots in ascending order.
+/// The roots, in ascending order.
 #[derive(Clone, Copy)]
 pub struct Roots {
     at: [f64; MAX_COEFFICIENTS],
     len: usize,
-    /// The polynomial is 0 everywhere, as far as one can tell; there are no single roots then.
+    /// The polynomial is indistinguishable from 0 everywhere. The list of roots is then empty.
     pub everywhere: bool,
 }
 
@@ -45,8 +45,8 @@ impl Roots {
     }
 }
 
-/// Visits a polynomial from `from` to `to`, or where `visit` asks for it, the halves of this
-/// interval from left to right, and so on. O(n^2) for each halving.
+/// Visits a polynomial over `from` to `to`. If `visit` returns true, it visits the halves
+/// recursively, from left to right. O(n^2) for each halving.
 pub fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     c: &mut A,
     [from, to]: [f64; 2],
@@ -61,15 +61,15 @@ pub fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     }
 }
 
-/// The number of changes of sign among coefficients: by Descartes' rule that of the roots in (0,
-/// 1), or an even number more.
+/// The number of sign changes. By Descartes' rule, the number of roots in (0, 1) is at most this
+/// and differs by an even number.
 #[inline(always)]
 pub fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
     let mut last = None;
     signs.filter(|&sign| last.replace(sign).is_some_and(|last| last != sign)).count()
 }
 
-/// Coefficients in a buffer of fixed size.
+/// Coefficients in a fixed-size buffer.
 #[derive(Clone)]
 struct Coefficients {
     c: [f64; MAX_COEFFICIENTS],
@@ -77,7 +77,7 @@ struct Coefficients {
 }
 
 impl Coefficients {
-    fn of(given: &[f64]) -> Self {
+    fn from_slice(given: &[f64]) -> Self {
         let mut c = [0.0; MAX_COEFFICIENTS];
         c[..given.len()].copy_from_slice(given);
         Coefficients { c, len: given.len() }
@@ -96,17 +96,18 @@ impl AsMut<[f64]> for Coefficients {
     }
 }
 
-/// Intervals are not halved beyond this width.
+/// Intervals of this width are not halved.
 const MIN_WIDTH: f64 = 1.0 / (1u64 << 48) as f64;
 
-/// Halvings for one polynomial. Its roots need fewer; values that rounding moves to and fro across
-/// the noise would need any number.
+/// The maximum number of halvings for one polynomial. Its roots need fewer, but values that
+/// rounding moves back and forth across the noise could need any number.
 const MAX_HALVINGS: u32 = 20_000;
 
-/// The roots of the polynomial with these coefficients, at least one and at most
-/// [`MAX_COEFFICIENTS`]; values up to `noise`, in absolute terms, are taken for 0. O(n^2) for each
-/// halving; a simple root takes about log2 of 1 over its distance from the next one, a root of
-/// multiplicity m about log2(1 / noise) / m.
+/// Finds the roots of a polynomial with 1 to [`MAX_COEFFICIENTS`] coefficients. Values up to
+/// `noise` (absolute) count as 0.
+///
+/// O(n^2) for each halving. A simple root takes about log2(1 / d) halvings if the next root is at
+/// distance d. A root of multiplicity m takes about log2(1 / noise) / m.
 pub fn roots(c: &[f64], noise: f64) -> Roots {
     let mut found = Roots::default();
     if c.is_empty() || c.len() > MAX_COEFFICIENTS {
@@ -116,7 +117,7 @@ pub fn roots(c: &[f64], noise: f64) -> Roots {
         found.everywhere = true;
         return found;
     }
-    // An interval without a root left is told by the coefficients' signs alone.
+    // If the last interval has no root, the signs of its coefficients decide.
     if c.iter().all(|&x| x > noise) || c.iter().all(|&x| x < -noise) {
         return found;
     }
@@ -131,14 +132,14 @@ pub fn roots(c: &[f64], noise: f64) -> Roots {
     }
     let mut search =
         RootIsolation { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0, halvings_left: MAX_HALVINGS };
-    bisect(&mut Coefficients::of(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
+    bisect(&mut Coefficients::from_slice(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
     for &(low, high) in &search.clusters[..search.len] {
         found.push(search.centre(low, high));
     }
     found
 }
 
-/// a (1 - t) + b t, not both within the noise.
+/// The root of a (1 - t) + b t, where a and b are not both within the noise.
 fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
     if a.abs() <= noise {
         found.push(0.0);
@@ -149,11 +150,11 @@ fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
     }
 }
 
-/// a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. False if a root is so near to an end, or two
-/// to each other, that only the search can tell.
+/// The roots of a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. Returns false if a root is too
+/// close to an end, or two roots are too close to each other, so that the search must decide.
 ///
-/// With A = a - 2 b + d, B = b - a: A t^2 + 2 B t + a = 0, whose roots are a / q and q / A with q =
-/// -B -+ sqrt(b^2 - a d), the sign so that nothing cancels.
+/// With A = a - 2 b + d and B = b - a, the equation is A t^2 + 2 B t + a = 0. Its roots are a / q
+/// and q / A with q = -B -+ sqrt(b^2 - a d), where the sign avoids cancellation.
 fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
     let discriminant = b * b - a * d;
     let size = a.abs().max(b.abs()).max(d.abs());
@@ -166,13 +167,13 @@ fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
     let (quadratic, linear) = ((a - b) + (d - b), b - a);
     let root = discriminant.sqrt();
     let q = if linear < 0.0 { root - linear } else { -root - linear };
-    // q is 0 only with the discriminant.
+    // q is 0 only if the discriminant is 0.
     let (mut first, mut second) = (a / q, q / quadratic);
     if first > second {
         (first, second) = (second, first);
     }
     for t in [first, second] {
-        // NaN and infinity from A = 0 fail the test too.
+        // NaN and infinity from A = 0 fail this test too.
         if (0.0..=1.0).contains(&t) {
             found.push(t);
         }
@@ -183,15 +184,15 @@ fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
 struct RootIsolation<'a> {
     c: &'a [f64],
     noise: f64,
-    /// From where to where the polynomial is as good as 0: a point for most roots.
+    /// The intervals where the polynomial is within the noise; most are single points.
     clusters: [(f64, f64); MAX_COEFFICIENTS],
     len: usize,
     halvings_left: u32,
 }
 
 impl RootIsolation<'_> {
-    /// Finds the roots between two ends, where the polynomial has the coefficients `c`, from left
-    /// to right; true if the halves must be searched instead.
+    /// Finds the roots between two ends, from left to right; the polynomial has the coefficients
+    /// `c` there. Returns true if the halves must be searched instead.
     fn isolate(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
         let noise = self.noise;
         if c.iter().all(|x| x.abs() <= noise) {
@@ -208,8 +209,7 @@ impl RootIsolation<'_> {
             }
             return !decides;
         }
-        // Where the polynomial is within the noise is one interval at most: about a crossing, or at
-        // an end.
+        // The polynomial is within the noise on at most one interval, at a crossing or at an end.
         let (first, last) = (c[0], c[c.len() - 1]);
         if first.abs() <= noise {
             self.add(low, low);
@@ -222,8 +222,8 @@ impl RootIsolation<'_> {
         false
     }
 
-    /// Adds a root, or an interval of them, after all others. Where the polynomial is within the
-    /// noise at the end of one interval, it is so at the start of the next: both are the same root.
+    /// Appends a root, or an interval of roots. If an interval ends within the noise, the next one
+    /// starts within the noise, and both belong to the same root.
     fn add(&mut self, low: f64, high: f64) {
         if self.len > 0 {
             let last = &mut self.clusters[self.len - 1];
@@ -238,8 +238,8 @@ impl RootIsolation<'_> {
         }
     }
 
-    /// The root that a cluster stands for. An end of the whole interval that belongs to it is
-    /// preferred: the next segment has it too.
+    /// The root of a cluster. Prefers an end of the whole interval, because the adjacent segment
+    /// finds the same root there.
     fn centre(&self, low: f64, high: f64) -> f64 {
         if low == high || low <= 0.0 {
             return low.max(0.0);
@@ -267,9 +267,9 @@ impl RootIsolation<'_> {
     }
 }
 
-/// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it
-/// has the other: Newton's method from the middle, or halving where that leaves the bracket or does
-/// not halve the step. At most 100 rounds.
+/// Finds the root of a function in a bracket. `at_low` is the value at `low`, and the value at
+/// `high` has the opposite sign. Newton's method starts in the middle; a step that leaves the
+/// bracket or does not halve the previous step is replaced by bisection. At most 100 rounds.
 pub fn bracketed_root(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut t = 0.5 * (low + high);
     let mut last_step = high - low;
@@ -301,7 +301,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The polynomial with the roots given.
+    /// The polynomial with the given roots.
     fn with_roots(at: &[f64]) -> Vec<f64> {
         at.iter().fold(vec![1.0], |f, &r| {
             let mut product = vec![0.0; f.len() + 1];
@@ -345,11 +345,10 @@ mod tests {
         assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], NOISE).as_slice().len() < 4);
     }
 
-    /// (t - a)^2 times a factor that is not 0 at `a`, lifted by less than the noise: whichever way
-    /// rounding and the lift turn the least value, it is a touch. What has no touch, lifted by 5
-    /// times the noise, has none.
+    /// (t - a)^2 times a factor that is not 0 at `a`, raised by less than the noise, touches 0 for
+    /// any rounding. The polynomial raised by 5 times the noise does not.
     #[test]
-    fn every_touch_is_found_and_no_other() {
+    fn every_double_root_is_found_and_no_other() {
         let factors: [&[f64]; 4] = [&[1.0], &[-0.7, 0.3], &[0.3, 0.5, 0.1], &[1.0, 0.2, 0.3, 2.0]];
         for (k, factor) in factors.iter().enumerate() {
             for i in 1..400 {
@@ -384,7 +383,7 @@ mod tests {
         }
 
         #[test]
-        fn signs_change_at_roots_only(c in proptest::collection::vec(-1.0..1.0f64, 1..20)) {
+        fn signs_change_only_at_roots(c in proptest::collection::vec(-1.0..1.0f64, 1..20)) {
             let found = roots(&c, NOISE);
             let mut stops = vec![0.0];
             stops.extend_from_slice(found.as_slice());

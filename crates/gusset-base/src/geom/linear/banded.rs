@@ -1,24 +1,24 @@
-//! Symmetric banded systems that are positive definite, by Cholesky's method, row by row: a row is
-//! factored as soon as it is known. O(n W^2) time and O(n W) memory for n rows.
+//! Symmetric positive definite banded systems by Cholesky's method. Each row is factored as soon as
+//! it is known. O(n W^2) time and O(n W) memory for n rows.
 
 use crate::alloc;
 use crate::error::Result;
 
-/// A pivot below this part of its diagonal entry is rounding: the row depends on those before it,
-/// and its unknown is 0.
+/// A pivot below this fraction of its diagonal entry counts as rounding. Its row depends on earlier
+/// rows, and its unknown is set to 0.
 const MIN_PIVOT: f64 = 1e-13;
 
-/// The factor of a matrix whose entries farther than W - 1 from the diagonal are 0, and the right
-/// side, forwards solved.
+/// The Cholesky factor of a matrix with entries at most W - 1 from the diagonal, and the
+/// forward-solved right side.
 #[derive(Default)]
 pub struct Banded<const W: usize> {
-    /// The entries of each row of the factor up to the diagonal, which comes last.
+    /// The rows of the factor. The diagonal entry is last.
     rows: Vec<[f64; W]>,
     right: Vec<f64>,
 }
 
 impl<const W: usize> Banded<W> {
-    /// No rows, and room for `count`.
+    /// Clears the system and reserves room for `count` rows.
     #[inline]
     pub fn begin(&mut self, count: usize) -> Result<()> {
         self.rows.clear();
@@ -27,13 +27,13 @@ impl<const W: usize> Banded<W> {
         alloc::reserve(&mut self.right, count)
     }
 
-    /// Appends a row by its entries up to the diagonal, which comes last, and its right side; there
-    /// must be room for it.
+    /// Appends a row and its right side. `row` has the entries up to the diagonal, which is last.
+    /// [`Banded::begin`] must have reserved room.
     pub fn push(&mut self, mut row: [f64; W], mut right: f64) {
         let r = self.rows.len();
         let diagonal = row[W - 1];
         for d in (1..W.min(r + 1)).rev() {
-            // Column r - d: the row and that one have W - 1 - d columns in common before it.
+            // Row r - d has W - 1 - d columns in common with row r before column r - d.
             let other = &self.rows[r - d];
             let known: f64 = row[..W - 1 - d].iter().zip(&other[d..W - 1]).map(|(a, b)| a * b).sum();
             row[W - 1 - d] = (row[W - 1 - d] - known) / other[W - 1];
@@ -53,7 +53,7 @@ impl<const W: usize> Banded<W> {
         self.rows.push(row);
     }
 
-    /// The unknowns.
+    /// Solves for the unknowns.
     pub fn solve(&mut self) -> &[f64] {
         for r in (0..self.rows.len()).rev() {
             let row = &self.rows[r];
@@ -86,7 +86,7 @@ mod tests {
         for (x, wanted) in banded.solve().iter().zip(&wanted) {
             assert!((x - wanted).abs() < 1e-14, "{x} {wanted}");
         }
-        // A row that repeats the one before it has no say.
+        // A row that repeats the previous one does not change the solution.
         banded.begin(2).unwrap();
         banded.push([0.0, 0.0, 4.0], 8.0);
         banded.push([0.0, 4.0, 4.0], 8.0);

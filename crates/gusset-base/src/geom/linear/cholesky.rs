@@ -1,12 +1,12 @@
-//! Small symmetric systems that are positive definite, by Cholesky's method.
+//! Small symmetric positive definite systems, by Cholesky's method.
 
 use glam::DVec3;
 
-/// Solves the equations of a matrix, given by its lower triangle, for their right sides, in place;
-/// the triangle becomes its factor. O(n^3) for n equations, at most `N`.
+/// Solves the equations of a matrix, given by its lower triangle, in place. The triangle becomes
+/// its factor and the right sides become the solution. O(n^3) for n equations, at most `N`.
 ///
-/// A pivot that rounding makes less counts as the least positive number: the caller has to look at
-/// what it gets.
+/// A pivot that rounding makes smaller counts as the smallest positive number, so the caller must
+/// validate the result.
 pub fn solve<const N: usize>(lower: &mut [[f64; N]; N], right: &mut [DVec3]) {
     for i in 0..right.len() {
         for j in 0..=i {

@@ -5,7 +5,7 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// A square matrix, row by row, and what elimination makes of it.
+/// A square matrix, row by row, which elimination replaces by its factors.
 #[derive(Default)]
 pub struct Dense {
     entries: Vec<f64>,
@@ -15,7 +15,7 @@ pub struct Dense {
 }
 
 impl Dense {
-    /// Zeros in `n` rows.
+    /// Resizes to a matrix of `n` rows of zeros.
     #[inline]
     pub fn resize(&mut self, n: usize) -> Result<()> {
         self.size = n;
@@ -28,7 +28,7 @@ impl Dense {
         &mut self.entries[r * self.size..(r + 1) * self.size]
     }
 
-    /// Eliminates with the largest pivot of each column. False if there is none.
+    /// Factors the matrix with partial pivoting. Returns false if it is singular.
     pub fn factor(&mut self) -> bool {
         let n = self.size;
         for k in 0..n {
@@ -57,10 +57,10 @@ impl Dense {
         true
     }
 
-    /// Solves for a right side after [`Dense::factor`].
+    /// Solves for a right side in place. Call [`Dense::factor`] first.
     pub fn solve(&self, right: &mut [DVec3]) {
         let n = self.size;
-        // The rows were exchanged as wholes.
+        // The factor's rows were exchanged as a whole, so exchange the right side likewise.
         for k in 0..n {
             right.swap(k, self.pivots[k]);
         }
@@ -86,7 +86,8 @@ mod tests {
 
     #[test]
     fn a_system_that_needs_exchanges() {
-        // Rows in an order that makes every pivot wait, and one that depends on another.
+        // Rows in an order that forces an exchange for every pivot, and a row that depends on
+        // another.
         let rows = [[0.0, 2.0, 1.0, 0.1], [0.1, 1.0, 0.0, 3.0], [2.0, 0.3, 1.0, 0.0], [1.0, 0.5, 4.0, 0.2]];
         let wanted = [1.0, -2.0, 3.0, 0.5].map(|x| DVec3::new(x, -x, 1.0));
         let mut dense = Dense::default();

@@ -1,10 +1,10 @@
 //! Eigenvalues and eigenvectors of small symmetric matrices, by Jacobi's rotations.
 
-/// Sweeps over all entries beside the diagonal: each squares the ratio of what is left there.
+/// The number of Jacobi sweeps. Each squares the relative size of the off-diagonal entries.
 const SWEEPS: usize = 10;
 
-/// The eigenvalues of a symmetric matrix, in no order, and the matrix whose columns are the
-/// eigenvectors to them, of length 1 and square to each other. O(N^3).
+/// Returns the eigenvalues of a symmetric matrix, unsorted, and the matrix whose columns are their
+/// orthonormal eigenvectors. O(N^3).
 pub fn eigen<const N: usize>(mut k: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut vectors = [[0.0; N]; N];
     (0..N).for_each(|i| vectors[i][i] = 1.0);
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_matrix_is_that_of_its_eigenvectors() {
+    fn eigenvectors_reproduce_the_matrix() {
         let mut random = fastrand::Rng::with_seed(3);
         for _ in 0..50 {
             let mut matrix = [[0.0; 6]; 6];

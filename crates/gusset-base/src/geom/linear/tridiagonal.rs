@@ -1,18 +1,19 @@
-//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without
-//! exchanges (Thomas's algorithm), which is stable for dominant rows. A cyclic system carries its
-//! last unknown along until its part has faded below rounding. O(n).
+//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without pivoting
+//! (Thomas's algorithm). Elimination is stable if the rows are diagonally dominant. In a cyclic
+//! system, the last unknown's coefficient is carried from row to row until it fades below rounding.
+//! O(n).
 
 use glam::DVec3;
 
-/// Smaller pivots, in rows whose coefficients are near 1, make the system singular.
+/// Smaller pivots make the system singular, in rows whose coefficients are near 1.
 const MIN_PIVOT: f64 = 1e-14;
 
-/// Smaller contributions of the last unknown of a cyclic system are left out.
+/// Smaller coefficients of the last unknown of a cyclic system are dropped.
 const MAX_NEGLIGIBLE: f64 = 1e-24;
 
-/// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the
-/// coefficients of unknowns i - 1, i and i + 1; `known(i)`: the right side. `upper`: room for n
-/// factors. False if the system is singular.
+/// Solves for `unknowns[1..n - 1]`; the caller sets the first and the last. `row(i)` returns the
+/// coefficients of unknowns i - 1, i and i + 1, and `known(i)` the right side. `upper` is workspace
+/// for n factors. Returns false if the system is singular.
 pub fn solve(
     unknowns: &mut [DVec3],
     upper: &mut [f64],
@@ -40,8 +41,8 @@ pub fn solve(
     sound
 }
 
-/// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached
-/// last is `known` - `ratio` * (the next one) - `across` * (the last unknown).
+/// One end of a cyclic system while its rows are eliminated towards the middle. The unknown reached
+/// last equals `known` - `ratio` * (next unknown) - `across` * (last unknown).
 struct Front {
     known: DVec3,
     ratio: f64,
@@ -51,13 +52,13 @@ struct Front {
 }
 
 impl Front {
-    /// Before any row the unknown reached is the last one itself.
+    /// Starts before any row, at the last unknown itself.
     fn new(far: f64) -> Self {
         Front { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
     }
 
-    /// Takes a row: the coefficients of the unknown reached, of the next one and of the one after.
-    /// The pivot, and what the row took of the unknown reached.
+    /// Eliminates the next row, given the coefficients of the unknown reached, the next one and the
+    /// one after. Returns the pivot and the multiplier.
     #[inline]
     fn eliminate(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
         let pivot = diagonal - behind * self.ratio;
@@ -67,7 +68,8 @@ impl Front {
         [pivot, behind * scale]
     }
 
-    /// The same, and carries the last unknown along, in this row and in the last one.
+    /// Eliminates the next row like [`eliminate`](Self::eliminate), and carries the last unknown
+    /// along in this row and in the last row. Returns the pivot.
     #[inline]
     fn carry(&mut self, row: [f64; 3], known: DVec3, last: &mut (f64, DVec3)) -> f64 {
         let [pivot, taken] = self.eliminate(row, known);
@@ -78,19 +80,18 @@ impl Front {
         pivot
     }
 
-    /// Whether the last unknown has no part in it any more.
+    /// Returns true once the last unknown's coefficients are negligible.
     fn is_free(&self) -> bool {
         self.across.abs() <= MAX_NEGLIGIBLE && self.far.abs() <= MAX_NEGLIGIBLE
     }
 }
 
-/// Solves a cyclic system of n >= 3 unknowns. `row(i, before)`: the coefficients of unknowns
-/// `before` (i - 1, round the end), i and i + 1; `known(i)`: the right side. `upper`, `across`:
-/// room for n factors each. False if the system is singular.
+/// Solves a cyclic system of n >= 3 unknowns. `row(i, before)` returns the coefficients of unknowns
+/// `before` (cyclically i - 1), i and i + 1, and `known(i)` the right side. `upper` and `across`
+/// are workspace for n factors each. Returns false if the system is singular.
 ///
-/// As for an open system, but from both ends at once, which keeps a processor busy while it
-/// divides; and with the last unknown carried along in the rows next to it, until it has faded
-/// away.
+/// Eliminates from both ends at once, which keeps a processor busy while it divides. The rows next
+/// to the last unknown carry it along until its coefficient has faded.
 pub fn solve_cyclic(
     unknowns: &mut [DVec3],
     upper: &mut [f64],
@@ -109,7 +110,8 @@ pub fn solve_cyclic(
     let mut last = (diagonal, known(n - 1));
     let (mut first_end, mut last_end) = (Front::new(above), Front::new(lower));
     let mut least = f64::INFINITY;
-    // Rows 0 to n - 2 but the middle one: in pairs, and row 0 before them if it has no partner.
+    // Eliminate rows 0 to n - 2, except the middle row, in pairs. If their number is odd, row 0
+    // comes first.
     let (pairs, alone) = ((n - 2) / 2, n % 2);
     let middle = pairs + alone;
     if alone == 1 {
@@ -132,7 +134,7 @@ pub fn solve_cyclic(
         (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
         (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
     }
-    // The middle row and the last one, in the middle unknown and the last one.
+    // The middle row and the last row form a system of two unknowns.
     let [lower, diagonal, above] = forth(middle);
     let pivot = diagonal - lower * first_end.ratio - above * last_end.ratio;
     let scale = 1.0 / pivot;
@@ -166,7 +168,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// The rows hold for what comes out, in long systems and in the shortest.
+        /// Substitutes the solution into the rows, for long systems and for the shortest.
         #[test]
         fn rows_hold(
             rows in prop::collection::vec((-1.0f64..1.0, 0.1f64..3.0, -1.0f64..1.0, -9.0f64..9.0), 3..90),
@@ -194,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn singular_systems_are_told() {
+    fn singular_systems_are_detected() {
         let (mut unknowns, mut upper, mut across) = ([DVec3::ONE; 4], [0.0; 4], [0.0; 4]);
         assert!(!solve(&mut unknowns, &mut upper, |_| [1.0, 0.0, 1.0], |_| DVec3::ZERO));
         assert!(!solve_cyclic(&mut unknowns, &mut upper, &mut across, |_, _| [-1.0, 2.0, -1.0], |_| DVec3::ZERO));

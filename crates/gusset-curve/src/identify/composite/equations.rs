@@ -2,33 +2,33 @@
 //! parameters.
 //!
 //! Section i is (J_(i-1), B_i, J_i) with the joints J_i = (1 - beta_i) B_i + beta_i B_(i+1) on the
-//! control polygon, and passes its point at t_i:
+//! control polygon. It passes its point at t_i:
 //!
-//! (1 - t)^2 J_(i-1) + 2 t (1 - t) B_i + t^2 J_i = P_i,
+//! (1 - t)^2 J_(i-1) + 2 t (1 - t) B_i + t^2 J_i = P_i.
 //!
-//! a tridiagonal system for the B_i. With beta = 1/2 its rows are dominant by 2 t (1 - t) at least,
-//! so it has one solution for any points at all, in any dimension, and the norm of its inverse is
-//! at most 1 / min 2 t (1 - t): 3.6 for parameters between 1/6 and 5/6. O(n).
+//! This is a tridiagonal system for the B_i. With beta = 1/2 its rows are dominant by at least 2 t
+//! (1 - t), so it has exactly one solution for any points in any dimension. The norm of its inverse
+//! is at most 1 / min 2 t (1 - t), which is 3.6 for parameters between 1/6 and 5/6. O(n).
 //!
 //! A section may be a cubic in the same triangle, with the legs of the quadratic as tangents:
 //!
-//! J_(i-1), J_(i-1) + lambda (B_i - J_(i-1)), J_i + mu (B_i - J_i), J_i,
+//! J_(i-1), J_(i-1) + lambda (B_i - J_(i-1)), J_i + mu (B_i - J_i), J_i.
 //!
-//! which for lambda = mu = 2/3 is the quadratic. Its point at t has other shares of the three
-//! corners, see [`weights`], and all else stays.
+//! With lambda = mu = 2/3 it is the quadratic. Its point at t has different weights of the three
+//! corners, see [`weights`]; everything else stays.
 
 use crate::identify::solution::Solution;
 use crate::identify::subcurve::Subcurve;
 use gusset_base::geom::linear::tridiagonal;
 
-/// Solves for the control points. False if the equations are singular, which takes joint parameters
-/// other than 1/2.
+/// Solves for the control points. Returns false if the equations are singular, which requires joint
+/// parameters other than 1/2.
 pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
     let Solution { t, beta, handles, controls, upper, across, .. } = solution;
     let n = sub.len();
     let (t, controls) = (&t[..n], &mut controls[..n]);
     let known = |i: usize| sub.points[i];
-    let cubic = |i: usize, before: f64, after: f64| row_of(weights(t[i], handles[i]), before, after);
+    let cubic = |i: usize, before: f64, after: f64| row_from_weights(weights(t[i], handles[i]), before, after);
     if sub.closed {
         return if !handles.is_empty() {
             tridiagonal::solve_cyclic(controls, upper, across, |i, before| cubic(i, beta[before], beta[i]), known)
@@ -54,16 +54,16 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
 #[inline]
 pub(super) fn row(t: f64, before: f64, after: f64) -> [f64; 3] {
     let s = 1.0 - t;
-    row_of([s * s, 2.0 * t * s, t * t], before, after)
+    row_from_weights([s * s, 2.0 * t * s, t * t], before, after)
 }
 
-/// The same, by the shares that the point of the section has of its corners.
+/// The coefficients of [`row`], given the weights of the section's corners in its point.
 #[inline]
-pub(super) fn row_of([first, middle, last]: [f64; 3], before: f64, after: f64) -> [f64; 3] {
+pub(super) fn row_from_weights([first, middle, last]: [f64; 3], before: f64, after: f64) -> [f64; 3] {
     [first * (1.0 - before), middle + first * before + last * (1.0 - after), last * after]
 }
 
-/// The shares of J_(i-1), B_i and J_i in the point at `t` of a cubic section with the handles
+/// The weights of J_(i-1), B_i and J_i in the point at `t` of a cubic section with the handles
 /// lambda and mu.
 #[inline]
 pub(super) fn weights(t: f64, [lambda, mu]: [f64; 2]) -> [f64; 3] {

@@ -1,9 +1,9 @@
-//! Joint parameters by knots, and the fallback of joints whose equations have no usable solution.
+//! Joint parameters by knots, and the fallback of joints whose equations lack a usable solution.
 //!
-//! By knots: beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i
-//! and d = chord^alpha, which makes the curve a quadratic B-spline. It exists (Schoenberg and
-//! Whitney, 1953), but the rows are not dominant, and control points may lie far out: joints beside
-//! such points return to 1/2. O(n) for each of at most 4 rounds.
+//! By knots, beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i
+//! and d = chord^alpha. The curve is then a quadratic B-spline. It exists (Schoenberg and Whitney,
+//! 1953), but the rows are not dominant, and control points may lie far out. Joints next to such
+//! points return to 1/2. O(n) for each of at most 4 rounds.
 
 use super::equations;
 use super::lock::{self, LockWorkspace};
@@ -16,14 +16,14 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// The distance of a control point from its point, in sizes of the outline, beyond which it has run
-/// away. With joints in the middle it cannot be farther, as the inverse of the equations has at
-/// most the norm 3.6 and no point is farther than 1/2 from the middle of the box in any coordinate.
+/// away. With middle joints it cannot be farther: the inverse of the equations has at most the norm
+/// 3.6, and in each coordinate points are at most 1/2 from the middle of the box.
 const MAX_CONTROL_DISTANCE: f64 = 4.0;
 
-/// The distance at which a curve passes its points, in sizes of the outline.
+/// The largest distance between the curve and a point that it passes, in sizes of the outline.
 const MAX_MISS: f64 = 1e-14;
 
-/// The rounds in which joints fall back, before all do.
+/// The rounds in which individual joints fall back, before all joints do.
 const MAX_FALLBACK_ROUNDS: u32 = 3;
 
 /// Finds the curve with joints by knots.
@@ -46,14 +46,14 @@ pub(super) fn solve_by_knots(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, 
     solve_with_fallback(sub, workspace, out).map(|_| ())
 }
 
-/// Finds the curve for the joint parameters as they are; where it runs away, they fall back to 1/2.
-/// False if only the lock by parameters has a solution.
+/// Finds the curve for the current joint parameters. Where it runs away, they fall back to 1/2.
+/// Returns false if only the lock by parameters has a solution.
 pub(super) fn solve_with_fallback(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     out: &mut Output<'_>,
 ) -> Result<bool> {
-    let none_runs_away = |solution: &Solution| !sub.sections().any(|i| runs_away(sub, solution, i));
+    let none_runs_away = |solution: &Solution| !sub.sections().any(|i| has_run_away(sub, solution, i));
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let regular = equations::solve(sub, &mut workspace.solution)
             && none_runs_away(&workspace.solution)
@@ -63,7 +63,7 @@ pub(super) fn solve_with_fallback(
         }
         let solution = &mut workspace.solution;
         let (n, all) = (sub.len(), !regular && round + 1 >= MAX_FALLBACK_ROUNDS);
-        let fallen = alloc::gather(sub.sections().filter(|&i| all || runs_away(sub, solution, i)))?;
+        let fallen = alloc::gather(sub.sections().filter(|&i| all || has_run_away(sub, solution, i)))?;
         for i in fallen {
             out.results[i].flag(PointStatus::JointFellBack);
             solution.beta[i] = 0.5;
@@ -71,16 +71,15 @@ pub(super) fn solve_with_fallback(
         }
         solution.t[..n].copy_from_slice(&solution.data_t[..n]);
     }
-    // Not even with joints in the middle does the lock have a solution near by: now all is by
-    // parameters.
+    // Even with middle joints the lock has no nearby solution, so use the lock by parameters
+    // everywhere.
     equations::solve(sub, &mut workspace.solution);
     Ok(false)
 }
 
-/// Whether the control point of a section is farther away than it could be with joints in the
-/// middle, or the section misses its point, as the elimination may lose digits where rows are not
-/// dominant.
-fn runs_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
+/// Returns true if the control point of a section is farther away than middle joints allow, or the
+/// section misses its point. Elimination may lose digits if rows are not dominant.
+fn has_run_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
     let (p, b) = (sub.points[i], solution.controls[i]);
     let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
     let (away, miss) = (b.distance(p), segment::point(&section, solution.t[i]).distance(p));
@@ -113,12 +112,12 @@ mod tests {
         solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);
         assert!(results.iter().all(|result| result.status == PointStatus::JointFellBack));
-        // A runaway only before the equations are solved does no harm.
+        // A runaway before the equations are solved is harmless.
         let mut results = [PointResult::default(); 9];
         let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         workspace.solution.controls[4] = DVec3::splat(1e3);
-        // With it its neighbours miss their points.
-        assert!((0..9).all(|i| runs_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));
+        // Its neighbours then miss their points.
+        assert!((0..9).all(|i| has_run_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));
         solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
         assert!(results.iter().all(|result| result.status == PointStatus::Ok));
     }

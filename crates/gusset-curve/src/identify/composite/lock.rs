@@ -8,7 +8,7 @@ use crate::identify::solution::Solution;
 use crate::identify::subcurve::{Output, Subcurve};
 use gusset_base::error::Result;
 
-/// The unknowns, and the memory of the solvers; used again for each subcurve.
+/// The unknowns, and the workspaces of the solvers, which subcurves reuse.
 #[derive(Default)]
 pub(in crate::identify) struct LockWorkspace {
     pub(in crate::identify) solution: Solution,
@@ -16,8 +16,8 @@ pub(in crate::identify) struct LockWorkspace {
     spatial: Newton<3>,
 }
 
-/// Finds parameters and control points, from control points that solve the linear equations. False
-/// if these are singular.
+/// Finds parameters and control points, starting from control points that solve the linear
+/// equations. Returns false if the equations are singular.
 pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, out: &mut Output<'_>) -> Result<bool> {
     let LockWorkspace { solution, planar, spatial } = workspace;
     if (sub.options.lock, sub.options.solver) == (Lock::Parameter, Solver::Fast) {

@@ -1,15 +1,15 @@
-//! Composite curves: a quadratic section round each point, joined smoothly.
+//! Composite curves: a quadratic section around each point, joined smoothly.
 //!
-//! * equations: the linear equations of the control points, which all others stand on.
-//! * self_consistent, sweeps: parameters that depend on the control points. lock: the choice
+//! - equations: the linear equations of the control points, on which all other files build.
+//! - self_consistent, sweeps: parameters that depend on the control points. lock: the choice
 //!   between them.
-//! * rounds: the iterations that each may take.
-//! * knot_joints, curvature: joints other than in the middle.
-//! * here: parameters by the data's triangles, and the segments of the solution.
+//! - rounds: the limits on iterations.
+//! - knot_joints, curvature: joints other than in the middle.
+//! - here: parameters by the data's triangles, and the segments of the solution.
 //!
-//! The first section of an open subcurve begins at the first point. Where a tangent is given there,
-//! a control point T on it comes before B_1, and a segment (P_0, T, J_0) before the first section;
-//! the equations stay the same. So at the end.
+//! The first section of an open subcurve begins at the first point. If a tangent is given there, a
+//! control point T on the tangent precedes B_1, and a segment (P_0, T, J_0) precedes the first
+//! section. The equations stay the same. The last end is treated likewise.
 //!
 //! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
 
@@ -33,7 +33,7 @@ use glam::DVec3;
 use gusset_base::error::Result;
 use lock::LockWorkspace;
 
-/// The unknowns, and the memory of the solvers; used again for each subcurve.
+/// The unknowns, and the workspace of the solvers, which subcurves reuse.
 #[derive(Default)]
 pub(super) struct CompositeWorkspace {
     lock: LockWorkspace,
@@ -41,7 +41,7 @@ pub(super) struct CompositeWorkspace {
 }
 
 impl CompositeWorkspace {
-    /// The unknowns; other curves use the lists for theirs.
+    /// The unknowns; other kinds of curves use the lists for their own.
     pub(super) fn solution(&mut self) -> &mut Solution {
         &mut self.lock.solution
     }
@@ -111,8 +111,8 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
         solution.t[sections].fill(0.5);
         return;
     }
-    // Each chord is the first of one section and the last of the one before: chord i ends at point
-    // i.
+    // Each chord is the first of one section and the last of the previous one. Chord i ends at
+    // point i.
     let chords = &mut solution.upper[..sub.len()];
     let points = sub.points;
     chords[0] = points[points.len() - 1].distance(points[0]);
@@ -140,7 +140,7 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
     }
 }
 
-/// Appends the segments of an open subcurve, and enters the places of the points.
+/// Appends the segments of an open subcurve, and stores the places of the points.
 fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
     let Output { results, builder, .. } = out;
     let first = builder.len() as u32;
@@ -168,14 +168,14 @@ fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) ->
     Ok(())
 }
 
-/// Appends the segments of a subcurve of cubic sections, and enters the places of the points.
+/// Appends the segments of a subcurve of cubic sections, and stores the places of the points.
 fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
     let Output { results, builder, .. } = out;
     let (n, ends) = (sub.len(), sub.end_controls());
     let last = n - 1;
     let of_section = |i: usize, first: DVec3, joint: DVec3| {
         let (control, [lambda, mu]) = (solution.controls[i], solution.handles[i]);
-        // Handles of 1 end at the control point, to the bit.
+        // Handles of 1 end at the control point, bit for bit.
         let on = |from: DVec3, part: f64| if part == 1.0 { control } else { from + (control - from) * part };
         [on(first, lambda), on(joint, mu), joint]
     };
@@ -205,8 +205,8 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) 
     Ok(())
 }
 
-/// Writes the control points of a closed subcurve, each p as `place(p)`, two for each point and one
-/// more; section i is segment i. Measures the curve on the way: see
+/// Writes the control points of a closed subcurve, each p as `place(p)`: two for each point and one
+/// more. Section i is segment i. Measures the curve at the same time; see
 /// [`measure`](super::residuals::measure).
 pub(super) fn write_closed(
     sub: &Subcurve<'_>,

@@ -1,21 +1,21 @@
-//! The self-consistent lock: the parameter of each point is that of the method on its section's own
-//! triangle.
+//! The self-consistent lock: the parameter of each point is the method's parameter on its section's
+//! own triangle.
 //!
 //! With the joints J_(i-1) and J_i on the control polygon, t_i = t(J_(i-1), P_i, J_i) is a function
 //! of B_(i-1), B_i and B_(i+1), and
 //!
 //! F_i = (1 - t_i)^2 J_(i-1) + 2 t_i (1 - t_i) B_i + t_i^2 J_i - P_i = 0
 //!
-//! are as many equations as unknowns, solved by Newton's method. The derivative of F_i is the row
-//! of the linear equations, times the unit matrix, plus the product of Q_i' = 2 ((1 - t) (B_i -
-//! J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small blocks, and
-//! Newton's step is one elimination. Parameters are kept within the limits, which makes the map of
-//! parameters to parameters (solve for the control points, read off the parameters) continuous on a
-//! cube, so that it has a fixed point (Brouwer).
+//! are as many equations as unknowns, which Newton's method solves. The derivative of F_i is the
+//! row of the linear equations, times the unit matrix, plus the product of Q_i' = 2 ((1 - t) (B_i -
+//! J_(i-1)) + t (J_i - B_i)) and the gradient of t_i. The Jacobian is a tridiagonal matrix of small
+//! blocks, and Newton's step takes one elimination.
 //!
-//! A step that makes the sum of squares larger is halved, and if that does not help, replaced by
-//! that map itself. Points that do not converge keep the parameters of the data's own triangles.
-//! O(n) for each iteration, in time and memory.
+//! Consider the map that solves for the control points and reads off new parameters. Because
+//! parameters are kept within the limits, it is continuous on a cube and has a fixed point
+//! (Brouwer). A step that increases the sum of squares is halved, and if that does not help,
+//! replaced by this map. Points that do not converge keep the parameters of the data's own
+//! triangles. O(n) for each iteration, in time and memory.
 //!
 //! Source: ours.
 
@@ -31,21 +31,21 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Rows of a closed subcurve that are repeated before its first and after its last: the influence
-/// of a row fades by 0.2 or so from one to the next, and what is left of it makes Newton's step
-/// inexact, but not the solution. With the symmedian it fades slowly: the overlap doubles every few
-/// iterations, up to [`MAX_OVERLAP`].
+/// The number of rows of a closed subcurve that are repeated before its first and after its last.
+/// The influence of a row fades by a factor of about 0.2 from one to the next. The remainder makes
+/// Newton's step inexact, but not the solution. With the symmedian it fades slowly, so the overlap
+/// doubles every few iterations, up to [`MAX_OVERLAP`].
 const MIN_OVERLAP: usize = 8;
 
 const MAX_OVERLAP: usize = MIN_OVERLAP << 6;
 
-/// Below a step of this, times the size, Newton's next one would be within the rounding.
+/// Below a step of this, times the size, the next Newton step would be within rounding.
 const MAX_LAST_STEP: f64 = 1e-6;
 
-/// How often a step is halved.
+/// The maximum number of times that a step is halved.
 const MAX_HALVINGS: u32 = 4;
 
-/// Points between two questions whether to go on.
+/// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 14;
 
 const STAGE: &str = "making parameters self-consistent";
@@ -53,17 +53,17 @@ const STAGE: &str = "making parameters self-consistent";
 /// One row of the linear equations of Newton's step.
 #[derive(Clone, Copy)]
 pub(super) struct Row<const D: usize> {
-    /// Of B_(i-1), B_i and B_(i+1) in F_i with t_i fixed.
+    /// The factors of B_(i-1), B_i and B_(i+1) in F_i for a fixed t_i.
     factors: [f64; 3],
-    /// The gradients of t_i by them.
+    /// The gradients of t_i with respect to B_(i-1), B_i and B_(i+1).
     gradients: [[f64; D]; 3],
-    /// The derivative of F_i by t_i.
+    /// The derivative of F_i with respect to t_i.
     derivative: [f64; D],
     /// F_i.
     value: [f64; D],
 }
 
-/// The memory of Newton's method in D dimensions.
+/// The workspace of Newton's method in D dimensions.
 #[derive(Default)]
 pub(super) struct Newton<const D: usize> {
     rows: Vec<Row<D>>,
@@ -72,15 +72,15 @@ pub(super) struct Newton<const D: usize> {
     step: Vec<[f64; D]>,
 }
 
-/// Whether points and control points lie in the plane z = 0.
+/// Returns true if points and control points lie in the plane z = 0.
 pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &Solution) -> bool {
     sub.points.iter().chain(&solution.controls[..sub.len()]).all(|p| p.z == 0.0)
 }
 
 impl<const D: usize> Newton<D> {
-    /// Finds the self-consistent parameters and control points, from control points that solve the
-    /// linear equations. False if these have become singular, which takes joint parameters other
-    /// than 1/2.
+    /// Finds the self-consistent parameters and control points, starting from control points that
+    /// solve the linear equations. Returns false if the equations become singular, which requires
+    /// joint parameters other than 1/2.
     pub(super) fn solve(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
         let n = sub.len();
         let length = n + if sub.closed { 2 * MAX_OVERLAP } else { 0 };
@@ -116,7 +116,7 @@ impl<const D: usize> Newton<D> {
         Ok(regular)
     }
 
-    /// Iterates until the control points rest. At the end they solve the linear equations for the
+    /// Iterates until the control points converge. They finally solve the linear equations for the
     /// parameters.
     fn converge(
         &mut self,
@@ -139,7 +139,7 @@ impl<const D: usize> Newton<D> {
             }
             report.iterations += 1;
             if sum > smallest || !self.eliminate(sub, overlap, job)? {
-                // The map itself; it need not make F smaller.
+                // The fixed-point map itself, which need not make F smaller.
                 equations::solve(sub, solution);
                 (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
                 continue;
@@ -148,7 +148,7 @@ impl<const D: usize> Newton<D> {
             let farthest = self.add_step(sub, solution, 1.0);
             report.end_cycle(farthest / sub.size)?;
             if farthest <= MAX_LAST_STEP * sub.size {
-                solution.remember();
+                solution.save_controls();
                 apply_map(sub, solution);
                 let moves = sub.sections().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
                 report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
@@ -162,7 +162,7 @@ impl<const D: usize> Newton<D> {
         Ok(false)
     }
 
-    /// Enters all rows; the sum of the squares of the F_i.
+    /// Evaluates all rows. Returns the sum of the squares of the F_i.
     fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, job: &Job<'_>) -> Result<f64> {
         let mut sum = 0.0;
         for i in sub.sections() {
@@ -191,10 +191,10 @@ impl<const D: usize> Newton<D> {
         Ok(sum)
     }
 
-    /// Finds Newton's step. False if the equations are singular.
+    /// Computes Newton's step. Returns false if the equations are singular.
     fn eliminate(&mut self, sub: &Subcurve<'_>, overlap: usize, job: &Job<'_>) -> Result<bool> {
         let n = sub.len();
-        // The rows in their order; those of a closed subcurve with its overlap.
+        // The rows in order; for a closed subcurve with its overlap.
         let (count, from) = match sub.closed {
             true => (n + 2 * overlap, n * overlap.div_ceil(n) - overlap),
             false => (sub.sections().len(), 1),
@@ -249,7 +249,7 @@ impl<const D: usize> Newton<D> {
         Ok(finite)
     }
 
-    /// Adds the step, times `scale`, to the control points; the farthest move.
+    /// Adds the step, times `scale`, to the control points. Returns the largest move.
     fn add_step(&self, sub: &Subcurve<'_>, solution: &mut Solution, scale: f64) -> f64 {
         let mut farthest = 0.0f64;
         for i in sub.sections() {
@@ -263,7 +263,7 @@ impl<const D: usize> Newton<D> {
     }
 }
 
-/// Reads off the parameters and solves for the control points: the map whose fixed point is sought.
+/// Reads off the parameters and solves for the control points: the fixed-point map.
 fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution) {
     for i in sub.sections() {
         solution.t[i] = section_parameter(sub, solution, i);
@@ -271,7 +271,7 @@ fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution) {
     equations::solve(sub, solution);
 }
 
-/// The parameter of point `i` on its section as it is now.
+/// The parameter of point `i` on its current section.
 fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
     if solution.fell_back[i] {
         return solution.data_t[i];
@@ -280,13 +280,13 @@ fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
     parameter(sub.options, u, v).0
 }
 
-/// The parameter on the section with the joints `u` and `v`, from the point on, and its gradients
-/// by them.
+/// The parameter on the section with the joints `u` and `v`, relative to the point, and its
+/// gradients with respect to both.
 ///
-/// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the
-/// normal: t = sqrt(x) / (sqrt(x) + sqrt(y)), dt = t (1 - t) (dx / x - dy / y) / 2 for the parts
-/// x = -u.(v - u) and y = v.(v - u) of the chord; a foot outside the chord counts as its nearer
-/// end, so that the parameter remains continuous.
+/// By the chords, t = a^alpha / (a^alpha + b^alpha) and dt = alpha t (1 - t) (da / a - db / b). By
+/// the normal, t = sqrt(x) / (sqrt(x) + sqrt(y)) and dt = t (1 - t) (dx / x - dy / y) / 2, for the
+/// parts x = -u.(v - u) and y = v.(v - u) of the chord. A foot outside the chord counts as its
+/// nearer end, which keeps the parameter continuous.
 #[inline(always)]
 pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
@@ -303,7 +303,7 @@ pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 
         }
     };
     if !(low < t && t < high) {
-        // NaN: no extent at all.
+        // NaN: the triangle has no extent.
         return (if t.is_nan() { 0.5 } else { t.clamp(low, high) }, [DVec3::ZERO; 2]);
     }
     let factor = alpha * t * (1.0 - t);
@@ -320,7 +320,7 @@ fn truncate<const D: usize>(v: DVec3) -> [f64; D] {
     std::array::from_fn(|k| all[k])
 }
 
-/// The inverse of a matrix of 2 or 3 rows, by its adjoint.
+/// The inverse of a matrix of 2 or 3 rows, by its adjugate.
 #[inline(always)]
 fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let mut adjoint = [[0.0; D]; D];
@@ -348,7 +348,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn gradients_are_those_of_the_parameter() {
+    fn gradients_agree_with_differences() {
         let (u, v) = (DVec3::new(-1.0, 0.3, 0.2), DVec3::new(0.7, 0.4, -0.5));
         for method in [Method::Bisector, Method::Symmedian, Method::Alpha(0.3), Method::Normal] {
             let options = Options { method, ..Options::default() };
@@ -361,14 +361,14 @@ mod tests {
                 assert!((gradients[1].dot(axis) - by_v).abs() < 1e-9, "{method:?} {by_v} {:?}", gradients[1]);
             }
         }
-        // At the limits, and where all is one point.
+        // At the limits, and where all points coincide.
         let options = Options::default();
         assert_eq!(parameter(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
         assert_eq!(parameter(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
     }
 
     #[test]
-    fn inverses() {
+    fn inverse_times_matrix_is_the_identity() {
         let m = [[2.0, 1.0, 0.0], [0.5, 3.0, 1.0], [1.0, 0.0, 1.5]];
         let inverse3 = inverse(&m).unwrap();
         for (r, row) in m.iter().enumerate() {

@@ -1,20 +1,21 @@
-//! Sweeps over the points of a composite curve (Gauss and Seidel): each control point in turn is
-//! placed for the others as they are, until none moves.
+//! Gauss-Seidel sweeps over the points of a composite curve: each control point in turn is placed
+//! for the current positions of the others, until none moves.
 //!
-//! Source: Nadopta. The lock by the data's guides has no other solver. With the neighbours fixed,
+//! Source: Nadopta. The lock by the data's guides has only this solver. With the neighbours fixed,
 //!
 //! P_i - Q_i(t_i) = r - (2 t s + s^2 beta_(i-1) + t^2 (1 - beta_i)) (B_i - B_i'),    s = 1 - t,
 //!
-//! for the deviation r at B_i': either B_i moves there at once, or it steps ([`Solver::Step`])
-//! along the deviation, and for the lock by guides along the guide. Parameters: those of the data;
-//! or those of the method on the section's triangle as it is before B_i moves; or the crossing of
-//! section and guide. For the crossing let f be affine and 0 on the guide: it is 0 at B_i, and B_i
-//! has its shares of the joints, but
+//! for the deviation r at B_i'. B_i either moves there at once, or steps along the deviation
+//! ([`Solver::Step`]), or for the lock by guides along the guide. The parameter is the data's, or
+//! the method's on the section's triangle before B_i moves, or the crossing of section and guide.
 //!
-//! (1 - t)^2 (1 - beta_(i-1)) f(B_(i-1)) + t^2 beta_i f(B_(i+1)) = 0
+//! For the crossing, let f be an affine function that is 0 on the guide. It is 0 at B_i, which also
+//! has its shares in the joints, so that B_i drops out of
 //!
-//! does not contain it, so that t does not depend on where on the guide B_i is. If both neighbours
-//! are on one side there is no crossing. O(n) for each sweep.
+//! (1 - t)^2 (1 - beta_(i-1)) f(B_(i-1)) + t^2 beta_i f(B_(i+1)) = 0.
+//!
+//! Hence t does not depend on the position of B_i on the guide. If both neighbours are on one side,
+//! the section does not cross the guide. O(n) for each sweep.
 
 use super::equations;
 use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
@@ -31,20 +32,21 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Crossings nearer than this to an end of the section are none: the equations would be too nearly
-/// singular.
+/// Crossings closer than this to an end of the section are ignored, because the equations would be
+/// nearly singular.
 const MIN_CROSSING_PARAMETER: f64 = 0.01;
 
-/// Sweeps after which a point whose section does not cross its guide falls back for good.
+/// The number of sweeps after which a point falls back for good if its section does not cross its
+/// guide.
 const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
 
-/// Points between two questions whether to go on.
+/// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 14;
 
 const STAGE: &str = "placing control points";
 
-/// Solves by sweeps, from control points that solve the linear equations. False if these have
-/// become singular, which takes joint parameters other than 1/2.
+/// Solves by sweeps, starting from control points that solve the linear equations. Returns false if
+/// the equations become singular, which requires joint parameters other than 1/2.
 pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
     start(sub, solution, out.results)?;
     let lock = sub.options.lock;
@@ -66,7 +68,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
             break;
         }
     }
-    // With the parameters as they are, the curve passes the points exactly.
+    // With the current parameters, the curve passes the points exactly.
     let regular = equations::solve(sub, solution);
     let [low, high] = sub.parameter_range();
     for i in sub.sections() {
@@ -81,7 +83,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
     Ok(regular)
 }
 
-/// Moves the control points to where the sweeps begin.
+/// Moves the control points to the start of the sweeps.
 fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
         find_guides(sub, solution, results)?;
@@ -93,7 +95,7 @@ fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult
             }
         }
     } else if sub.options.solver == Solver::Step {
-        // The paper begins at the points.
+        // The paper starts at the points.
         for i in sub.sections() {
             solution.controls[i] = sub.points[i];
         }
@@ -101,8 +103,9 @@ fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult
     Ok(())
 }
 
-/// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r /
-/// (1 - r) of the last one. The control points before the last sweep remain known.
+/// Sweeps until neither the moves nor their predicted sum exceed the tolerance. Moves that shrink
+/// by a ratio r sum up to r / (1 - r) of the last one. Keeps the control points before the last
+/// sweep.
 fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, count: u32) -> Result<bool> {
     let (report, n) = (&mut *out.report, sub.len());
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
@@ -110,10 +113,10 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
     let (mut last, mut placed) = (f64::INFINITY, 0_usize);
     for sweep in 0..count {
         report.iterations += 1;
-        solution.remember();
+        solution.save_controls();
         let (mut farthest, mut all_placed) = (0.0f64, true);
         for i in sub.sections() {
-            // Of all sweeps: those of a few points may be many.
+            // Counts over all sweeps, because few points may take many sweeps.
             if placed.is_multiple_of(POINTS_PER_REPORT) {
                 out.job.step(i as f64 / n as f64, STAGE)?;
             }
@@ -134,7 +137,7 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
     Ok(false)
 }
 
-/// Places one control point. False if the steps are used up.
+/// Places one control point. Returns false if the steps are used up.
 fn place(
     sub: &Subcurve<'_>,
     solution: &mut Solution,
@@ -164,7 +167,7 @@ fn place(
     solution.t[i] = t;
     let s = 1.0 - t;
     let [_, slope, _] = equations::row(t, solution.joints[sub.previous(i)], solution.joints[i]);
-    // A point that has come back to its guide is put on it first.
+    // A point that has returned to its guide is first projected on it.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
     let target = start + left / slope;
@@ -191,7 +194,7 @@ fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
     let (before, after) = (sub.previous(i), sub.next(i));
     let p = sub.points[i];
     let (a, c) = (solution.controls[before] - p, solution.controls[after] - p);
-    // The components across the guide; in a plane both are along one line.
+    // The components across the guide; in a plane both are collinear.
     let (a, c) = (a - guide * a.dot(guide), c - guide * c.dot(guide));
     if a.dot(c) >= 0.0 {
         return None;
@@ -202,8 +205,8 @@ fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
     (MIN_CROSSING_PARAMETER..=1.0 - MIN_CROSSING_PARAMETER).contains(&t).then_some(t)
 }
 
-/// Finds the guides of the data's own triangles. Points without one, and all points of a subcurve
-/// that is not plane, fall back.
+/// Finds the guides of the data's own triangles. Points without a guide, and all points of a
+/// subcurve that is not plane, fall back.
 fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
     alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
     let normal = plane_normal(sub);
@@ -211,7 +214,7 @@ fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [Point
         let [a, p, c] = sub.triple(i);
         let found = normal.ok_or(PointStatus::OutOfPlane).and_then(|normal| {
             guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
-                // No normal meets the chord: the bisector stands in.
+                // The normal misses the chord, so use the bisector.
                 results[i].flag(status);
                 guide(Method::Bisector, a - p, c - p, normal)
             })

@@ -1,9 +1,9 @@
 //! The unknowns of a single curve, and its linear equations: control points for given parameters.
 //!
-//! Each end tangent raises the degree N by one: the control point next to the end is on the
-//! tangent, at the distance |P_0 P_1| / (N t_1) that the speed of the parameter asks for. A closed
-//! outline begins and ends at its first point, with the tangent there of the section of the data's
-//! own triangle, so that the curve is smooth there as well.
+//! Each end tangent raises the degree N by one. The control point next to the end lies on the
+//! tangent, at the distance |P_0 P_1| / (N t_1) that matches the speed of the parameter. A closed
+//! outline begins and ends at its first point, with the tangent of the section on the data's own
+//! triangle there. The curve is therefore smooth there too.
 
 use crate::curve::segment;
 use crate::identify::guide::guide;
@@ -16,19 +16,19 @@ use gusset_base::geom::bernstein;
 use gusset_base::geom::linear::dense::Dense;
 use std::ops::Range;
 
-/// The distance from its points, in sizes of the outline, beyond which a curve does not pass them.
+/// The distance from its points, in sizes of the outline, beyond which a curve misses them.
 pub(super) const MAX_MISS: f64 = 1e-12;
 
-/// The unknowns and the memory to find them in: all for the points of the subcurve, the first once
-/// more at the end of a closed one.
+/// The unknowns, and the workspace to find them. There is one for each point of the subcurve; a
+/// closed one repeats the first at the end.
 #[derive(Default)]
 pub(in crate::identify) struct Collocation {
     pub(super) points: Vec<DVec3>,
     pub(super) t: Vec<f64>,
-    /// The guides, of length 1, of the points between the ends.
+    /// The unit guides of the points between the ends.
     pub(super) guides: Vec<DVec3>,
     pub(super) controls: Vec<DVec3>,
-    /// The differences of the control points, times the degree: the control points of the
+    /// The differences of the control points, times the degree, which are the control points of the
     /// derivative.
     pub(super) slopes: Vec<DVec3>,
     pub(super) right: Vec<DVec3>,
@@ -62,14 +62,14 @@ impl Collocation {
         self.controls.len() - 1
     }
 
-    /// The numbers of the control points that belong to the points between the ends.
-    pub(super) fn own(&self) -> Range<usize> {
+    /// The indices of the control points that belong to the points between the ends.
+    pub(super) fn inner_range(&self) -> Range<usize> {
         let first = 1 + usize::from(self.tangents[0]);
         first..first + self.inner()
     }
 
-    /// The parameters by the data's own triangles: neighbouring spans are to each other as t_i to
-    /// 1 - t_i.
+    /// The parameters by the data's own triangles: neighbouring spans have the ratio of t_i to 1 -
+    /// t_i.
     pub(super) fn find_parameters(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult]) {
         let last = self.points.len() - 1;
         let (mut sum, mut span) = (1.0, 1.0);
@@ -104,7 +104,8 @@ impl Collocation {
         }
     }
 
-    /// The guides of the points between the ends; where the method has none, that of the bisector.
+    /// Finds the guides of the points between the ends. If the method lacks a guide, the bisector
+    /// replaces it.
     pub(super) fn find_guides(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult], normal: DVec3) {
         for (i, result) in results.iter_mut().enumerate().take(self.inner() + 1).skip(1) {
             let [a, p, c] = sub.triple(i);
@@ -116,40 +117,43 @@ impl Collocation {
         }
     }
 
-    /// Puts the control points on their points, where the paper begins.
+    /// Puts the control points on their points, where the paper starts.
     pub(super) fn start_at_points(&mut self) {
-        let (own, inner) = (self.own(), self.inner());
-        self.controls[own].copy_from_slice(&self.points[1..=inner]);
+        let (inner_range, inner) = (self.inner_range(), self.inner());
+        self.controls[inner_range].copy_from_slice(&self.points[1..=inner]);
     }
 
-    /// Solves the linear equations for the parameters as they are.
+    /// Solves the linear equations for the current parameters.
     pub(super) fn eliminate(&mut self) -> Result<()> {
-        let (inner, own) = (self.inner(), self.own());
-        self.controls[own.clone()].fill(DVec3::ZERO);
+        let (inner, inner_range) = (self.inner(), self.inner_range());
+        self.controls[inner_range.clone()].fill(DVec3::ZERO);
         self.matrix.resize(inner)?;
         for i in 1..=inner {
             bernstein::basis(&mut self.basis, self.t[i]);
-            self.matrix.row(i - 1).copy_from_slice(&self.basis[own.clone()]);
+            self.matrix.row(i - 1).copy_from_slice(&self.basis[inner_range.clone()]);
         }
         if !self.matrix.factor() {
             self.start_at_points();
             return Ok(());
         }
-        // Iterative refinement: the first round leaves rounding, and the next takes most of it
-        // away.
+        // Iterative refinement: the first round leaves rounding errors, and the next removes most
+        // of them.
         for _ in 0..3 {
             for i in 1..=inner {
                 self.right[i - 1] = self.points[i] - segment::point(&self.controls, self.t[i]);
             }
             self.matrix.solve(&mut self.right[..inner]);
-            self.controls[own.clone()].iter_mut().zip(&self.right).for_each(|(control, &step)| *control += step);
+            self.controls[inner_range.clone()]
+                .iter_mut()
+                .zip(&self.right)
+                .for_each(|(control, &step)| *control += step);
         }
         Ok(())
     }
 
     /// The largest distance of a control point from its point.
     pub(super) fn farthest_control(&self) -> f64 {
-        let pairs = self.controls[self.own()].iter().zip(&self.points[1..]);
+        let pairs = self.controls[self.inner_range()].iter().zip(&self.points[1..]);
         pairs.map(|(control, &p)| control.distance(p)).fold(0.0, f64::max).min(1e300)
     }
 
@@ -158,7 +162,7 @@ impl Collocation {
         segment::point(&self.controls, self.t[i]).distance(self.points[i])
     }
 
-    /// The farthest point from its place on the curve, and the sum of the squares of the distances.
+    /// The largest residual, and the sum of squared residuals.
     pub(super) fn residual(&self) -> (f64, f64) {
         let (mut farthest, mut sum) = (0.0f64, 0.0);
         for i in 1..=self.inner() {

@@ -1,17 +1,18 @@
 //! Single curves by iterations: the paper's sweeps, and Newton's method for control points on
 //! guides.
 //!
-//! t_i is the crossing of curve and guide, which does not depend on lambda_i, and then lambda_i +=
-//! u_i.(P_i - P(t_i)) / J_i(t_i). The errors that change sign from point to point fade slowly: the
-//! number of sweeps doubles with each degree. After a few sweeps Newton's method goes on: across
-//! the curve, with c_i perpendicular to P'(t_i),
+//! A sweep finds the crossing t_i of curve and guide, which does not depend on lambda_i, and then
+//! adds u_i.(P_i - P(t_i)) / J_i(t_i) to lambda_i. Errors that alternate from point to point fade
+//! slowly: the number of sweeps doubles with each degree. After a few sweeps Newton's method takes
+//! over. Across the curve, with c_i perpendicular to P'(t_i),
 //!
-//! sum_j J_j(t_i) (c_i.u_j) dlambda_j = c_i.r_i,    dt_i = P'(t_i).(r_i - sum_j J_j(t_i) u_j
-//! dlambda_j) / |P'(t_i)|^2,
+//! sum_j J_j(t_i) (c_i.u_j) dlambda_j = c_i.r_i,
+//!
+//! dt_i = P'(t_i).(r_i - sum_j J_j(t_i) u_j dlambda_j) / |P'(t_i)|^2,
 //!
 //! where r_i = P_i - P(t_i).
 //!
-//! Source: Nadopta for the sweeps; that the crossing does not depend on lambda_i, and Newton's
+//! Source: Nadopta for the sweeps. The independence of the crossing from lambda_i, and Newton's
 //! method, are ours.
 
 use super::collocation::{Collocation, MAX_MISS};
@@ -27,20 +28,20 @@ use gusset_base::geom::bernstein;
 /// Sweeps before Newton's method.
 const MAX_FIRST_SWEEPS: u32 = 8;
 
-/// The most iterations of Newton's method.
+/// The maximum number of Newton iterations.
 const MAX_ITERATIONS: u32 = 30;
 
-/// The largest move of a control point in sweeps, in sizes of the outline.
+/// The largest move of a control point in a sweep, in sizes of the outline.
 const MAX_MOVE: f64 = 1e3;
 
-/// Sweeps of a few points.
+/// Sweeps between two progress reports, over a few points.
 const SWEEPS_PER_REPORT: usize = 1 << 8;
 const STAGE: &str = "placing control points";
-/// The smallest part of a Newton step that is tried.
+/// The smallest fraction of a Newton step that is tried.
 const MIN_STEP_FRACTION: f64 = 1e-3;
 
 impl Collocation {
-    /// Finds the control points for the parameters as they are.
+    /// Finds the control points for the current parameters.
     pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut Output<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
             self.start_at_points();
@@ -52,12 +53,12 @@ impl Collocation {
         self.eliminate()
     }
 
-    /// Finds control points on the guides. False if it fails.
+    /// Finds control points on the guides. Returns false if it fails.
     pub(super) fn solve_on_guides(&mut self, sub: &Subcurve<'_>, normal: DVec3, out: &mut Output<'_>) -> Result<bool> {
         self.start_at_points();
         if sub.options.solver == Solver::Fast {
             self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out)?;
-            // They are the start of Newton's method, not part of it.
+            // The sweeps are the start of Newton's method, not part of it.
             out.report.iterations = 0;
             return self.newton(sub, normal, out.report);
         }
@@ -68,22 +69,24 @@ impl Collocation {
         if !rests {
             flag_unconverged(out);
         }
-        // Removes the deviations that the steps leave; the guides are left by no more than that.
+        // Removes the deviations that the steps leave. The control points leave their guides by no
+        // more than that.
         self.eliminate()?;
         Ok(self.residual().0 <= MAX_MISS * sub.size)
     }
 
-    /// Whether the parameters rise from 0 to 1.
+    /// Returns true if the parameters increase from 0 to 1.
     fn is_in_order(&self) -> bool {
         self.t.windows(2).all(|pair| pair[0] < pair[1])
     }
 
-    /// The paper's sweeps: with the normal of the plane along the guides, else for the parameters
-    /// as they are, along the deviations. True if they come to rest.
+    /// The paper's sweeps. With the normal of the plane, control points move along the guides;
+    /// otherwise along the deviations, for the current parameters. Returns true if the sweeps
+    /// converge.
     fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, out: &mut Output<'_>) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
-        let first = self.own().start;
+        let first = self.inner_range().start;
         for sweep in 0..count {
             job.step_every(SWEEPS_PER_REPORT, sweep as usize, count as usize, STAGE)?;
             report.iterations += 1;
@@ -91,7 +94,7 @@ impl Collocation {
             for i in 1..=self.inner() {
                 let (own, p) = (first + i - 1, self.points[i]);
                 if let Some(normal) = normal {
-                    // A point whose guide the curve does not cross keeps its parameter.
+                    // If the curve does not cross a point's guide, the point keeps its parameter.
                     if let Some(t) = self.crossing(p, normal.cross(self.guides[i]), self.t[i]) {
                         self.t[i] = t;
                     }
@@ -107,8 +110,8 @@ impl Collocation {
                         stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)?.unwrap_or(f64::NAN)
                     }
                 };
-                // Diverged, or the steps are used up; Newton's method or the lock by parameters may
-                // do better.
+                // The sweeps diverged or the steps are used up. Newton's method or the lock by
+                // parameters may do better.
                 if along.is_nan() || along.abs() >= MAX_MOVE * sub.size {
                     return Ok(false);
                 }
@@ -123,7 +126,8 @@ impl Collocation {
         Ok(false)
     }
 
-    /// The place nearest `from` where the curve crosses the line through a point with a normal.
+    /// The place nearest `from` where the curve crosses the line through a point with a given
+    /// normal.
     fn crossing(&self, p: DVec3, across: DVec3, from: f64) -> Option<f64> {
         let f = |t: f64| across.dot(segment::point(&self.controls, t) - p);
         let start = f(from);
@@ -149,7 +153,7 @@ impl Collocation {
         None
     }
 
-    /// Newton's method for the places on the guides and the parameters together.
+    /// Newton's method for the positions on the guides and the parameters together.
     fn newton(&mut self, sub: &Subcurve<'_>, normal: DVec3, report: &mut Account) -> Result<bool> {
         let inner = self.inner();
         let tolerance = sub.options.tolerance.max(2.0 * f64::EPSILON) * sub.size;
@@ -164,7 +168,8 @@ impl Collocation {
                 return Ok(false);
             }
             let Some((next, fraction)) = self.line_search(residual, tolerance) else {
-                // No better: it succeeds if it was already as good as it can be.
+                // The step brings no improvement. It succeeded if the residual is already as small
+                // as rounding allows.
                 self.controls.copy_from_slice(&self.previous);
                 self.t[1..=inner].copy_from_slice(&self.previous_t[..inner]);
                 return Ok(near);
@@ -172,7 +177,7 @@ impl Collocation {
             residual = next;
             let moved = (1..=inner).map(|i| self.right[i - 1].x.abs()).fold(0.0, f64::max);
             report.end_cycle(fraction * moved / sub.size)?;
-            // Once the points are passed within the tolerance, one more step takes the rest away.
+            // Once the points are within the tolerance, one more step removes the rest.
             if near || (residual.0 <= tolerance && moved <= tolerance) {
                 return Ok(residual.0 <= tolerance);
             }
@@ -181,10 +186,10 @@ impl Collocation {
         Ok(false)
     }
 
-    /// Finds the steps along the guides and of the parameters, in x and y of `right`. False if the
-    /// equations are singular.
+    /// Finds the steps along the guides and of the parameters, from the x and y components of
+    /// `right`. Returns false if the equations are singular.
     fn newton_step(&mut self, normal: DVec3) -> Result<bool> {
-        let (inner, first, degree) = (self.inner(), self.own().start, self.degree());
+        let (inner, first, degree) = (self.inner(), self.inner_range().start, self.degree());
         self.previous.copy_from_slice(&self.controls);
         self.previous_t[..inner].copy_from_slice(&self.t[1..=inner]);
         for k in 0..degree {
@@ -218,10 +223,10 @@ impl Collocation {
         Ok(true)
     }
 
-    /// Goes the step, or a half of it, and so on until the residual falls; the residual and the
-    /// fraction. `None` if it does not.
+    /// Takes the step, or half of it, and so on until the residual falls. Returns the residual and
+    /// the fraction, or `None` if no fraction helps.
     fn line_search(&mut self, residual: (f64, f64), tolerance: f64) -> Option<((f64, f64), f64)> {
-        let first = self.own().start;
+        let first = self.inner_range().start;
         let mut fraction = 1.0;
         while fraction >= MIN_STEP_FRACTION {
             for i in 1..=self.inner() {
@@ -239,14 +244,14 @@ impl Collocation {
     }
 }
 
-/// Says that sweeps have ended before they came to rest.
+/// Flags that the sweeps ended before they converged.
 fn flag_unconverged(out: &mut Output<'_>) {
     out.report.status = FitStatus::NotConverged;
     out.flag_all(PointStatus::NotConverged);
 }
 
-/// The root of a function between two places where its signs differ: false position, with the value
-/// at an end that stays halved (the Illinois rule), to the last bits.
+/// The root of a function between two places where it has opposite signs, to the last bits. Uses
+/// regula falsi with the Illinois rule, which halves the value at an end that stays.
 fn root(f: impl Fn(f64) -> f64, a: (f64, f64), b: (f64, f64)) -> f64 {
     let ((mut x, mut fx), (mut y, mut fy)) = (a, b);
     for _ in 0..100 {

@@ -1,13 +1,13 @@
 //! Single curves: one Bézier curve of degree n through n + 1 points.
 //!
 //! P(t_i) = sum_j B_j J_(N,j)(t_i) = P_i. With the lock by parameter the t_i are given and the
-//! equations are linear (collocation). Else each control point is on the guide of its point, B_i =
-//! P_i + lambda_i u_i with the guide u_i of the data's own triangle, and the t_i are unknown too;
-//! the lock by the section's own triangle has no meaning for a curve without sections, and is taken
-//! for the lock by guides.
+//! equations are linear (collocation). Otherwise each control point is on the guide of its point,
+//! B_i = P_i + lambda_i u_i with the guide u_i of the data's own triangle, and the t_i are unknown
+//! too. The lock by the section's own triangle is meaningless for a curve without sections, and
+//! counts as the lock by guides.
 //!
-//! * collocation: the unknowns, and the linear equations. guided: control points on guides.
-//! * here: the choice between them, and composite curves in their place where they fail.
+//! - collocation: the unknowns, and the linear equations. guided: control points on guides.
+//! - here: the choice between them, and the composite curves that replace them if they fail.
 //!
 //! Source: Nadopta. O(n^3) time and O(n^2) memory for n points, at most 65.
 
@@ -26,7 +26,7 @@ use collocation::MAX_MISS;
 use glam::DVec3;
 use gusset_base::error::Result;
 
-/// The distance of a control point from its point, in sizes of the outline, that shows nearly
+/// The distance of a control point from its point, in sizes of the outline, that indicates nearly
 /// singular equations.
 const MAX_CONTROL_DISTANCE: f64 = 2.0;
 
@@ -57,7 +57,7 @@ pub(super) fn append(
     out.builder.push(&collocation.controls[1..])
 }
 
-/// Finds parameters and control points; `Some` if there is no such curve, and why.
+/// Finds parameters and control points. Returns the reason if the curve does not exist.
 fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>) -> Result<Option<FitStatus>> {
     let tangents = if sub.closed { [Some(seam_tangent(sub)); 2] } else { sub.tangents };
     let inner = sub.len() - if sub.closed { 0 } else { 1 };
@@ -93,18 +93,18 @@ fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>
     Ok((miss.is_nan() || miss > MAX_MISS * sub.size).then_some(FitStatus::IllConditioned))
 }
 
-/// The direction of the curve at the seam of a closed one: that of the section of the first point's
-/// triangle there.
+/// The direction of a closed curve at its seam, which is the direction of the section on the first
+/// point's triangle.
 fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
     let [a, p, c] = sub.triple(0);
     let section = sub.options.method.section(a, p, c).or_else(|_| Method::Bisector.section(a, p, c));
     let direction =
         section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);
-    // There and back: across.
+    // A reversal: use a perpendicular.
     direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| perpendicular(c - p))
 }
 
-/// A direction across a vector, in the plane z = 0 if that is there.
+/// A direction perpendicular to a vector, in the plane z = 0 if the vector lies in it.
 fn perpendicular(v: DVec3) -> DVec3 {
     let across = if v.z == 0.0 { DVec3::new(-v.y, v.x, 0.0) } else { v.any_orthogonal_vector() };
     across.normalize_or_zero()

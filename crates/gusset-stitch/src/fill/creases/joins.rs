@@ -155,7 +155,7 @@ fn turned(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
 /// The point that the lines of three ends come nearest to, with all ends that point at it: what that
 /// costs; `None` if it is none.
 fn star(rim: &Rim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3, Vec<usize>)>> {
-    let size = Aabb::of(&rim.points[..rim.count]).diagonal();
+    let size = Aabb::from_points(&rim.points[..rim.count]).diagonal();
     let misses = |centre: DVec3, end: &End| {
         let way = centre - rim.points[end.tip];
         if way.length() > size { f64::INFINITY } else { angle(way, end.direction) }

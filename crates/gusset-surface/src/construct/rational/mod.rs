@@ -195,7 +195,7 @@ impl<'a> Rational<'a> {
         let (given, weights) = (&spline.points[..count], spline.weights.unwrap_or_default());
         let unit = common_unit(given);
         let greatest = floor_to_power_of_two(weights.iter().fold(0.0, |greatest, &weight| weight.max(greatest)));
-        let bounds = Aabb::of(given.iter().map(|&point| point / unit));
+        let bounds = Aabb::from_points(given.iter().map(|&point| point / unit));
         let (middle, diagonal) = (0.5 * (bounds.low + bounds.high), bounds.diagonal());
         let local = given.iter().zip(weights).map(|(&point, &weight)| {
             let w = weight / greatest;

@@ -1,23 +1,24 @@
-//! Continuous curvature: sections that are cubics, joined G2.
+//! Continuous curvature: cubic sections, joined G2.
 //!
 //! Section i is the cubic in the triangle (J_(i-1), B_i, J_i) with the handles lambda_i and mu_i,
 //! see [`equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and L_i = |B_(i+1) - B_i| it
 //! has at its ends the curvatures
 //!
 //! 2/3 (1 - mu_i) beta_i E_i / (lambda_i^2 (1 - beta_(i-1))^2 L_(i-1)^3) and
+//!
 //! 2/3 (1 - lambda_i) (1 - beta_(i-1)) E_i / (mu_i^2 beta_i^2 L_i^3).
 //!
-//! Why cubics, where the paper has quadratics: those have a curvature of one sign, which is nowhere
-//! 0, so that it jumps wherever the polygon turns the other way; and for dense and even points
-//! their joint parameters alone do not see a jump that alternates from joint to joint. With lambda
-//! and mu there are three unknowns for each joint and one equation, and the solution nearest the
-//! quadratics is sought: see newton. The points keep their parameters, and the lock holds.
+//! The paper's quadratics do not suffice for two reasons. The curvature of a quadratic keeps its
+//! sign and is never 0, so it jumps at every inflection of the polygon. For dense, even points, the
+//! joint parameters alone also cannot detect a jump that alternates from joint to joint. With
+//! lambda and mu each joint has three unknowns and one equation. Newton's method finds the solution
+//! nearest the quadratics (see newton). The points keep their parameters, and the lock holds.
 //!
-//! Where the polygon turns the other way behind a joint, lambda_i = mu_(i+1) = 1 make the curvature
-//! 0 on both sides, whatever the polygon. So it is beside a straight section; and beside joints
-//! whose equations have no solution near by, which makes the curvature of any plane outline
-//! continuous in the end ([`PointStatus::JointFellBack`]). In space neighbouring sections are in
-//! different planes, and the curvatures agree in magnitude.
+//! At an inflection of the polygon behind a joint, lambda_i = mu_(i+1) = 1 makes the curvature 0 on
+//! both sides. Joints next to a straight section are treated likewise. So are joints whose
+//! equations have no nearby solution, which finally makes the curvature of every plane outline
+//! continuous ([`PointStatus::JointFellBack`]). In space, neighbouring sections lie in different
+//! planes, and the curvatures agree in magnitude.
 //!
 //! O(n) for each iteration, in time and memory.
 //!
@@ -47,41 +48,42 @@ use system::{EQUATIONS, Known, Node, Tie, evaluate, legs};
 /// The handles of a quadratic.
 const QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
 
-/// Iterations after which the equations that hold up the others are given up.
+/// The number of iterations after which the worst equations are given up.
 const ITERATIONS_PER_ROUND: u32 = 12;
 
-/// The relative error of E_i by rounding at which a section counts as straight in any case, and if
-/// its curvature is below [`MIN_CURVATURE`]. Where points are dense all errors are large, and no
-/// section is straight for that.
+/// The relative rounding error of E_i above which a section counts as straight if its curvature is
+/// below [`MIN_CURVATURE`], and above which it always counts as straight. If points are dense, all
+/// errors are large, and that alone does not make a section straight.
 const MAX_AREA_ERROR: f64 = 1e-2;
 const MAX_STRAIGHT_AREA_ERROR: f64 = 1e-8;
 
-/// A curvature, times the size of the outline, that may be none.
+/// The smallest significant curvature, times the size of the outline.
 const MIN_CURVATURE: f64 = 1e-2;
 
-/// The rounds in which joints where the polygon turns the other way are found, as each changes the
-/// polygon a little.
+/// The maximum number of rounds that search for inflections, because each changes the polygon
+/// slightly.
 const MAX_INFLECTION_ROUNDS: u32 = 8;
 
-/// Of the points that an equation is in trouble with, the worst of so many on each side gives way.
+/// Of the points in trouble, the worst within this many neighbours on each side is given up.
 const TROUBLE_REACH: usize = 3;
 
-/// How much more than the tolerance may be left of an equation once the points are on the curve.
+/// The residual of an equation, in tolerances, that is still accepted once the curve passes its
+/// points.
 const MAX_REST: f64 = 100.0;
 
-/// The distance at which a curve passes its points, in sizes of the outline.
+/// The largest distance between the curve and a point that it passes, in sizes of the outline.
 const MAX_MISS: f64 = 1e-14;
 
-/// The sine of the angle between two planes that are one.
+/// The sine of the largest angle between two planes that count as one.
 const MAX_PLANE_SINE: f64 = 1e-7;
 
-/// The unknowns, and the memory of Newton's method.
+/// The unknowns, and the workspace of Newton's method.
 #[derive(Default)]
 pub(super) struct CurvatureJoints {
     nodes: Vec<Node>,
     known: Vec<Known>,
     values: Vec<[f64; EQUATIONS]>,
-    /// Joints with the curvature 0, and those among them that have it for want of a solution.
+    /// Joints with zero curvature, and those among them whose equations were given up.
     flat: Vec<bool>,
     given_up: Vec<bool>,
     /// Points whose equations are in trouble.
@@ -110,7 +112,7 @@ pub(super) fn solve_by_curvatures(
         joints.flatten_all(sub, solution);
     }
     joints.measure(sub, out.job)?;
-    joints.account(sub, out);
+    joints.set_statuses(sub, out);
     Ok(())
 }
 
@@ -124,8 +126,8 @@ fn inner_joints(sub: &Subcurve<'_>) -> Range<usize> {
 }
 
 impl CurvatureJoints {
-    /// Enters the curve with quadratic sections, whose points are on it; `locked`: whether any lock
-    /// but that by parameter holds.
+    /// Starts from the curve with quadratic sections, which passes its points. `locked` tells
+    /// whether a lock other than the lock by parameter holds.
     fn begin(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, locked: bool) -> Result<()> {
         let n = sub.len();
         alloc::reset(&mut solution.handles, n, QUADRATIC)?;
@@ -159,8 +161,8 @@ impl CurvatureJoints {
         Ok(())
     }
 
-    /// Makes the curvature 0 at all joints behind which the polygon turns the other way or not at
-    /// all.
+    /// Sets the curvature to 0 at all joints followed by an inflection or a straight part of the
+    /// polygon.
     fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
         for _ in 0..MAX_INFLECTION_ROUNDS {
             self.find_normals(sub);
@@ -172,8 +174,8 @@ impl CurvatureJoints {
         self.find_unknowns(sub);
     }
 
-    /// Makes the curvature 0 at the joints behind which the polygon as it is turns the other way or
-    /// not at all. False if there are no more.
+    /// Sets the curvature to 0 at joints followed by an inflection or a straight part of the
+    /// current polygon. Returns false if there are none left.
     fn flatten_inflections(&mut self, sub: &Subcurve<'_>) -> bool {
         let mut any = false;
         for i in inner_joints(sub) {
@@ -187,7 +189,7 @@ impl CurvatureJoints {
         any
     }
 
-    /// Whether the polygon does not turn at control point `i`, but for rounding.
+    /// Returns true if the polygon is straight at control point `i`, up to rounding.
     fn is_straight(&self, sub: &Subcurve<'_>, i: usize) -> bool {
         let [before, after] = legs(sub, &self.nodes, i);
         let lengths = before.length() * after.length() * (before + after).length();
@@ -196,15 +198,15 @@ impl CurvatureJoints {
         error.is_nan() || error > if faint { MAX_STRAIGHT_AREA_ERROR } else { MAX_AREA_ERROR }
     }
 
-    /// Makes the curvature at a joint 0.
+    /// Sets the curvature at a joint to 0.
     fn flatten(&mut self, sub: &Subcurve<'_>, joint: usize) {
         self.flat[joint] = true;
         self.nodes[joint].handles[0] = 1.0;
         self.nodes[sub.next(joint)].handles[1] = 1.0;
     }
 
-    /// Makes the curvature at all joints 0, with the joints in the middle and the parameters of the
-    /// data: the equations of the control points have dominant rows then.
+    /// Sets the curvature at all joints to 0, with middle joints and the parameters of the data.
+    /// The equations of the control points are then diagonally dominant.
     fn flatten_all(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
         for i in 0..self.nodes.len() {
             self.nodes[i].t = solution.data_t[i];
@@ -221,7 +223,7 @@ impl CurvatureJoints {
         self.polish(sub, solution);
     }
 
-    /// Enters the sides to which the polygon turns.
+    /// Computes the sides to which the polygon turns.
     fn find_normals(&mut self, sub: &Subcurve<'_>) {
         for i in 0..self.nodes.len() {
             let [before, after] = legs(sub, &self.nodes, i);
@@ -229,7 +231,7 @@ impl CurvatureJoints {
         }
     }
 
-    /// Enters the joints that have equations, and the unknowns in them.
+    /// Determines which joints have equations, and which unknowns they contain.
     fn find_unknowns(&mut self, sub: &Subcurve<'_>) {
         let joints = inner_joints(sub);
         let curved = |joint: usize| joints.contains(&joint) && !self.flat[joint];
@@ -241,8 +243,8 @@ impl CurvatureJoints {
         }
     }
 
-    /// Solves for the control points once more, so that the points are on the curve. False if the
-    /// equations are singular.
+    /// Solves for the control points again, so that the curve passes the points. Returns false if
+    /// the equations are singular.
     fn polish(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
         for (i, node) in self.nodes.iter().enumerate() {
             (solution.t[i], solution.beta[i], solution.handles[i]) = (node.t, node.beta, node.handles);
@@ -252,7 +254,7 @@ impl CurvatureJoints {
         regular
     }
 
-    /// Whether the curve passes its points.
+    /// Returns true if the curve passes its points.
     fn passes(&self, sub: &Subcurve<'_>, solution: &Solution) -> bool {
         sub.sections().all(|i| {
             let corners = [solution.joint(sub, sub.previous(i)), solution.controls[i], solution.joint(sub, i)];
@@ -262,7 +264,7 @@ impl CurvatureJoints {
         })
     }
 
-    /// Steps until all equations hold.
+    /// Iterates until all equations hold.
     fn iterate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
         let mut in_round = 0;
         while !self.measure(sub, out.job)? {
@@ -281,7 +283,7 @@ impl CurvatureJoints {
         Ok(())
     }
 
-    /// Evaluates all equations; whether they hold.
+    /// Evaluates all equations. Returns true if they hold.
     fn measure(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
         self.find_normals(sub);
         if self.flatten_inflections(sub) {
@@ -291,14 +293,14 @@ impl CurvatureJoints {
         for i in 0..n {
             job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
             self.values[i] = evaluate(sub, &self.known, &self.nodes, i);
-            all &= self.rests(sub, i).iter().all(|&rest| rest <= 1.0);
+            all &= self.residuals(sub, i).iter().all(|&rest| rest <= 1.0);
         }
         Ok(all)
     }
 
-    /// What is left of the equations of point `i`, of the point, the lock and the curvature, in
-    /// tolerances.
-    fn rests(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
+    /// The residuals of the equations of point `i`, in tolerances: the point, the lock and the
+    /// curvature.
+    fn residuals(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
         let (values, known) = (&self.values[i], &self.known[i]);
         let rounding = 64.0 * f64::EPSILON * sub.size / known.spacing;
         let tolerance = sub.options.tolerance.max(rounding);
@@ -310,16 +312,16 @@ impl CurvatureJoints {
             let handles = 1.0 / (1.0 - self.nodes[i].handles[0]) + 1.0 / (1.0 - self.nodes[next].handles[1]);
             gap = values[4].abs() / sub.options.tolerance.max(32.0 * (areas + f64::EPSILON * handles));
         }
-        // What is not a number is far from any.
+        // A NaN counts as far away.
         [miss / tolerance, values[3].abs() / tolerance, gap]
             .map(|rest| if rest.is_nan() { f64::INFINITY } else { rest })
     }
 
-    /// Gives up the equations that hold up the others: the worst of each neighbourhood.
+    /// Gives up the worst equations of each neighbourhood in trouble.
     fn give_up(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) {
         let n = self.nodes.len();
         for i in 0..n {
-            let worst = |k: usize| self.rests(sub, k).into_iter().fold(0.0, f64::max);
+            let worst = |k: usize| self.residuals(sub, k).into_iter().fold(0.0, f64::max);
             let own = worst(i);
             let mut near = (1..=TROUBLE_REACH.min(n - 1)).flat_map(|d| [(i + d) % n, (i + n - d) % n]);
             self.in_trouble[i] = own > 1.0 && near.all(|k| worst(k) <= own);
@@ -328,7 +330,7 @@ impl CurvatureJoints {
             if !self.in_trouble[i] {
                 continue;
             }
-            let [_, lock, gap] = self.rests(sub, i);
+            let [_, lock, gap] = self.residuals(sub, i);
             if self.known[i].tie != Tie::Parameter && lock >= gap {
                 self.known[i].tie = Tie::Parameter;
                 self.nodes[i].t = solution.data_t[i];
@@ -345,11 +347,11 @@ impl CurvatureJoints {
         self.find_unknowns(sub);
     }
 
-    /// Enters the statuses of the points beside joints that are not as asked.
-    fn account(&self, sub: &Subcurve<'_>, out: &mut Output<'_>) {
+    /// Sets the statuses of the points next to joints that differ from the requested ones.
+    fn set_statuses(&self, sub: &Subcurve<'_>, out: &mut Output<'_>) {
         for i in 0..self.nodes.len() {
             let next = sub.next(i);
-            let [_, lock, gap] = self.rests(sub, i);
+            let [_, lock, gap] = self.residuals(sub, i);
             if lock > MAX_REST || gap > MAX_REST {
                 out.report.status = FitStatus::NotConverged;
                 out.results[i].flag(PointStatus::NotConverged);
@@ -370,7 +372,7 @@ impl CurvatureJoints {
     }
 }
 
-/// The relative error of E_i by the rounding of the control points.
+/// The relative rounding error of E_i that the control points cause.
 fn area_error(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     let [before, after] = legs(sub, nodes, i);
     f64::EPSILON * sub.size * (before.length() + after.length()) / before.cross(after).length()

@@ -1,18 +1,18 @@
-//! Newton's method for composite curves with continuous curvature: of all steps that solve the
-//! linear equations the least.
+//! Newton's method for composite curves with continuous curvature. Among all solutions of the
+//! linearised equations it takes the smallest step.
 //!
-//! There are more unknowns than equations. With A their derivatives, f the residuals and D the unit
-//! of each unknown, the least step is
+//! There are more unknowns than equations. With the Jacobian A, the residuals f and the units D of
+//! the unknowns, the smallest step is
 //!
-//! D^2 A^T y,    (A D) (A D)^T y = -f,
+//! D^2 A^T y,    (A D) (A D)^T y = -f.
 //!
-//! a banded system with a positive definite matrix: equations more than 3 points apart have no
-//! unknown in common. A closed subcurve is unrolled, and its first and last [`OVERLAP`] points are
-//! there once more: their influence on those farther away is nothing but rounding.
+//! The matrix is banded and positive definite, because equations more than 3 points apart have no
+//! unknowns in common. A closed subcurve is unrolled: its first and last [`OVERLAP`] points are
+//! repeated, which affects points farther away only by rounding.
 //!
-//! Points whose equations become worse by the whole step take a half of it, and so on, with their
-//! neighbours: one point in trouble does not hold up the others. O(n) for each step, in time and
-//! memory: about 1,100 bytes for a point.
+//! Points whose residuals grow with the full step take half of it, then a quarter and so on,
+//! together with their neighbours. One point in trouble thus does not slow down the others. O(n)
+//! for each step, in time and memory: about 1,100 bytes a point.
 
 use super::system::{EQUATIONS, Known, Node, Rows, SPAN, Tie, UNKNOWNS, differentiate, evaluate};
 use crate::identify::subcurve::Subcurve;
@@ -21,16 +21,17 @@ use gusset_base::error::Result;
 use gusset_base::geom::linear::banded::Banded;
 use gusset_base::job::Job;
 
-/// The points of a closed subcurve that are there once more before its first and after its last.
+/// The number of points of a closed subcurve that are repeated before its first and after its last.
 const OVERLAP: usize = 24;
 
 /// The entries of a row of the matrix up to its diagonal.
 const BAND: usize = SPAN * EQUATIONS;
 
-/// The parts of the spacing that a control point moves as readily as beta, lambda and mu change.
+/// The unit of a control point's moves, as a fraction of the spacing. The unit of the logit of beta
+/// is 1.
 const CONTROL_UNIT: f64 = 0.3;
 
-/// The unit of the logits of lambda and mu, where that of beta is 1.
+/// The unit of the logits of lambda and mu.
 const HANDLE_UNIT: f64 = 0.7;
 
 /// The largest change of a logit in one step.
@@ -39,35 +40,35 @@ const MAX_LOGIT_STEP: f64 = 1.5;
 /// The largest odds of beta, and of 1 - beta.
 const MAX_BETA_ODDS: f64 = 15.0;
 
-/// The least and the largest odds of lambda and mu, which are 2 for a quadratic.
+/// The smallest and the largest odds of lambda and mu, which are 2 for a quadratic.
 const HANDLE_ODDS: [f64; 2] = [0.5, 1e4];
 
-/// Parameters stay within this and 1 less this.
+/// Parameters stay between this and 1 minus this.
 const MIN_PARAMETER: f64 = 0.01;
 
-/// How often a step is halved.
+/// The maximum number of times that a step is halved.
 const MAX_HALVINGS: u32 = 5;
 
-/// A point whose squared residuals grow by more than this factor takes less of the step.
+/// A point takes a smaller part of the step if its squared residuals grow by more than this factor.
 const MAX_GROWTH: f64 = 1.5;
 
-/// Squared residuals below this are small enough to grow.
+/// Squared residuals below this may grow.
 const SMALL_RESIDUAL: f64 = 1e-4;
 
-/// How far from a point in trouble others take less of the step, too.
+/// The number of neighbours on each side that also take a smaller part of the step.
 const TROUBLE_REACH: usize = 3;
 
-/// Points between two questions whether to go on.
+/// Points between two progress reports.
 pub(super) const POINTS_PER_REPORT: usize = 1 << 12;
 
 pub(super) const STAGE: &str = "making curvatures continuous";
 
-/// The memory of the method.
+/// The workspace of the method.
 #[derive(Default)]
 pub(super) struct LeastSteps {
     /// The step of each point.
     steps: Vec<[f64; UNKNOWNS]>,
-    /// The part of it that each takes.
+    /// The fraction of the step that each point takes.
     parts: Vec<f64>,
     previous: Vec<Node>,
     /// The squared residuals of each point before the step.
@@ -83,7 +84,7 @@ impl LeastSteps {
         alloc::reset(&mut self.previous, n, Node::default())
     }
 
-    /// Takes one step; the farthest move of a control point.
+    /// Takes one step. Returns the largest move of a control point.
     pub(super) fn step(
         &mut self,
         sub: &Subcurve<'_>,
@@ -122,7 +123,7 @@ impl LeastSteps {
         Ok(moves.fold(0.0, f64::max))
     }
 
-    /// Marks a point and its neighbours by a negative part.
+    /// Marks a point and its neighbours by a negative fraction.
     fn mark(&mut self, sub: &Subcurve<'_>, i: usize) {
         let n = self.parts.len();
         let last = 2 * TROUBLE_REACH.min((n - 1) / 2);
@@ -134,7 +135,7 @@ impl LeastSteps {
         }
     }
 
-    /// Moves the unknowns by the parts of their steps.
+    /// Moves the unknowns by the fractions of their steps.
     fn take(&self, sub: &Subcurve<'_>, nodes: &mut [Node]) {
         let [low, high] = sub.parameter_range();
         let [low, high] = [low.min(MIN_PARAMETER), high.max(1.0 - MIN_PARAMETER)];
@@ -144,19 +145,19 @@ impl LeastSteps {
             if by[3] != 0.0 {
                 node.t = (node.t + by[3]).clamp(low, high);
             }
-            node.beta = moved(node.beta, by[4], [1.0 / MAX_BETA_ODDS, MAX_BETA_ODDS]);
-            node.handles = [0, 1].map(|k| moved(node.handles[k], by[5 + k], HANDLE_ODDS));
+            node.beta = move_logit(node.beta, by[4], [1.0 / MAX_BETA_ODDS, MAX_BETA_ODDS]);
+            node.handles = [0, 1].map(|k| move_logit(node.handles[k], by[5 + k], HANDLE_ODDS));
         }
     }
 
-    /// Finds the least step.
+    /// Computes the smallest step.
     fn solve(&mut self, sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], job: &Job<'_>) -> Result<()> {
         let n = nodes.len();
         let overlap = if sub.closed { OVERLAP } else { 0 };
         let count = n + 2 * overlap;
         let at = |k: usize| (k + n * overlap.div_ceil(n) - overlap) % n;
-        // The equations of the unrolled point k, in units of the unknowns; those of points beyond
-        // the ends have none.
+        // The equations of the unrolled point k, in units of the unknowns; empty for points beyond
+        // the ends.
         let rows = |k: usize| {
             let mut rows = differentiate(sub, known, nodes, at(k));
             for point in 0..SPAN {
@@ -181,7 +182,8 @@ impl LeastSteps {
                 let mut row = [0.0; BAND];
                 for back in 0..SPAN.min(k + 1) {
                     for c in 0..if back == 0 { r + 1 } else { EQUATIONS } {
-                        // The points that both have: `back` fewer.
+                        // The points whose unknowns are in the equations of both points, which are
+                        // `back` apart.
                         let shared = (0..SPAN - back)
                             .map(|point| dot(&window[0][r][point], &window[back][c][point + back]))
                             .sum::<f64>();
@@ -215,7 +217,7 @@ impl LeastSteps {
     }
 }
 
-/// The units of the unknowns of a point; 0 for those that are known.
+/// The units of the unknowns of a point; 0 for fixed ones.
 fn units(known: &Known, node: &Node) -> [f64; UNKNOWNS] {
     let control = if known.fixed { 0.0 } else { CONTROL_UNIT * known.spacing };
     let t = if known.tie == Tie::Parameter { 0.0 } else { 1.0 };
@@ -226,8 +228,8 @@ fn units(known: &Known, node: &Node) -> [f64; UNKNOWNS] {
     [control, control, control, t, beta, handle(lambda), handle(mu)]
 }
 
-/// A number between 0 and 1 whose logit has moved; its odds stay within limits.
-fn moved(x: f64, by: f64, [low, high]: [f64; 2]) -> f64 {
+/// Moves the logit of a number between 0 and 1, keeping its odds within limits.
+fn move_logit(x: f64, by: f64, [low, high]: [f64; 2]) -> f64 {
     if by == 0.0 {
         return x;
     }

@@ -1,19 +1,20 @@
 //! The equations of a composite curve with continuous curvature, and their derivatives.
 //!
-//! Point i has the unknowns B_i, t_i, the logit of beta_i and those of lambda_i and mu_i, and the
-//! equations
+//! Point i has the unknowns B_i, t_i, and the logits of beta_i, lambda_i and mu_i. Its equations
+//! are:
 //!
-//! * w_0 J_(i-1) + w_1 B_i + w_2 J_i = P_i: the section passes its point;
-//! * that of the lock: t_i is the method's on the section's triangle, or B_i is on its guide;
-//! * log kappa of section i at J_i = log kappa of section i + 1 there.
+//! - w_0 J_(i-1) + w_1 B_i + w_2 J_i = P_i: the section passes its point;
+//! - the lock: t_i is the method's parameter on the section's triangle, or B_i is on its guide;
+//! - log kappa of section i at J_i = log kappa of section i + 1 there.
 //!
-//! With the legs e_i = B_(i+1) - B_i and E_i = |e_(i-1) x e_i| the last one is
+//! With the legs e_i = B_(i+1) - B_i and E_i = |e_(i-1) x e_i| the last equation is
 //!
-//! log (1 - lambda_i) - 2 log mu_i + log (1 - beta_(i-1)) - 2 log beta_i + log E_i
-//! = log (1 - mu_(i+1)) - 2 log lambda_(i+1) + log beta_(i+1) - 2 log (1 - beta_i) + log E_(i+1):
+//! log (1 - lambda_i) - 2 log mu_i + log (1 - beta_(i-1)) - 2 log beta_i + log E_i =
 //!
-//! |e_i|^3 is on both sides. All equations are free of units: lengths are by the spacing of the
-//! points.
+//! log (1 - mu_(i+1)) - 2 log lambda_(i+1) + log beta_(i+1) - 2 log (1 - beta_i) + log E_(i+1),
+//!
+//! where |e_i|^3 cancels. All equations are dimensionless: lengths are divided by the spacing of
+//! the points.
 
 use super::super::{equations, self_consistent};
 use crate::identify::subcurve::Subcurve;
@@ -25,7 +26,8 @@ pub(super) const UNKNOWNS: usize = 7;
 /// The number of equations of a point: three coordinates, the lock, the curvature.
 pub(super) const EQUATIONS: usize = 5;
 
-/// The points whose unknowns are in the equations of one: the one before, itself, and two more.
+/// The points whose unknowns are in the equations of a point: the previous one, itself, and two
+/// more.
 pub(super) const SPAN: usize = 4;
 
 /// The derivatives of the equations of a point.
@@ -45,30 +47,30 @@ pub(super) struct Node {
 pub(super) enum Tie {
     /// t is given.
     Parameter,
-    /// t is that of the method on the section's own triangle.
+    /// t is the method's parameter on the section's own triangle.
     Triangle,
     /// The control point is on the guide with this normal, of length 1.
     Guide(DVec3),
 }
 
-/// What is known of a point.
+/// The given quantities of a point.
 #[derive(Clone, Copy)]
 pub(super) struct Known {
     pub(super) tie: Tie,
-    /// The unit of lengths: the distance of its neighbours.
+    /// The unit of length: the distance between its neighbours.
     pub(super) spacing: f64,
-    /// The side to which the polygon turns at its control point, of length 1.
+    /// The unit normal about which the polygon turns at its control point.
     pub(super) normal: DVec3,
-    /// Whether the joint behind its section has an equation, of curvatures that are not 0.
+    /// Whether the joint behind its section has an equation, for curvatures other than 0.
     pub(super) curved: bool,
-    /// Whether the control point is given: at the ends of an open subcurve.
+    /// Whether the control point is given, at an end of an open subcurve.
     pub(super) fixed: bool,
     /// Whether beta, lambda and mu are unknown.
     pub(super) free: [bool; 3],
 }
 
-/// The legs before and after control point `i`: at the ends of an open subcurve, those from and to
-/// its points.
+/// The legs before and after control point `i`. At the ends of an open subcurve they are the legs
+/// from and to its points.
 pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
     let b = nodes[i].control;
     let first = if sub.closed || i > 0 { nodes[sub.previous(i)].control } else { sub.points[0] };
@@ -76,17 +78,17 @@ pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
     [b - first, last - b]
 }
 
-/// beta before section `i`; 0 for the segment that begins an open subcurve.
+/// The beta before section `i`; 0 for the segment that begins an open subcurve.
 fn beta_before(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     if sub.closed || i > 0 { nodes[sub.previous(i)].beta } else { 0.0 }
 }
 
-/// beta behind section `i`; 1 for the segment that ends an open subcurve.
-fn beta_behind(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
+/// The beta behind section `i`; 1 for the segment that ends an open subcurve.
+fn beta_after(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     if sub.closed || i + 1 < sub.len() { nodes[i].beta } else { 1.0 }
 }
 
-/// The equations of point `i`; those that it does not have are 0.
+/// The equations of point `i`; missing ones are 0.
 pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> [f64; EQUATIONS] {
     let mut values = [0.0; EQUATIONS];
     if sub.sections().contains(&i) {
@@ -100,42 +102,41 @@ pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: u
         };
     }
     if known[i].curved {
-        values[4] = arriving(sub, known, nodes, i) - leaving(sub, known, nodes, sub.next(i));
+        values[4] = log_curvature_at_end(sub, known, nodes, i) - log_curvature_at_start(sub, known, nodes, sub.next(i));
     }
     values
 }
 
-/// log (2/3 kappa |e_i|^3) of section `i` where it ends; not a number if the polygon turns the
-/// other way.
-fn arriving(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+/// log (2/3 kappa |e_i|^3) at the end of section `i`; NaN if the polygon has an inflection.
+fn log_curvature_at_end(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
     let [lambda, mu] = nodes[i].handles;
-    let (before, beta) = (beta_before(sub, nodes, i), beta_behind(sub, nodes, i));
+    let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
     libm::log((1.0 - lambda) * (1.0 - before) * area(sub, known, nodes, i) / (mu * beta).powi(2))
 }
 
-/// The same where it begins, with |e_(i-1)|^3.
-fn leaving(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+/// The logarithm at the start of section `i`, with |e_(i-1)|^3.
+fn log_curvature_at_start(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
     let [lambda, mu] = nodes[i].handles;
-    let (before, beta) = (beta_before(sub, nodes, i), beta_behind(sub, nodes, i));
+    let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
     libm::log((1.0 - mu) * beta * area(sub, known, nodes, i) / (lambda * (1.0 - before)).powi(2))
 }
 
-/// E_i; negative if the polygon turns the other way.
+/// E_i; negative if the polygon has an inflection.
 fn area(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
     let [before, after] = legs(sub, nodes, i);
     let across = before.cross(after);
     across.length().copysign(across.dot(known[i].normal))
 }
 
-/// A section seen from its point.
+/// A section relative to its point.
 struct Section {
     /// Its control point, and its ends.
     b: DVec3,
     u: DVec3,
     v: DVec3,
-    /// The legs that its ends are on.
+    /// The legs that contain its ends.
     legs: [DVec3; 2],
-    /// The parameters of its ends there.
+    /// The parameters of its ends on the legs.
     betas: [f64; 2],
 }
 
@@ -153,14 +154,15 @@ impl Section {
     }
 }
 
-/// The derivatives of the equations of point `i` by the unknowns of the points from i - 1 on.
+/// The derivatives of the equations of point `i` with respect to the unknowns of four points,
+/// beginning with the previous point.
 pub(super) fn differentiate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> Rows {
     let mut rows = Rows::default();
     if sub.sections().contains(&i) {
         differentiate_section(sub, &known[i], nodes, i, &mut rows);
     }
     if known[i].curved {
-        // The section before the joint, and that behind it, one point on.
+        // The section before the joint, and the section behind it, one point further.
         differentiate_end(sub, known, nodes, i, 1.0, &mut rows[4]);
         differentiate_end(sub, known, nodes, sub.next(i), -1.0, &mut rows[4]);
     }
@@ -171,7 +173,7 @@ fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: u
     let (section, node) = (Section::new(sub, nodes, i), &nodes[i]);
     let (t, s, [lambda, mu]) = (node.t, 1.0 - node.t, node.handles);
     let shares = equations::weights(t, node.handles);
-    let factors = equations::row_of(shares, section.betas[0], section.betas[1]);
+    let factors = equations::row_from_weights(shares, section.betas[0], section.betas[1]);
     let unit = 1.0 / known.spacing;
     for (axis, row) in rows.iter_mut().take(3).enumerate() {
         row.iter_mut().zip(factors).for_each(|(point, factor)| point[axis] = factor * unit);
@@ -205,8 +207,8 @@ fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: u
     }
 }
 
-/// Adds the derivatives of the logarithm of the curvature of section `i`, times `sign`: where it
-/// ends if that is 1, else where it begins. The row begins at the point before the joint.
+/// Adds the derivatives of the logarithm of the curvature of section `i`, times `sign`: at its end
+/// if `sign` is 1, otherwise at its start. The row begins at the point before the joint.
 fn differentiate_end(
     sub: &Subcurve<'_>,
     known: &[Known],
@@ -216,7 +218,7 @@ fn differentiate_end(
     row: &mut [[f64; UNKNOWNS]; SPAN],
 ) {
     let ends = sign > 0.0;
-    // Where in the row the section's point is.
+    // The position of the section's point in the row.
     let own = if ends { 1 } else { 2 };
     let [before, after] = legs(sub, nodes, i);
     let factor = sign / area(sub, known, nodes, i);
@@ -227,7 +229,7 @@ fn differentiate_end(
         (0..3).for_each(|axis| row[point][axis] += by[axis]);
     }
     let [lambda, mu] = nodes[i].handles;
-    let (first, last) = (beta_before(sub, nodes, i), beta_behind(sub, nodes, i));
+    let (first, last) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
     if ends {
         row[own - 1][4] -= sign * first;
         row[own][4] -= sign * 2.0 * (1.0 - last);
