@@ -1,9 +1,10 @@
 //! Meshes of sheets within a tolerance.
 //!
-//! All cells of a row have equally many parts in u, and all of a column in v, so that neighbours
-//! fit. A triangle with the sides a and b in the parameters is within (M_uu a^2 + 2 M_uv a b + M_vv
-//! b^2) / 8 of the surface, M bounds of the second derivatives (Filip, Magedson and Markot 1986,
-//! "Surface algorithms using bounds on derivatives"); bounds come from control nets.
+//! All cells of a row have the same number of parts in u, and all cells of a column in v, so that
+//! neighbours fit. A triangle with sides a and b in the parameter plane is within (M_uu a^2 + 2
+//! M_uv a b + M_vv b^2) / 8 of the surface, where M bounds the second derivatives (Filip, Magedson
+//! and Markot 1986, "Surface algorithms using bounds on derivatives"). Control nets give the
+//! bounds.
 
 use super::cells::Cells;
 use super::{Patch, Place, Sheet, each_sheet};
@@ -14,20 +15,21 @@ use gusset_base::job::Job;
 use gusset_mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
 use std::ops::Range;
 
-/// How a sheet becomes a mesh.
+/// Options for converting a sheet to a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceMeshOptions {
-    /// How far triangles may be from the surface, at equal parameters; infinite for no demand. More
-    /// than 0.
+    /// Largest distance of triangles from the surface, at equal parameters. Must be positive;
+    /// infinity means no limit.
     pub tolerance: f64,
-    /// The fewest parts of each cell in u and in v; 1 at least.
+    /// Smallest number of parts of each cell in u and in v, at least 1.
     pub least: [u32; 2],
-    /// Triangles only, from (i, j) to (i + 1, j + 1); else quads, and triangles at poles.
+    /// If true, only triangles, with diagonals from (i, j) to (i + 1, j + 1). If false, quads, and
+    /// triangles at poles.
     pub triangles: bool,
 }
 
 impl Default for SurfaceMeshOptions {
-    /// Quads, one a cell.
+    /// Returns options for quads, one for each cell.
     fn default() -> Self {
         SurfaceMeshOptions { tolerance: f64::INFINITY, least: [1, 1], triangles: false }
     }
@@ -36,40 +38,42 @@ impl Default for SurfaceMeshOptions {
 /// The mesh of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMesh {
-    /// The mesh, with points of the surface; faces are counter-clockwise seen from where S_u x S_v
-    /// points to. Seams of closed directions and poles are closed. It has no faces where the sheet
-    /// has no extent.
+    /// The mesh, whose vertices are points of the surface. Faces are counter-clockwise seen from
+    /// the side of S_u x S_v. The mesh is closed at poles and at seams of closed directions. It
+    /// lacks faces where the sheet has no extent.
     pub mesh: Mesh,
-    /// For each vertex where it is; the sheet is 0.
+    /// The place of each vertex; the sheet is 0.
     pub places: Vec<Place>,
-    /// For each vertex the unit normal; 0 where there is none.
+    /// The unit normal at each vertex; zero where none exists.
     pub normals: Vec<DVec3>,
-    /// A bound of the distance between the surface and the triangles, or either pair of triangles
-    /// of quads, at equal parameters.
+    /// A bound of the distance between the surface and the triangles at equal parameters. For quads
+    /// it holds for either pair of triangles.
     pub deviation: f64,
-    /// The parameter lines that the mesh is made of.
+    /// The parameter lines that form the mesh.
     pub lines: ParameterLines,
 }
 
 /// The parameter lines of the mesh of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterLines {
-    /// The sheet's cells, in u and in v.
+    /// The numbers of the sheet's cells in u and in v.
     pub cells: [usize; 2],
-    /// In u, and in v: the cell and the parameter in it, 0 to 1; those that close the sheet too.
+    /// Lines in u and in v, each by its cell and the parameter within it, 0 to 1. Includes the
+    /// lines that close the sheet.
     pub lines: [Vec<(u32, f64)>; 2],
-    /// For each corner of the mesh the lines that meet there: that of u, times the number of lines in
-    /// v, and that of v. On a seam each face has those of its own side.
+    /// For each face corner, the two lines that meet there: the index of the line of u, times the
+    /// number of lines of v, plus the index of the line of v. On a seam, each face refers to its
+    /// own side.
     pub corners: Vec<u32>,
 }
 
 impl ParameterLines {
-    /// The cell that a face lies in, and the parameters of its corners there. `corners`: the face's
-    /// corners of the mesh.
+    /// The cell that contains a face, and the parameters of the face's corners within it. `corners`
+    /// is the range of the face's corners in the mesh.
     pub fn of_face(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
         let across = self.lines[1].len();
         let at = move |corner: usize| [self.corners[corner] as usize / across, self.corners[corner] as usize % across];
-        // Three corners are on both lines of each direction.
+        // Each line of the cell contains at least one of any three corners.
         let first = [0, 1].map(|k| corners.clone().map(|corner| at(corner)[k]).min().unwrap_or(0));
         let cell = [0, 1].map(|k| self.lines[k].get(first[k]).map_or(0, |line| line.0));
         let parameter = move |k: usize, line: usize| match self.lines[k][line] {
@@ -106,7 +110,7 @@ impl Bend {
         Bend([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
     }
 
-    /// The deviation of triangles if a cell has m x n parts.
+    /// Bound of the distance between the surface and the triangles, if a cell has m x n parts.
     fn deviation(&self, m: f64, n: f64) -> f64 {
         let [uu, uv, vv] = self.0;
         0.125 * (uu / (m * m) + 2.0 * uv / (m * n) + vv / (n * n))
@@ -114,10 +118,10 @@ impl Bend {
 }
 
 impl Sheet<'_> {
-    /// A mesh of points of the sheet. O(cells + vertices).
+    /// Returns a mesh whose vertices are points of the sheet. O(cells + vertices).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a tolerance that is not more than 0, or no parts;
+    /// [`Error::OptionOutOfRange`] if the tolerance is not positive, or a number of parts is 0;
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
@@ -132,10 +136,10 @@ impl Sheet<'_> {
     }
 }
 
-/// The cell and the parameter of a line.
+/// The cell of a parameter line, and its parameter there.
 type Line = (u32, f64);
 
-/// The lines of one direction, and whether each is one point.
+/// The lines of one direction, and whether each of them is a single point.
 fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<Line>, Vec<bool>)> {
     let is_point = |cell: usize, end: bool| sheet.line_is_point(direction, cell, end);
     let mut lines = alloc::with_capacity(count + 1)?;
@@ -153,14 +157,15 @@ fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Re
     Ok((lines, points))
 }
 
-/// The lines of a mesh on a sheet.
+/// The parameter lines of a mesh of a sheet.
 struct Lattice<'a> {
     sheet: &'a Sheet<'a>,
-    /// In u, and in v; lines that close are not repeated.
+    /// Lines in u and in v, without the lines that close the sheet.
     lines: [Vec<Line>; 2],
-    /// Lines that are one point.
+    /// Whether each line is a single point.
     points: [Vec<bool>; 2],
-    /// If some are in both directions, the first one of v: all of them are one point then.
+    /// If both directions have lines that are single points: the first such line of v. All these
+    /// lines are the same point.
     meeting: Option<usize>,
     deviation: f64,
 }
@@ -181,8 +186,8 @@ impl<'a> Lattice<'a> {
                 bends.push(bend);
             }
         }
-        // A quarter of the tolerance goes to S_uu and to S_vv each; twists may need more than these
-        // have asked for.
+        // S_uu and S_vv get a quarter of the tolerance each. Twists may need more parts than these
+        // two ask for.
         for (k, bend) in bends.iter().enumerate() {
             let (i, j) = (k / columns, k % columns);
             let short = 0.5 * bend.0[1] / (options.tolerance * parts[0][i] * parts[1][j]);
@@ -205,7 +210,7 @@ impl<'a> Lattice<'a> {
         Ok(Lattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
     }
 
-    /// The vertex where lines meet, by number of the first lines that meet there.
+    /// The first pair of lines that meet at the vertex where lines a and b meet.
     fn first(&self, a: usize, b: usize) -> (usize, usize) {
         let (a, b) = (a % self.lines[0].len(), b % self.lines[1].len());
         match (self.points[0][a], self.points[1][b], self.meeting) {

@@ -1,15 +1,15 @@
-//! A scalar over a patch, in Bernstein form: what plane functions, angles and the like are.
+//! A scalar field over a patch in Bernstein form, such as the height above a plane or an angle.
 
 use gusset_base::geom::bernstein::{halves, value_and_slope_by_differences};
 
-/// Coefficients `c[a][b]` of degree N - 1 in u and in v, over 0 <= u, v <= 1. Its values are
-/// between the least and the greatest of them.
+/// Coefficients `c[a][b]` of degree N - 1 in u and in v, over 0 <= u, v <= 1. All values of the
+/// field lie between the smallest and the largest coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Field<const N: usize> {
     pub(crate) c: [[f64; N]; N],
 }
 
-/// Value and slopes at a point.
+/// Value and partial derivatives at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slope {
     pub(crate) value: f64,
@@ -18,10 +18,10 @@ pub(crate) struct Slope {
 }
 
 impl<const N: usize> Field<N> {
-    /// The least and the greatest coefficient.
+    /// The smallest and the largest coefficient.
     #[inline]
     pub(crate) fn range(&self) -> [f64; 2] {
-        // Comparisons, not f64::min: what is NaN may be passed over, and vectors do them.
+        // Comparisons instead of f64::min: they vectorise, and may skip NaN.
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for &x in self.c.as_flattened() {
             low = if x < low { x } else { low };
@@ -40,7 +40,7 @@ impl<const N: usize> Field<N> {
         Field { c }
     }
 
-    /// Value and slopes at (u, v).
+    /// Evaluates the field and its derivatives at (u, v).
     pub(crate) fn at(&self, u: f64, v: f64) -> Slope {
         let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
         for (a, row) in self.c.iter().enumerate() {
@@ -50,7 +50,7 @@ impl<const N: usize> Field<N> {
         Slope { value, u: along_u, v: value_and_slope_by_differences(&slopes, u)[0] }
     }
 
-    /// The least and the greatest coefficient of the derivative by u, and of that by v.
+    /// The smallest and the largest coefficient of the derivative by u, and of the derivative by v.
     #[inline]
     pub(crate) fn slope_ranges(&self) -> [[f64; 2]; 2] {
         let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
@@ -84,7 +84,7 @@ impl<const N: usize> Field<N> {
         halves(&self.c).map(|c| Field { c })
     }
 
-    /// u and v exchanged.
+    /// The field with u and v exchanged.
     pub(crate) fn transposed(&self) -> Field<N> {
         let mut turned = *self;
         for a in 0..N {

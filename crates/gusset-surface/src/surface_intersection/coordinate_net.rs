@@ -1,4 +1,4 @@
-//! A patch by coordinates: so stored, what is done with rows of control points is done with rows of
+//! A patch stored by coordinates, so that operations on rows of control points work on rows of
 //! numbers.
 
 use crate::Patch;
@@ -10,7 +10,7 @@ use gusset_base::geom::bernstein::basis_with_slopes;
 #[derive(Debug, Clone)]
 pub(super) struct Net<const N: usize>([Field<N>; 3]);
 
-/// The sum of rows by their weights.
+/// The weighted sum of rows.
 #[inline(always)]
 fn blended<const N: usize>(rows: &[[f64; N]; N], weights: &[f64; N]) -> [f64; N] {
     let mut sum = [0.0; N];
@@ -28,8 +28,8 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 impl<const N: usize> Net<N> {
     pub(super) const ZERO: Self = Net([Field { c: [[0.0; N]; N] }; 3]);
 
-    /// A patch relative to an origin, and the largest of the absolute values of its coordinates
-    /// before and after.
+    /// Creates the net of a patch relative to an origin. Also returns the largest absolute
+    /// coordinate before and after the shift.
     pub(super) fn new(patch: &Patch<N>, origin: DVec3) -> (Self, f64) {
         let (mut net, mut largest) = (Net::ZERO, DVec3::ZERO);
         let [x, y, z] = &mut net.0;
@@ -48,7 +48,7 @@ impl<const N: usize> Net<N> {
         Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
     }
 
-    /// The point.
+    /// Evaluates the point at (u, v).
     #[inline]
     pub(super) fn point(&self, u: f64, v: f64) -> DVec3 {
         let ([of_u, _], [of_v, _]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
@@ -56,7 +56,7 @@ impl<const N: usize> Net<N> {
         DVec3::from_array([x, y, z].map(|field| dot(&blended(&field.c, &of_u), &of_v)))
     }
 
-    /// The point and the first derivatives.
+    /// Evaluates the point and the first derivatives.
     #[inline(always)]
     pub(super) fn tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
         let ([of_u, slope_u], [of_v, slope_v]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
@@ -70,7 +70,7 @@ impl<const N: usize> Net<N> {
         found
     }
 
-    /// The net along a direction.
+    /// The component of the net along a direction.
     #[inline]
     pub(super) fn along(&self, axis: DVec3) -> Field<N> {
         let mut c = self.0[0].c;
@@ -89,7 +89,7 @@ impl<const N: usize> Net<N> {
         [0, 1].map(|half| Net([x[half], y[half], z[half]]))
     }
 
-    /// u and v exchanged.
+    /// The net with u and v exchanged.
     pub(super) fn transposed(&self) -> Self {
         Net([0, 1, 2].map(|k| self.0[k].transposed()))
     }

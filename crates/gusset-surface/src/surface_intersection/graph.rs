@@ -1,19 +1,20 @@
-//! Heights of a piece of a surface over a plane: bounds of their slopes and second derivatives.
+//! A piece of a surface as the graph of a height over a plane: bounds of its derivatives.
 //!
-//! Over the plane of x and y, S(u, v) = (x, y, z) is the graph of a height h(x, y) where x_u y_v -
-//! x_v y_u is not 0. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y, and its
-//! second derivatives those of z less the slopes times those of x and y, taken twice along the
-//! derivatives of (u, v) by (x, y). In intervals each is a bound over all of the piece; the
-//! difference of two such bounds is one of the relative second form of two surfaces that touch.
+//! Where x_u y_v - x_v y_u is not 0, S(u, v) = (x, y, z) is the graph of a height h(x, y) over the
+//! plane of x and y. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y. For its
+//! second derivatives, subtract from the second derivatives of z the slopes times those of x and y.
+//! Then apply the derivatives of (u, v) with respect to (x, y) twice. In interval arithmetic, the
+//! results are bounds over the whole piece. The difference of two such bounds bounds the relative
+//! second form of two surfaces that touch.
 //!
-//! Cost: O(N^3) a piece of degree N - 1.
+//! Cost: O(N^3) for a piece of degree N - 1.
 
 use crate::{Jet, Patch};
 use glam::{DMat3, DVec3};
 use gusset_base::geom::bernstein::restrict;
 use std::ops::{Add, Mul, Sub};
 
-/// All numbers from one to another.
+/// A closed interval.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Interval {
     pub(super) low: f64,
@@ -33,7 +34,7 @@ impl Interval {
         0.5 * (self.low + self.high)
     }
 
-    /// 1 / self, if 0 is not in it.
+    /// The reciprocal, if the interval does not contain 0.
     pub(super) fn inverse(self) -> Option<Self> {
         let apart = self.low > 0.0 || self.high < 0.0;
         apart.then(|| Interval { low: 1.0 / self.high, high: 1.0 / self.low })
@@ -65,10 +66,10 @@ impl Mul for Interval {
     }
 }
 
-/// The height of a piece of a surface, over the plane of a frame's first two axes.
+/// The height of a piece of a surface over the plane of a frame's first two axes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Graph {
-    /// The derivatives of u, and of v, by x and y.
+    /// The derivatives of u and of v with respect to x and y.
     pub(super) inverse: [[Interval; 2]; 2],
     /// h_x and h_y.
     pub(super) slopes: [Interval; 2],
@@ -77,8 +78,8 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// From S_u and S_v, and S_uu, S_uv and S_vv, along the axes; `None` if the piece may not be a
-    /// graph.
+    /// Creates the graph from S_u and S_v, and from S_uu, S_uv and S_vv, in coordinates of the
+    /// frame. Returns `None` if the piece may not be a graph.
     fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<Graph> {
         let [[xu, yu, zu], [xv, yv, zv]] = first;
         let factor = (xu * yv - xv * yu).inverse()?;
@@ -93,20 +94,20 @@ impl Graph {
         Some(Graph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
     }
 
-    /// At a point.
+    /// The graph at a point.
     pub(super) fn at(jet: &Jet, frame: &DMat3) -> Option<Graph> {
         let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::point);
         Graph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
     }
 
-    /// Over a part of a patch, by bounds of control points.
+    /// The graph over a part of a patch. Control points give the bounds.
     pub(super) fn over<const N: usize>(patch: &Patch<N>, part: [[f64; 2]; 2], frame: &DMat3) -> Option<Graph> {
         let mut points = patch.points.map(|row| row.map(|point| frame.transpose() * point));
         restrict_rows(&mut points, part[0]);
         let mut turned = Patch { points }.transposed();
         restrict_rows(&mut turned.points, part[1]);
         let net = turned.transposed().points;
-        // Differences of control points, as derivatives by the patch's own parameters.
+        // Differences of control points are derivatives with respect to the patch's own parameters.
         let degree = (N - 1) as f64;
         let scale = part.map(|[from, to]| degree / (to - from));
         let (mut u, mut v) = ([None; 3], [None; 3]);
@@ -132,7 +133,7 @@ impl Graph {
                 }
             }
         }
-        // Of degree 1 the second derivatives vanish.
+        // The second derivatives of degree 1 vanish.
         let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::point(0.0)));
         Graph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
     }
@@ -153,27 +154,27 @@ fn add(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
     }
 }
 
-/// Definiteness of a symmetric matrix of two rows, proved for all values in its intervals.
+/// Definiteness of a symmetric 2 x 2 matrix, proven for all values in its intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
-    /// All curvatures are positive.
+    /// Both eigenvalues are positive.
     Positive,
-    /// All are negative.
+    /// Both eigenvalues are negative.
     Negative,
-    /// One is positive, and one negative.
+    /// One eigenvalue is positive, the other negative.
     Indefinite,
-    /// It is not proved to be any of these.
+    /// The signs of the eigenvalues are not proven.
     Unknown,
 }
 
 impl Form {
-    /// Of the difference of two graphs.
+    /// The definiteness of the second derivatives of the difference of two graphs.
     pub(super) fn of_difference(one: &Graph, other: &Graph) -> Form {
         let [xx, xy, yy] = [0, 1, 2].map(|k| one.second[k] - other.second[k]);
         let Interval { low, high } = xx * yy;
         let square = xy.low.abs().max(xy.high.abs()).powi(2);
         let least = if xy.low <= 0.0 && xy.high >= 0.0 { 0.0 } else { xy.low.abs().min(xy.high.abs()).powi(2) };
-        // And what was rounded on the way.
+        // Rounding of the steps above.
         let slack = 1e-12 * (low.abs().max(high.abs()) + square);
         match () {
             () if low - square > slack && xx.low > 0.0 => Form::Positive,
