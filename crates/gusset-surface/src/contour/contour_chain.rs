@@ -1,7 +1,9 @@
-//! Paths of a sheet: its arcs, linked by the marks that they share, open and closed, in order.
+//! Links the arcs of a sheet to open and closed paths by the marks that they share, and sorts the
+//! paths.
 //!
-//! Invariant: an arc ends with the key that the next one begins with, since cells that share a side
-//! share its marks. Cost: O(arcs) a level, and O(arcs log arcs) where fields jump.
+//! Invariant: an arc ends with the key with which the next one begins, because cells that share a
+//! side share its marks. Cost: O(arcs) for each level, O(arcs log arcs) if fields are
+//! discontinuous.
 
 use super::contour_lattice::Lattice;
 use super::contour_search::{Arc, FoundArcs};
@@ -13,16 +15,16 @@ use gusset_base::sort::Buckets;
 use gusset_base::{alloc, par};
 use std::collections::VecDeque;
 
-/// A curve of a sheet.
+/// A curve on a sheet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContourPath {
     pub(super) level: u32,
     pub(super) closed: bool,
-    /// From where to where among the places.
+    /// The range of its points among the places.
     pub(super) range: [usize; 2],
 }
 
-/// The curves of sheets, one sheet after the other, each by level and lowest cell.
+/// The curves on sheets, sheet by sheet, each sorted by level and lowest cell.
 #[derive(Debug, Default)]
 pub(super) struct ContourPaths {
     pub(super) paths: Vec<ContourPath>,
@@ -31,7 +33,7 @@ pub(super) struct ContourPaths {
 
 impl ContourPaths {
     pub(super) fn append(&mut self, other: ContourPaths) -> Result<()> {
-        // Of one level and sheet, as it is.
+        // With one level and sheet, no copy is needed.
         if self.paths.is_empty() {
             *self = other;
             return Ok(());
@@ -45,7 +47,7 @@ impl ContourPaths {
 
 const NONE: u32 = u32::MAX;
 
-/// Arcs by the keys of the marks where they begin: open addressing.
+/// A hash table of arcs by the keys of the marks where they begin, with open addressing.
 struct Table<'a> {
     arcs: &'a [Arc],
     slots: Vec<u32>,
@@ -63,7 +65,7 @@ impl<'a> Table<'a> {
         Ok(table)
     }
 
-    /// Where a key is, or would be.
+    /// The slot of a key, or the free slot for it.
     fn slot(&self, key: u64) -> usize {
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
         while self.slots[at] != NONE && self.arcs[self.slots[at] as usize].keys[0] != key {
@@ -78,8 +80,8 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Adds the paths of a sheet, whose arcs it links. `jumps`: whether the cells at a side have marks
-/// of their own, which are linked first.
+/// Links the arcs of a sheet, and adds its paths. `jumps` tells whether the cells at a side have
+/// separate marks, which are linked first.
 pub(super) fn chain(
     sheet: u32,
     found: &mut FoundArcs,
@@ -97,8 +99,8 @@ pub(super) fn chain(
     parts.into_iter().try_for_each(|part| made.append(part?))
 }
 
-/// Sorts arcs by level: cells come as the search finds them, with their levels one after the other.
-/// Arcs of a level keep their order.
+/// Sorts arcs by level. Cells come in the order of the search, each with its levels. The sort is
+/// stable.
 fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
     if arcs.is_sorted_by_key(|arc| arc.level) {
         return Ok(());
@@ -109,7 +111,7 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
     Ok(())
 }
 
-/// The arc that follows each, or [`NONE`], and whether one comes before it.
+/// For each arc, the index of its successor or [`NONE`], and whether it has a predecessor.
 fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
@@ -123,14 +125,14 @@ fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
     Ok((next, entered))
 }
 
-/// The paths of one level, by the lowest cell of each and the key of its mark.
+/// The paths of one level, sorted by the lowest cell of each and the key of its mark.
 fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
     let (next, entered) = successors(arcs)?;
     let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
     let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
     let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
     let mut used = alloc::filled(false, arcs.len())?;
-    // Open ones from their beginnings, then closed ones.
+    // First open paths from their beginnings, then closed ones.
     let open = (0..arcs.len()).filter(|&k| !entered[k]);
     for head in open.chain(0..arcs.len()) {
         if used[head] {
@@ -171,11 +173,11 @@ fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
     Ok(ContourPaths { paths: alloc::collect(paths.into_iter().map(|(_, path)| path))?, places })
 }
 
-/// An end of an arc on a side between cells whose fields may jump.
+/// An end of an arc on a side between cells with discontinuous fields.
 #[derive(Clone, Copy)]
 struct End {
     level: u32,
-    /// The side, or the corner.
+    /// The index of the side or the corner.
     group: u64,
     t: f64,
     key: u64,
@@ -183,10 +185,11 @@ struct End {
     exit: bool,
 }
 
-/// Links what leaves one cell with what enters the next, or the same one again: along each side,
-/// the k-th that leaves with the k-th that enters. Where the fields have no sign in common, the
-/// side itself belongs to the zero set between the two. What is left over then, because the cells
-/// at a corner disagree on the sign there, is linked round the corner that it is nearer to.
+/// Links the ends of arcs that leave one cell to those that enter the adjacent one, or the same one
+/// again. Along each side, the k-th exit is linked to the k-th entry. Where the two fields have
+/// opposite signs, the side itself belongs to the zero set between exit and entry. Cells may
+/// disagree on the sign at a corner, which leaves some ends over. They are linked around the
+/// nearest corner.
 fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
@@ -201,15 +204,14 @@ fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
     let mut left = pair(ends, arcs)?;
     for end in &mut left {
         end.group = lattice.node(end.group, end.t >= 0.5);
-        // How far from the corner.
+        // The distance from the corner.
         end.t = end.t.min(1.0 - end.t);
     }
     pair(left, arcs)?;
     Ok(())
 }
 
-/// Links exits with entries of the same level and group, in order; returns the ends that are left
-/// over.
+/// Links exits to entries of the same level and group, in order. Returns the remaining ends.
 fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
     sort::stable(&mut ends, &|a, b| {
         let by = |end: &End| (end.level, end.group);

@@ -1,5 +1,5 @@
-//! Sides between cells along which normals jump past an angle: they belong to the isophote
-//! themselves, and no cell shows it.
+//! Creases: sides between cells across which the angle of the normals jumps past a given one. They
+//! belong to the isophote, but no cell contains the angle.
 
 use super::cone_culling;
 use super::contour_lattice::Lattice;
@@ -12,8 +12,8 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::f64::consts::PI;
 
-/// Cells and the middles of their sides at whose ends the angle is less than one of `angles` in one
-/// cell and greater in the other.
+/// Finds cells, and the middles of their sides, where at both ends of the side the angle in one
+/// cell is below one of `angles`, and in the other cell above it.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,
@@ -27,7 +27,7 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
         let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
         libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
     };
-    // An angle is jumped past only where it is between those of a block and the blocks behind.
+    // An angle can be skipped only if it is in the joint range of a block and the blocks behind it.
     let may_jump = |r: usize, c: usize| {
         let behind = |k: usize, d: usize| if k + 1 == lattice.blocks()[d] { 0 } else { k + 1 };
         let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
@@ -49,7 +49,8 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
                 if end != [false; 2] {
                     continue;
                 }
-                // A place of the side, which is line 1 of the cell and line 0 of the one behind.
+                // A place of the side, which is line 1 of the cell and line 0 of the cell behind
+                // it.
                 let at = |t: f64, line: f64| if direction == 0 { [line, t] } else { [t, line] };
                 let [[a, b], [c, d]] =
                     [([i, j], 1.0), (behind, 0.0)].map(|(cell, line)| [0.0, 1.0].map(|t| angle(cell, at(t, line))));

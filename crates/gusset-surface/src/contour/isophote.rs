@@ -1,10 +1,11 @@
-//! Curves of points whose normals make given angles with a direction: silhouettes at 90 degrees, in
-//! general isophotes.
+//! Isophotes: curves of points whose normals make given angles with a direction. At 90 degrees they
+//! are the silhouettes.
 //!
-//! With H the component of N = S_u x S_v along the direction and P the square of what is across it,
-//! the angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90
-//! degrees where H = 0; at 0 and 180 where both components across are 0, which is so at single
-//! points. None of it suffers from cancellation, whatever the angle.
+//! Let H be the component of N = S_u x S_v along the direction, and P the squared length of the
+//! component across it. The angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 =
+//! cos^2 alpha P. At 90 degrees this is H = 0. At 0 and 180 degrees, both components across vanish,
+//! which happens at isolated points. None of these equations suffers from cancellation at any
+//! angle.
 
 use super::cone_culling;
 use super::contour_lattice::Lattice;
@@ -27,14 +28,14 @@ use gusset_base::{alloc, par};
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// Sines and cosines smaller than that are 0.
+/// Sines and cosines below this count as 0.
 const MIN_SINE: f64 = 1e-8;
-/// By how much the angles of points may be off for rounding, in radians.
+/// Largest error of the angles of points caused by rounding, in radians.
 const ANGLE_TOLERANCE: f64 = 1e-6;
-/// Blocks that are one thread's work.
+/// Number of blocks that a thread searches in one task.
 const CHUNK: usize = 64;
 
-/// H = 0.
+/// The equation H = 0.
 struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
@@ -71,20 +72,21 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
     }
 }
 
-/// sin^2 alpha H^2 = cos^2 alpha P.
+/// The equation sin^2 alpha H^2 = cos^2 alpha P.
 struct Isophotes<'a, C, const N: usize, const H: usize> {
     normals: &'a ProjectedNormals<'a, C, N>,
     classes: &'a AngleClasses,
 }
 
-/// The squares that the angles of a cell share.
+/// The squares that the equations of a cell's angles share.
 struct Squares<const M: usize> {
     along: Field<M>,
     across: Field<M>,
 }
 
 impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
-    /// The angles that are in a range, or whose supplements are, and what lies between them.
+    /// The indices of the angles in a range, or whose supplements are in it, and of all angles
+    /// between them.
     fn levels_in(&self, [low, high]: [f64; 2]) -> Range<usize> {
         let AngleClasses { radians, unsigned, .. } = self.classes;
         let own = between(radians, [low, high], 0.0);
@@ -133,17 +135,17 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         self.classes.others.len().max(1)
     }
 
-    /// Rising with the cosine of the angle, where this has the sign of cos alpha.
+    /// Increases with the cosine of the angle, where H has the sign of cos alpha.
     fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
         let [sin, cos] = self.classes.others[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
         base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
     }
 
-    /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos
-    /// alpha. The sign is one along an arc, since H and P vanish together only where the normal is
-    /// none, as at poles, where it says nothing. Next to such a place within a cell, what is linked
-    /// without being resolved may have both.
+    /// Accepts the arcs on which H has the sign of cos alpha, because pi - alpha satisfies the same
+    /// equation. The sign is constant along an arc: H and P vanish together only where the normal
+    /// does not exist, as at poles, where the sign is undetermined. Close to such a place inside a
+    /// cell, arcs that were linked without being resolved may have both signs.
     fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         if self.classes.unsigned {
             return Some(true);
@@ -161,46 +163,47 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     }
 }
 
-/// The angles of a query, by kind.
+/// The angles of a query by kind.
 #[derive(Default)]
 struct AngleClasses {
     silhouettes: Vec<u32>,
-    /// Of 0 and 180 degrees: the sign of the cosine.
+    /// The angles 0 and 180 degrees, with the sign of the cosine.
     poles: Vec<(u32, f64)>,
-    /// Of the others the sines and cosines, and in radians.
+    /// Sines and cosines of the other angles, and the angles in radians.
     others: Vec<[f64; 2]>,
     radians: Vec<f64>,
-    /// All but those of 0 and 180 degrees.
+    /// All angles except 0 and 180 degrees.
     crossed: Vec<f64>,
     numbers: Vec<u32>,
-    /// Whether a normal and its opposite are the same.
+    /// Whether a normal and its opposite are equivalent.
     unsigned: bool,
 }
 
 impl Surface<'_> {
-    /// Where the surface's normal makes given angles with a direction: curves in the order of the
-    /// angles (`levels` of the paths) and of their lowest cells. At 90 degrees they are the
-    /// silhouettes of the surface seen along the direction. At 0 and 180 degrees there are points
-    /// in place of curves: paths of one point each. To the left of curves, seen from where the
-    /// normals point to, angles are smaller.
+    /// Finds the curves on which the surface's normal makes given angles with a direction. Curves
+    /// are sorted by angle (`levels` of the paths), then by lowest cell. At 90 degrees they are the
+    /// silhouettes of the surface seen along the direction. At 0 and 180 degrees, isolated points
+    /// take the place of curves, and are returned as paths of one point each. Seen from the side of
+    /// the normals, smaller angles are to the left of a curve.
     ///
-    /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the
-    /// same, and angles end at pi / 2.
+    /// `angles` are in radians, ascending, from 0 to pi. If `unsigned`, a normal and its opposite
+    /// are equivalent, and the largest angle is pi / 2.
     ///
-    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes
-    /// are of order four, and so are the [`Surface::contours`] of their cosines.
+    /// The angles are those of the interpolant's normals, which are of third order. Normals at
+    /// nodes are of fourth order, and so are the [`Surface::contours`] of their cosines.
     ///
-    /// Every curve is found, as [`Surface::section`] finds them, if the surface is regular. On
-    /// sheets of patches and of the four-point scheme, whose normals jump between cells, curves run
-    /// along the side between cells where the angle jumps past the one asked for; where that goes
-    /// on for more than a cell they end, and the ends and the sides are listed as unresolved. At
-    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle
-    /// itself is listed as unresolved. The first such question builds the cones of normals,
-    /// O(cells); after that about O(cells that are crossed).
+    /// Finds every curve of a regular surface, like [`Surface::section`]. The normals of Bézier
+    /// patches and of the four-point scheme are discontinuous across sides. Where the angle jumps
+    /// past a given one, the curve runs along the side between the cells. If this continues for
+    /// more than a cell, the curve ends, and the ends and the sides are listed as unresolved.
+    ///
+    /// At a pole, where the normal does not exist, a curve ends or passes. A pole that may have the
+    /// angle itself is listed as unresolved. The first query builds the cones of normals in
+    /// O(cells). After that, a query takes about O(cells that are crossed).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do
-    /// not rise or are out of range; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if the direction is zero or not finite, or the angles are out of
+    /// range or not ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn isophotes(
         &self,
         axis: DVec3,
@@ -236,8 +239,8 @@ impl Surface<'_> {
         add_leus_points(found, spacing)
     }
 
-    /// Reports the places of curves where the normal is regular and makes another angle: once for
-    /// points of a cell that follow each other.
+    /// Reports places of curves where the normal is regular, but makes another angle: once for
+    /// successive points of a cell.
     fn report_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
         let mut last: Option<Place> = None;
         for k in 0..paths.len() {
@@ -285,7 +288,7 @@ impl AngleClasses {
     }
 }
 
-/// The search of all sheets, and what it has found.
+/// The search of all sheets, and its results.
 struct IsophoteSearch<'a> {
     surface: &'a Surface<'a>,
     frame: [DVec3; 3],
@@ -310,7 +313,7 @@ impl IsophoteSearch<'_> {
         let jumps = !is_smooth;
         let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
         let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
-        // The blocks that may have one of some angles, row after row.
+        // The blocks, row by row, that may have one of some angles.
         let blocks = |angles: &[f64]| {
             cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have(angles, classes.unsigned, range))
         };
@@ -356,8 +359,8 @@ impl IsophoteSearch<'_> {
     }
 }
 
-/// The places in some blocks where the normal has the direction (`sign` 1), or the opposite one,
-/// and those that are unresolved.
+/// Finds the places in some blocks where the normal has the direction (`sign` 1), or the opposite
+/// one, and the unresolved places.
 fn poles<C: Cells<N>, const N: usize, const H: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     sheet: u32,

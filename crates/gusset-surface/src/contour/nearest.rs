@@ -1,14 +1,15 @@
-//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that
-//! is nearest to a given one.
+//! Task b) of the paper as a minimum: the place whose normal makes the angle nearest to a given one
+//! with a direction.
 //!
-//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a
-//! region by curvature times diameter; here the bounds are cones of normals, then those of the
-//! components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2
-//! - cos^2 theta P (see `isophote`), which tell on which side of theta all angles of a part are.
+//! Branch and bound over blocks, cells and parts of cells. The paper bounds the angle over a region
+//! by curvature times diameter. Here, the bounds are the cones of normals, then the ranges of the
+//! components of N. Close to the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2
+//! theta P (see `isophote`) are sharper. They tell whether all angles of a part are on one side of
+//! theta.
 //!
-//! Invariant: the deviation of every part that is dropped is at least the best one less
-//! [`TOLERANCE`], or is in the bound that is returned. Cost: about O(cells whose bound is below the
-//! answer), [`MAX_PARTS`] parts for each at most.
+//! Invariant: the deviation of every discarded part is at least the best deviation less
+//! [`TOLERANCE`], or is included in the returned bound. Cost: about O(cells whose bound is below
+//! the answer), at most [`MAX_PARTS`] parts for each.
 
 use super::cone_culling;
 use super::contour_lattice::Lattice;
@@ -30,49 +31,49 @@ use gusset_base::{alloc, par};
 use std::convert::Infallible;
 use std::f64::consts::PI;
 
-/// To which the answer is proved, in radians.
+/// Accuracy to which the answer is proven, in radians.
 const TOLERANCE: f64 = 1e-9;
-/// Halvings of each parameter of a cell, and parts examined in one.
+/// Largest number of halvings of each parameter of a cell, and of parts examined in it.
 const MAX_SUBDIVISION_DEPTH: u32 = 40;
 const MAX_PARTS: usize = 4096;
-/// Blocks that are one thread's work, and such works between two reports of progress.
+/// Number of blocks that a thread searches in one task, and of tasks between two progress reports.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
-/// Blocks of each level that are searched for a first bound.
+/// Number of blocks of each level that are searched for a first bound.
 const BLOCKS_FOR_FIRST_BOUND: usize = 16;
 
-/// Where a normal's angle is nearest to a given one.
+/// The place where a normal's angle is nearest to a given one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearestAngle {
-    /// Where it is.
+    /// The place.
     pub place: Place,
     /// The point.
     pub point: DVec3,
     /// The unit normal.
     pub normal: DVec3,
-    /// Its angle with the direction, in radians.
+    /// The angle between the normal and the direction, in radians.
     pub angle: f64,
-    /// How far this is from the angle asked for.
+    /// The difference of this angle from the given one.
     pub deviation: f64,
-    /// No normal's angle is nearer than this.
+    /// A lower bound of the deviation of all normals.
     pub bound: f64,
 }
 
-/// The angle asked for.
+/// The given angle.
 #[derive(Clone, Copy)]
 struct TargetAngle {
     angle: f64,
     unsigned: bool,
 }
 
-/// The best that was found.
+/// The best place so far.
 #[derive(Clone, Copy)]
 struct Best {
     deviation: f64,
     place: Option<Place>,
 }
 
-/// A cell that may hold something better.
+/// A cell that may contain a better place.
 struct Candidate {
     bound: f64,
     sheet: u32,
@@ -80,8 +81,8 @@ struct Candidate {
 }
 
 impl TargetAngle {
-    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be
-    /// 0, but for `rounding_error`.
+    /// The difference between the angle of a vector in the frame and the target. Infinite for a
+    /// vector that vanishes within `rounding_error`.
     fn deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
         if x.abs() <= rounding_error && y.abs() <= rounding_error && z.abs() <= rounding_error {
             return f64::INFINITY;
@@ -90,19 +91,19 @@ impl TargetAngle {
         (libm::atan2((x * x + y * y).sqrt(), along) - self.angle).abs()
     }
 
-    /// How near angles from `low` to `high` can be.
+    /// A lower bound of the deviation of angles between `low` and `high`.
     fn bound(&self, [low, high]: [f64; 2]) -> f64 {
         let outside = |goal: f64| (low - goal).max(goal - high).max(0.0);
         if self.unsigned { outside(self.angle).min(outside(PI - self.angle)) } else { outside(self.angle) }
     }
 
-    /// True if the coefficients show that no angle is nearer than `by`.
+    /// True if the coefficients prove that no angle deviates by less than `by`.
     fn is_beyond<const H: usize, const M: usize>(&self, normal: &[Field<H>; 3], by: f64) -> bool {
         let [first, second, along] = normal;
         let (h, p): (Field<M>, Field<M>) = (squares(&[*along]), squares(&[*first, *second]));
         let front = along.range()[0] >= 0.0;
         let behind = along.range()[1] <= 0.0;
-        // All angles are at least theta, or at most theta.
+        // Tests whether all angles are at least theta, or, if `below`, at most theta.
         let is_beyond = |theta: f64, below: bool| {
             if !(0.0..=PI).contains(&theta) {
                 return false;
@@ -126,7 +127,7 @@ fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
     ranges.iter().all(|&[low, high]| low >= -rounding_error && high <= rounding_error)
 }
 
-/// Part of a cell.
+/// A part of a cell with the normals over it.
 struct NormalPart<const H: usize> {
     normal: [Field<H>; 3],
     from: DVec2,
@@ -153,7 +154,7 @@ impl<const H: usize> NormalPart<H> {
     }
 }
 
-/// A sheet's normals, of which the nearest is sought.
+/// The search among a sheet's normals.
 struct AngleSearch<'a, C, const N: usize> {
     normals: ProjectedNormals<'a, C, N>,
     sheet: u32,
@@ -166,8 +167,8 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         AngleSearch { normals, sheet: k as u32, goal }
     }
 
-    /// The blocks that may hold an angle no worse than the best, and than those found in the most
-    /// promising of them.
+    /// The blocks that may contain an angle as good as the best one. Searches the most promising
+    /// blocks first, to improve the best angle.
     fn blocks(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>> {
         let direction = self.normals.frame[2];
         let mut front = vec![[0; 2]];
@@ -187,7 +188,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         cone_culling::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
     }
 
-    /// The best at the middles of cells, and the cells that may hold something better.
+    /// Evaluates the middles of cells, and collects the cells that may contain a better place.
     fn candidates(
         &self,
         cones: &Cones,
@@ -245,7 +246,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         alloc::push(candidates, Candidate { bound, sheet: self.sheet, cell })
     }
 
-    /// Improves the best within a cell; returns what no angle there is nearer than.
+    /// Improves the best place within a cell. Returns a lower bound of the deviations in the cell.
     fn search<const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64 {
         let of = self.normals.hodographs(cell.map(|k| k as usize));
         let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
@@ -257,13 +258,13 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
     }
 }
 
-/// The search of one cell. M: one more than the degree of squares of normals.
+/// The search of one cell. M is the degree of squares of normals plus one.
 struct CellSearch<'a, const M: usize> {
     goal: &'a TargetAngle,
     sheet: u32,
     cell: [u32; 2],
     best: &'a mut Best,
-    /// No angle of the parts that are done is nearer than this.
+    /// A lower bound of the deviations in settled parts.
     bound: f64,
 }
 
@@ -280,7 +281,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
         }
         let ranges = part.normal.map(|field| field.range());
         if vanish(&ranges, part.rounding_error) {
-            // Here is no normal.
+            // The normal does not exist here.
             return Ok(BoxTest::Empty);
         }
         let proved = (self.best.deviation - TOLERANCE).max(0.0);
@@ -302,7 +303,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
         Ok(())
     }
 
-    /// The most promising last, to be taken first.
+    /// Sorts the most promising part last, so that it is taken first.
     fn split(&mut self, part: NormalPart<H>, (): ()) -> [NormalPart<H>; 4] {
         let mut quarters = part.quarters(self.goal);
         sort::stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
@@ -311,14 +312,16 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
 }
 
 impl Surface<'_> {
-    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to
-    /// pi; to pi / 2 if `unsigned`, a normal and its opposite then being the same. Proved to 1e-9,
-    /// unless the bound says otherwise. `None` if there is no normal at all. The first such
-    /// question builds the cones of normals, O(cells); after that about O(cells that come near to
-    /// the angle).
+    /// Finds the place where the angle between normal and direction is nearest to `angle`, in
+    /// radians from 0 to pi. If `unsigned`, a normal and its opposite are equivalent, and the
+    /// largest angle is pi / 2. The result is proven to 1e-9, unless its bound says otherwise.
+    /// Returns `None` if no normal exists.
+    ///
+    /// The first query builds the cones of normals in O(cells). After that, a query takes about
+    /// O(cells whose angles are close to the target).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of
+    /// [`Error::OptionOutOfRange`] if the direction is zero or not finite, or the angle is out of
     /// range; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn nearest_angle(
         &self,
