@@ -1,12 +1,13 @@
 //! The surface through a net of curves.
 //!
-//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). With rows
-//! R_k(v), columns C_l(u), nodes P_kl where they meet, and cardinal functions L_k, M_l,
+//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). Let R_k(v)
+//! be the rows, C_l(u) the columns, P_kl the nodes where they meet, and L_k, M_l cardinal
+//! functions. The surface
 //!   S(u, v) = sum L_k(u) R_k(v) + sum M_l(v) (C_l(u) - sum L_k(u) P_kl)
-//! contains all curves. Products of polynomials of u and of v have the products of their Bernstein
-//! coefficients, so that S is a Bézier patch over each cell, of degree 3 or that of the curves.
-//! With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is
-//! the skin of the rows.
+//! contains all curves. The Bernstein coefficients of a product of polynomials of u and of v are
+//! the products of their coefficients. S is therefore a Bézier patch over each cell, of degree 3 or
+//! the degree of the curves. With two rows and two columns, L and M are linear, and S is the Coons
+//! patch. Without columns, S is the skin of the rows.
 
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
@@ -21,53 +22,55 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_curve::CurveView;
 
-/// Breaks of different pieces that are nearer than this, of 1, are one.
+/// Breaks of different pieces closer than this, as a fraction of the piece, are merged.
 const SAME_BREAK: f64 = 1e-6;
 
-/// Patches between two progress reports.
+/// Number of patches between two progress reports.
 const PATCHES_PER_STEP: usize = 1 << 13;
 const FINDING: &str = "finding nodes";
 const MAKING: &str = "making patches";
 
-/// Curves across, the rows, and curves along, the columns: every row meets every column, in the
-/// order that they are given in; either way round. Rows alone, or columns alone, make a skin. A
-/// curve may be one point, a pole.
+/// Curves across (rows) and along (columns). Every row meets every column in the given order;
+/// curves may run in either direction. Rows alone, or columns alone, make a skin. A curve may be a
+/// single point, which makes a pole.
 ///
-/// Ends of rows beyond the first and the last column are left out. Polylines are curves of segments
-/// of degree 1: they are kept as they are, and where they turn the surface has a crease; for a
-/// smooth surface draw curves through their points first ([`fit`](gusset_curve::fit())).
+/// Ends of rows beyond the first and the last column are cut off; so are ends of columns. Polylines
+/// are curves of degree 1, so the surface has a crease where they turn. For a smooth surface, first
+/// fit curves through their points ([`fit`](gusset_curve::fit())).
 #[derive(Debug, Clone, Copy)]
 pub struct CurveNet<'a> {
-    /// Curves in v, which follow each other in u: at least 2, or none.
+    /// The curves in v, in order of u: at least 2, or none.
     pub rows: &'a [CurveView<'a>],
-    /// Curves in u, which follow each other in v: at least 2, or none.
+    /// The curves in u, in order of v: at least 2, or none.
     pub columns: &'a [CurveView<'a>],
-    /// Closed in u: the columns are closed curves, and the last row is followed by the first; and
-    /// in v: the rows are. Then at least 3 rows, or 3 columns, if there are any.
+    /// Whether the net is closed in u and in v. If closed in u, the columns are closed curves, and
+    /// the first row follows the last one; at least 3 rows are needed, if there are any. Closed in
+    /// v accordingly.
     pub closed: [bool; 2],
-    /// How far apart curves may be where they meet; both are then moved to the middle. `None`: 1e-6
-    /// of the diagonal of their box.
+    /// Largest distance between curves where they meet. Both are then moved to the midpoint. `None`
+    /// means 1e-6 times the diagonal of their bounding box.
     pub tolerance: Option<f64>,
 }
 
 impl Sheet<'static> {
-    /// Gordon's surface of a net of curves: it contains all of them, if they meet, or else to half
-    /// the tolerance.
+    /// Creates the Gordon surface of a net of curves. It contains all curves, within half the
+    /// tolerance where they do not meet exactly.
     ///
-    /// Parameters: node (k, l) is a corner of cells. Between two nodes curves may have several
-    /// segments: if all rows have equally many there, they are matched in order, else all rows are
-    /// cut where any one has a joint; so cells may be more than meshes of the net. The knots of the
-    /// cardinal functions are taken from the curves: where they are C1 in common knots, and where a
-    /// single one has no joint between nodes, S is C1, else only nearly; [`Sheet::crease`] tells.
+    /// Node (k, l) is a corner of cells. Curves may have several segments between two nodes. If all
+    /// rows have the same number of segments there, these are matched in order. Otherwise, all rows
+    /// are cut where any row has a joint, so cells may be smaller than the meshes of the net. The
+    /// knots of the cardinal functions follow from the curves. S is C1 if the curves are C1 in
+    /// common knots, or if the curves lack joints between nodes. Otherwise S is only nearly C1;
+    /// [`Sheet::crease`] measures it.
     ///
-    /// O(rows x columns x log segments) for nodes, and 12 products a control point; 384 bytes a
-    /// cell up to degree 3, else 1536.
+    /// O(rows x columns x log segments) for nodes, and 12 products for each control point; 384
+    /// bytes for each cell up to degree 3, otherwise 1536.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`] for one row or column, or fewer than 3 of closed directions;
-    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] for a degree above 7 or a tolerance that
-    /// is no positive number; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row, the
-    /// column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
+    /// [`Error::NetTooSmall`] for a single row or column, or fewer than 3 in a closed direction;
+    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] if a degree is above 7, or the tolerance
+    /// is negative or not finite; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row,
+    /// the column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         net.check()?;
@@ -90,28 +93,29 @@ impl CurveNet<'_> {
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
     }
 
-    /// The diagonal of the box of all curves, and the largest of their coordinates.
+    /// The diagonal of the bounding box of all curves, and their largest absolute coordinate.
     fn extent(&self) -> (f64, f64) {
         let bounds = Aabb::of(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
         (bounds.diagonal(), bounds.low.abs().max(bounds.high.abs()).max_element())
     }
 }
 
-/// The curves, cut at the nodes.
+/// The curves of a net, cut at the nodes.
 pub(super) struct Gordon<const N: usize> {
     closed: [bool; 2],
-    /// Row k has piece j from column j to the next, or one piece if there are no columns; and the
-    /// same of columns.
+    /// Piece j of row k runs from column j to the next one. Without columns, each row is one piece.
+    /// Columns accordingly.
     rows: Vec<Vec<Piece<N>>>,
     columns: Vec<Vec<Piece<N>>>,
-    /// Row by row.
+    /// The nodes, row by row.
     nodes: Vec<DVec3>,
-    /// Curves that are one point take no part in what lengths and joints say.
+    /// For each row and each column, whether it is a single point. Such curves do not affect
+    /// lengths and breaks.
     points: [Vec<bool>; 2],
 }
 
 impl<const N: usize> Gordon<N> {
-    /// The nodes are found where curves are nearest.
+    /// Finds the nodes, where the curves are nearest to each other, and cuts the curves there.
     fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
         let net_curves = |curves: &[CurveView<'_>], before: usize| {
@@ -146,7 +150,7 @@ impl<const N: usize> Gordon<N> {
         Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
-    /// `places`: row by row where each meets each column, on the row and on the column.
+    /// `places` holds, row by row, the places on the row and the column where they meet.
     pub(super) fn new(
         mut rows: Vec<NetCurve<N>>,
         mut columns: Vec<NetCurve<N>>,
@@ -166,7 +170,7 @@ impl<const N: usize> Gordon<N> {
                 (false, false) => 0.5 * (p + q),
             }
         }))?;
-        // Rows (axis 0) at the columns, columns at the rows.
+        // Axis 0: cuts rows at the columns. Axis 1: cuts columns at the rows.
         let cut = |net_curves: &mut [NetCurve<N>], axis: usize| {
             let count = [width, height][axis];
             let place = |k: usize, l: usize| if axis == 0 { (k, l) } else { (l, k) };
@@ -186,7 +190,7 @@ impl<const N: usize> Gordon<N> {
         Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
     }
 
-    /// The patches over all cells.
+    /// Computes the patches over all cells.
     pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
             let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
@@ -227,7 +231,7 @@ impl<const N: usize> Gordon<N> {
         Ok(Patches::of(patches, u.count(), v.count()))
     }
 
-    /// The sum of L_k R_k alone.
+    /// Computes the sum of L_k R_k only.
     fn skin(&self, rows: &[Vec<Piece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
         let v = Strips::of(rows, points, &job.part(0.0, 0.2))?;
         let refined = v.refined(rows, &job.part(0.2, 0.4))?;
@@ -255,7 +259,7 @@ impl<const N: usize> Gordon<N> {
     }
 }
 
-/// A place, or the joint of segments that it is very near to.
+/// The place, or the joint of segments if it is within `near`.
 fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
     let here = net_curve.point(at);
     let close = |t: f64| net_curve.point(CurvePlace { t, ..at }).distance(here) <= near;
@@ -263,7 +267,7 @@ fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -
     if at.t < 0.5 && close(0.0) {
         CurvePlace { t: 0.0, ..at }
     } else if at.t >= 0.5 && close(1.0) {
-        // The start of the next segment, where there is one.
+        // The start of the next segment, if it exists.
         let next = if net_curve.closed { (at.segment + 1) % count } else { at.segment + 1 };
         if next < count { CurvePlace { segment: next, t: 0.0 } } else { CurvePlace { t: 1.0, ..at } }
     } else {
@@ -271,8 +275,8 @@ fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -
     }
 }
 
-/// The pieces of a curve between its places, with their ends at the nodes; the curve is turned
-/// round if it runs against the order.
+/// Cuts a curve into the pieces between its places, and moves their ends to the nodes. Reverses the
+/// curve if it runs against the order.
 fn pieces<const N: usize>(
     net_curve: &mut NetCurve<N>,
     mut at: Vec<CurvePlace>,
@@ -294,7 +298,7 @@ fn pieces<const N: usize>(
             at.iter_mut().for_each(|at| *at = net_curve.reversed(*at));
             net_curve.reverse();
         }
-        // Round a closed curve the places may begin anywhere.
+        // On a closed curve, the places may begin anywhere.
         let count = if closed { at.len() } else { at.len() - 1 };
         let mut wraps = usize::from(closed);
         for k in 0..count {
@@ -314,24 +318,25 @@ fn pieces<const N: usize>(
     Ok(pieces)
 }
 
-/// Of three places round a closed curve: true if they follow each other backwards.
+/// True if three places on a closed curve are in reverse order.
 fn turned(at: &[CurvePlace]) -> bool {
-    // Forwards there is one fall in all, backwards there are two.
+    // The parameter falls once in forward order, and twice in reverse order.
     (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
 }
 
-/// The intervals between the lines of one direction, and where they are cut.
+/// The intervals between the lines of one direction, and their subdivision into cells.
 struct Strips {
-    /// The share of the parameter that each takes.
+    /// The fraction of the parameter that each interval takes.
     lengths: Vec<f64>,
-    /// Where each is cut, as fractions; the last one is 1.
+    /// The ends of each interval's cells, as fractions of the interval; the last one is 1.
     breaks: Vec<Vec<f64>>,
-    /// By strip and curve: the ends of the curve's segments as the breaks have them.
+    /// By interval and curve: the ends of the curve's segments, snapped to the breaks.
     ends: Vec<Vec<Vec<f64>>>,
 }
 
 impl Strips {
-    /// From the curves that run through them; `points`: those that are one point.
+    /// Computes the strips from the curves that cross them. `points` marks curves that are single
+    /// points.
     fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
         let count = curves[0].len();
         let mut lengths = alloc::filled(0.0, count)?;
@@ -355,7 +360,7 @@ impl Strips {
         self.breaks.iter().map(Vec::len).sum()
     }
 
-    /// The strip and the part of it of each cell.
+    /// The strip of each cell, and the range of the cell within the strip.
     fn cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
         let mut cells = alloc::with_capacity(self.count())?;
         for (strip, breaks) in self.breaks.iter().enumerate() {
@@ -377,8 +382,8 @@ impl Strips {
     }
 }
 
-/// The breaks of a strip from those of the curves' pieces, and for each piece its own as the strip
-/// has them.
+/// The breaks of a strip from the segment ends of the curves' pieces, and for each piece its ends
+/// snapped to the breaks.
 fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
     let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
     let Some(first) = curves().next() else {
@@ -413,7 +418,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     Ok((breaks, ends))
 }
 
-/// Lengths that are none become the mean of the others.
+/// Replaces lengths that are (nearly) zero by the mean length.
 fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
     let sum: f64 = lengths.iter().sum();
     let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
@@ -421,14 +426,14 @@ fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
     lengths
 }
 
-/// Room for patches, if there are not too many.
+/// Allocates memory for patches. Fails if there are too many.
 fn patches_with_capacity<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
     let count = (rows as u64).saturating_mul(columns as u64);
     Error::check_count("cells", count, MAX_NODES / (N * N) as u64)?;
     alloc::with_capacity(rows * columns)
 }
 
-/// u and v exchanged.
+/// Exchanges u and v.
 fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
     let [rows, columns] = patches.cells();
     let mut turned = patches_with_capacity(columns, rows)?;
@@ -439,7 +444,7 @@ fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Pat
     Ok(Patches::of(turned, columns, rows))
 }
 
-/// The sum of points by their weights.
+/// The weighted sum of points.
 fn combined(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
     (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
 }

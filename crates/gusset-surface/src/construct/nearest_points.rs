@@ -1,9 +1,9 @@
-//! The points of two curves of a net that are nearest to each other.
+//! The nearest points of two curves of a net.
 //!
-//! Best first branch and bound: the pair of boxes with the least gap is refined next. Invariant:
-//! the gap of a pair is a lower bound of the distance of its curves, so that the first one that is
-//! no better than the best answer ends the search. Cost: about O(log segments), [`MAX_SPLITS`]
-//! halvings of pairs at most.
+//! Best-first branch and bound: the pair of boxes with the smallest gap is refined next. Invariant:
+//! the gap of a pair is a lower bound of the distance of its curves. The search ends at the first
+//! pair whose gap is not below the best distance. Cost: about O(log segments), at most
+//! [`MAX_SPLITS`] splits.
 
 use super::net_curve::{CurvePlace, NetCurve, restricted};
 use crate::frontier::{BranchAndBound, Frontier};
@@ -13,15 +13,15 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::evaluate_with_slope;
 
-/// Pairs of parts that are split for two curves: curves that run together would take them without
-/// end.
+/// Largest number of pairs of parts that are split for two curves. Without a limit, curves that
+/// coincide would never end.
 const MAX_SPLITS: usize = 1 << 14;
-/// Halvings of a segment.
+/// Largest number of halvings of a segment.
 const MAX_SUBDIVISION_DEPTH: u32 = 48;
-/// Newton steps from a start.
+/// Largest number of Newton steps from a start.
 const NEWTON_STEPS: usize = 16;
 
-/// Boxes of the segments of a curve, of pairs of them, and so on up to that of all.
+/// A binary hierarchy of boxes over the segments of a curve.
 pub(super) struct Boxes {
     levels: Vec<Vec<Aabb>>,
 }
@@ -43,21 +43,21 @@ impl Boxes {
         self.levels[level][k]
     }
 
-    /// The one or two boxes that a box is of.
+    /// The one or two children of a box.
     fn children(&self, (level, k): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
         let count = self.levels[level - 1].len();
         (2 * k..(2 * k + 2).min(count)).map(move |child| (level - 1, child))
     }
 }
 
-/// The places where two curves are nearest.
+/// The places where two curves are nearest to each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearestPoints {
     pub(super) places: [CurvePlace; 2],
     pub(super) distance: f64,
 }
 
-/// Parts of two segments, one of each curve.
+/// A part of a segment of each curve.
 struct SegmentPair<const N: usize> {
     of: [usize; 2],
     points: [[DVec3; N]; 2],
@@ -66,14 +66,14 @@ struct SegmentPair<const N: usize> {
     depth: u32,
 }
 
-/// Pairs that may be nearer: boxes of segments, or parts of segments.
+/// A pair that may be closer: of boxes over segments, or of parts of segments.
 enum Task<const N: usize> {
     Boxes([(usize, usize); 2]),
     SegmentPair(Box<SegmentPair<N>>),
 }
 
-/// Finds where two curves are nearest, or a place where they are farther apart than there by
-/// `slack` at most: whatever may be nearest is looked at first.
+/// Finds the nearest points of two curves. Their distance exceeds the smallest one by at most
+/// `slack`.
 pub(super) fn nearest<const N: usize>(
     net_curves: [&NetCurve<N>; 2],
     boxes: [&Boxes; 2],
@@ -87,13 +87,13 @@ pub(super) fn nearest<const N: usize>(
     Ok(search.best)
 }
 
-/// The search of two curves.
+/// The search for the nearest points of two curves.
 struct NearestPointsSearch<'a, const N: usize> {
     net_curves: [&'a NetCurve<N>; 2],
     boxes: [&'a Boxes; 2],
     slack: f64,
     best: NearestPoints,
-    /// Among equal gaps the first one that was added comes first.
+    /// Among equal gaps, the pair added first comes first.
     frontier: Frontier<Task<N>, usize>,
     added: usize,
     splits: usize,
@@ -152,7 +152,7 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
         self.frontier.push(gap, self.added, task)
     }
 
-    /// Looks from the middle of parts.
+    /// Improves the best places by a descent from the middle of two parts.
     fn improve(&mut self, parts: &SegmentPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
         let found = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
@@ -164,7 +164,7 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
 }
 
 impl<const N: usize> SegmentPair<N> {
-    /// The halves of the longer one, each with the other.
+    /// Halves the longer part, and pairs each half with the other part.
     fn halves(&self) -> [SegmentPair<N>; 2] {
         let [a, b] = self.points.map(|points| Aabb::of(points).size().length_squared());
         let longer = usize::from(b > a);
@@ -178,8 +178,8 @@ impl<const N: usize> SegmentPair<N> {
     }
 }
 
-/// Goes from parameters of two segments to where they are nearest thereabouts: Gauss and Newton's
-/// steps, within 0 to 1.
+/// Descends from parameters of two segments to a local minimum of the distance, with Gauss-Newton
+/// steps within 0 to 1. Returns the parameters and the distance.
 fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
     let apart = |at: [f64; 2]| {
         let [[p, pd], [q, qd]] = [0, 1].map(|k| evaluate_with_slope(&segments[k], at[k]));

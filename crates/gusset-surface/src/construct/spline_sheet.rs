@@ -1,4 +1,4 @@
-//! Sheets of splines: of polynomial ones the pieces themselves, of rational ones what is near them.
+//! Sheets of splines: the exact pieces of polynomial splines, and approximations of rational ones.
 
 use super::rational;
 use super::spline::{Interval, Spline, SplineOptions, knots_of};
@@ -11,20 +11,22 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 impl Sheet<'static> {
-    /// The Bézier patches of a spline. If it has no weights, or weights that are all equal, these
-    /// are exact but for rounding, of the greater of the two degrees or 3; else of degree 7 and
-    /// within a proven distance, [`Sheet::deviation`].
+    /// Converts a spline to Bézier patches. If the spline lacks weights, or all weights are equal,
+    /// the patches are exact within rounding, and have degree 3 or the larger of the two degrees.
+    /// Otherwise they have degree 7, and approximate the spline within a proven distance,
+    /// [`Sheet::deviation`].
     ///
-    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes a cell up to degree 3, else 1536.
+    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes for each cell up to degree 3,
+    /// otherwise 1536.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7, and for a tolerance that is not
-    /// positive and finite, or below what rounding allows; [`Error::NetTooSmall`] for fewer control
-    /// points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot
-    /// that is not finite, that is less than the one before, or that is repeated too often, or
-    /// that begins a span too short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`];
-    /// [`Error::TooLarge`] for control points and for cells; [`Error::NotFinite`] with the control
-    /// point; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if a degree is 0 or above 7, or the tolerance is not positive
+    /// and finite, or smaller than rounding allows; [`Error::NetTooSmall`] for fewer control points
+    /// than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot that is
+    /// not finite, smaller than the previous one, repeated too often, or at the start of a span too
+    /// short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`]; [`Error::TooLarge`] for
+    /// control points and for cells; [`Error::NotFinite`] with the control point;
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_spline(spline: &Spline<'_>, options: &SplineOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
@@ -48,7 +50,7 @@ impl Sheet<'static> {
     }
 }
 
-/// The pieces of a spline that is not rational.
+/// The pieces of a polynomial spline.
 fn exact<const N: usize>(spline: &Spline<'_>, intervals: &[Vec<Interval>; 2], job: &Job<'_>) -> Result<Patches<N>> {
     let [p, q] = [0, 1].map(|k| spline.axes[k].degree);
     let [u, v] = spline.pieces(intervals)?;
