@@ -91,8 +91,8 @@ pub(crate) trait Cells<const N: usize>: Sync {
     }
 
     /// Fills in a box for each block of some rows of blocks, row by row. A box contains S - B over
-    /// all cells of its block, where S is the surface and B the bilinear patch through the cell's
-    /// corners, at equal parameters.
+    /// all cells of its block, at equal parameters. S is the surface, and B the bilinear patch
+    /// through the cell's corners.
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()>;
 
     /// Fills in boxes that contain S_u and S_v over all cells of each block, except for rounding.

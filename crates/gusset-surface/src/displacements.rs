@@ -6,10 +6,10 @@
 //! (C_k - L_k) + (sum w_k L_k - B).
 //!
 //! - C_k - L_k = b_1 d_1 + b_2 d_2. Here d are the differences of the inner Bézier points from the
-//!   thirds of the chord, and b are two Bernstein polynomials of degree 3, whose sum is at most
-//!   3/4. If a box contains all d, then 3/4 of the box, joined with 0, contains C_k - L_k. A
-//!   weighted sum of such vectors with sum w_k = 1 and sum |w_k| <= L lies in this smaller box,
-//!   enlarged by (L - 1) / 2 of its size at both ends.
+//!   thirds of the chord. The factors b are two Bernstein polynomials of degree 3, whose sum is at
+//!   most 3/4. If a box contains all d, then 3/4 of the box, joined with 0, contains C_k - L_k.
+//!   Consider weights with sum w_k = 1 and sum |w_k| <= L. The weighted sum of such vectors lies in
+//!   this smaller box, enlarged by (L - 1) / 2 of its size at both ends.
 //! - The second term is linear in v. At the two columns of the cell, it is the difference between
 //!   cubic and chord across the rows.
 //!

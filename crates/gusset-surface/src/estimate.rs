@@ -17,8 +17,9 @@ use std::ops::Range;
 const CELLS_PER_TASK: usize = 1 << 8;
 
 impl Sheet<'_> {
-    /// Estimates the interpolation error of each cell, row by row: the distance at equal parameters
-    /// between a grid's surface and the smooth surface that its nodes were sampled from.
+    /// Estimates the interpolation error of each cell, row by row. The error is the distance, at
+    /// equal parameters, between a grid's surface and the smooth surface that its nodes were
+    /// sampled from.
     ///
     /// The estimate is the difference between the quintic through six nodes in a row and the
     /// scheme's cubic, added for rows and columns. It is not a bound, because nodes do not
@@ -46,9 +47,9 @@ impl Sheet<'_> {
         })
     }
 
-    /// Bounds of the distance between the surface over the cell at (i, j) and two approximations,
-    /// at equal parameters: the bilinear patch through its corners, and either pair of triangles
-    /// that a diagonal splits the cell into.
+    /// Bounds the distance between the surface over the cell at (i, j) and two approximations, at
+    /// equal parameters. The first is the bilinear patch through the corners, the second either
+    /// pair of triangles that a diagonal splits the cell into.
     pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
         each_sheet!(self, cells => {
             let patch = Cells::patch(cells, i, j);

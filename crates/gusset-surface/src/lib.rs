@@ -1,9 +1,9 @@
 //! Smooth surfaces through nets of curves, and queries about them.
 //!
 //! The crate follows V. A. Leus, *Carcasses on smooth surfaces* (1976). The paper describes a
-//! surface by a net of coordinate curves, a *carcass*, and searches it by bounds of the diameters of
-//! cells. Here a [`Surface`] is a list of sheets, each with its net and a hierarchical index. The
-//! errata of the paper are in `docs/errata.md` and in [`mod@reference`].
+//! surface by a net of coordinate curves, a *carcass*, and searches it by bounds of the diameters
+//! of cells. Here a [`Surface`] is a list of sheets, each with its net and a hierarchical index.
+//! The errata of the paper are in `docs/errata.md` and in [`mod@reference`].
 //!
 //! | subject | where | task of the paper |
 //! |---|---|---|
@@ -11,7 +11,7 @@
 //! | sheets from curves, splines, tangents, frames | [`construct`] | |
 //! | sheets and their index | [`Surface`] | |
 //! | points, derivatives, normals, curvatures | [`Patch`], [`Jet`], [`Normal`], [`Curvatures`] | |
-//! | nearest points, local minima, cells within a distance | [`Closest`], [`Minima`], [`Region`] | a |
+//! | nearest points, minima, cells within a distance | [`Closest`], [`Minima`], [`Region`] | a |
 //! | isophotes, silhouettes | [`contour`] | b |
 //! | intersections with lines, rays and curves | [`line_intersection`] | c |
 //! | plane sections, contours of functions | [`contour`] | d |

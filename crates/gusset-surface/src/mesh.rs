@@ -40,7 +40,7 @@ impl Default for SurfaceMeshOptions {
 pub struct SurfaceMesh {
     /// The mesh, whose vertices are points of the surface. Faces are counter-clockwise seen from
     /// the side of S_u x S_v. The mesh is closed at poles and at seams of closed directions. It
-    /// lacks faces where the sheet has no extent.
+    /// lacks faces where the sheet is degenerate.
     pub mesh: Mesh,
     /// The place of each vertex; the sheet is 0.
     pub places: Vec<Place>,
@@ -61,9 +61,9 @@ pub struct ParameterLines {
     /// Lines in u and in v, each by its cell and the parameter within it, 0 to 1. Includes the
     /// lines that close the sheet.
     pub lines: [Vec<(u32, f64)>; 2],
-    /// For each face corner, the two lines that meet there: the index of the line of u, times the
-    /// number of lines of v, plus the index of the line of v. On a seam, each face refers to its
-    /// own side.
+    /// For each face corner, the two lines that meet there, as a single number: the index of the
+    /// line of u, times the number of lines of v, plus the index of the line of v. On a seam, each
+    /// face refers to its own side.
     pub corners: Vec<u32>,
 }
 

@@ -32,7 +32,7 @@ pub struct Normal {
     pub kind: NormalKind,
     /// For a limit: the largest angle to the limits at the same point along other coordinate lines.
     /// At the pole of a smooth surface the spread is small, and an error of the interpolant. It is
-    /// large at the apex of a cone, where the surface has no normal.
+    /// large at the apex of a cone, where the surface lacks a normal.
     pub spread: f64,
 }
 

@@ -109,7 +109,7 @@ pub(super) struct Gordon<const N: usize> {
     columns: Vec<Vec<Piece<N>>>,
     /// The nodes, row by row.
     nodes: Vec<DVec3>,
-    /// For each row and each column, whether it is a single point. Such curves do not affect
+    /// For each row and each column, whether it is a single point. These curves do not affect
     /// lengths and breaks.
     points: [Vec<bool>; 2],
 }

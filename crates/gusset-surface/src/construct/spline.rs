@@ -83,8 +83,7 @@ impl Spline<'_> {
         Ok([self.axes[0].pieces(&intervals[0], self.counts[0])?, self.axes[1].pieces(&intervals[1], self.counts[1])?])
     }
 
-    /// The index of the spline's control point with number a in u and b in v among those of a
-    /// piece.
+    /// The index, among the spline's control points, of point (a, b) of a piece's control net.
     pub(super) fn place(&self, rows: &Piece, columns: &Piece, a: usize, b: usize) -> usize {
         (rows.first + a) % self.counts[0] * self.counts[1] + (columns.first + b) % self.counts[1]
     }
@@ -157,8 +156,7 @@ impl SplineAxis<'_> {
         }
         if let (true, [first, .., last]) = (self.closed, &mut pieces[..]) {
             let passed = (first.first + count - last.first) % count;
-            // Of the first piece's control points, only those that the last piece has too have a
-            // weight.
+            // Only control points that both the first and the last piece depend on have a weight.
             for i in 0..=self.degree {
                 last.weights[self.degree][i] = if i >= passed { first.weights[0][i - passed] } else { 0.0 };
             }

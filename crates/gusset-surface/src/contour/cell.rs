@@ -12,7 +12,7 @@
 //! - *unresolved*: the field cannot be distinguished from 0, or the part is too small. The sign in
 //!   the middle determines how marks are linked, and the part is reported.
 //!
-//! Invariant: the marks of a part are those of its parent, and of the lines between parts, so that
+//! Invariant: a part takes its marks from its parent, and from the lines between parts, so that
 //! arcs of neighbouring parts join exactly. Monotonicity as a termination criterion: Alberti,
 //! Mourrain and Wintz (2008). Cost: O(M^3) for a split, at most [`MAX_PARTS`] parts.
 
@@ -170,7 +170,7 @@ impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearc
     }
 }
 
-/// True if the coefficients prove that the field has no zero.
+/// True if the coefficients prove that the field does not vanish.
 #[inline]
 pub(super) fn one_sign<const M: usize>(field: &Field<M>) -> bool {
     let [low, high] = field.range();

@@ -53,9 +53,9 @@ impl Lattice {
         at[0] * width + at[1]
     }
 
-    /// The cell that owns the side or corner after a cell in the given directions. Of the two cells
-    /// at a side, or four at a corner, the last one owns it; at an open edge, the first one. Also
-    /// returns whether the side is at the high end of its owner.
+    /// The cell that owns the side or corner after a cell in the given directions. The last of the
+    /// two cells at a side, or of the four at a corner, owns it; at an open edge, the first one.
+    /// Also returns whether the side is at the high end of its owner.
     pub(super) fn owner(&self, [i, j]: [usize; 2], [after_u, after_v]: [bool; 2]) -> ([usize; 2], [bool; 2]) {
         let along = |k: usize, after: bool, d: usize| match (after, k + 1 == self.counts[d]) {
             (false, _) => (k, false),

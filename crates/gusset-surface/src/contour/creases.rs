@@ -12,8 +12,8 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::f64::consts::PI;
 
-/// Finds cells, and the middles of their sides, where at both ends of the side the angle in one
-/// cell is below one of `angles`, and in the other cell above it.
+/// Finds creases, each as a cell and the middle of its side. At both ends of the side, the angle is
+/// below one of `angles` in one of the two cells, and above it in the other.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,

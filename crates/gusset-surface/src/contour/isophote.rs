@@ -4,8 +4,7 @@
 //! Let H be the component of N = S_u x S_v along the direction, and P the squared length of the
 //! component across it. The angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 =
 //! cos^2 alpha P. At 90 degrees this is H = 0. At 0 and 180 degrees, both components across vanish,
-//! which happens at isolated points. None of these equations suffers from cancellation at any
-//! angle.
+//! which happens at isolated points. These equations do not suffer from cancellation at any angle.
 
 use super::cone_culling;
 use super::contour_lattice::Lattice;
@@ -189,8 +188,8 @@ impl Surface<'_> {
     /// `angles` are in radians, ascending, from 0 to pi. If `unsigned`, a normal and its opposite
     /// are equivalent, and the largest angle is pi / 2.
     ///
-    /// The angles are those of the interpolant's normals, which are of third order. Normals at
-    /// nodes are of fourth order, and so are the [`Surface::contours`] of their cosines.
+    /// The angles refer to the interpolant's normals, which are of third order. Normals at nodes
+    /// are of fourth order, and so are the [`Surface::contours`] of their cosines.
     ///
     /// Finds every curve of a regular surface, like [`Surface::section`]. The normals of Bézier
     /// patches and of the four-point scheme are discontinuous across sides. Where the angle jumps

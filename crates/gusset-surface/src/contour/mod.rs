@@ -16,8 +16,8 @@
 //!
 //! Points are computed on the interpolant, so they are of fourth order. Chords between marks are of
 //! second order, so arcs are refined. Invariant: the sign of a polynomial at a corner, and its
-//! changes along a side, are decided once for all cells that share them, so that arcs join exactly.
-//! Cost: about O(blocks that a level may cross), and O(1) for each arc.
+//! changes along a side, are decided once for all cells there. Arcs therefore join exactly. Cost:
+//! about O(blocks that a level may cross), and O(1) for each arc.
 
 mod cell;
 mod cone_culling;

@@ -41,8 +41,8 @@ pub(super) trait Source<const M: usize>: Sync {
         None
     }
 
-    /// The coefficients of the field along a side, equal to the last bit to those of the cell's
-    /// field. Only for sources with [`Source::corner_test`].
+    /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
+    /// sources with [`Source::corner_test`].
     #[inline]
     fn along(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
@@ -105,7 +105,7 @@ pub(super) struct CornerTest {
     pub(super) levels: Range<usize>,
     /// The values at the corners 2 u + v, from which levels are subtracted.
     pub(super) corners: [f64; 4],
-    /// Bound of the difference between the coefficients and those of the bilinear field.
+    /// Bound of the difference between the coefficients of the field and of the bilinear field.
     pub(super) slack: f64,
     /// Values up to this may be 0.
     pub(super) rounding_error: f64,
@@ -314,7 +314,7 @@ where
         for (value, line) in values.iter_mut().zip(lines) {
             *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
         }
-        // The order of the sums is that of the window, so that results have the same bits.
+        // Sums in the same order as the window, so that results have the same bits.
         let sum = |weights: &[f64; TAPS]| weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x);
         let (inner, level) = ([sum(&weights[1]), sum(&weights[2])], self.levels[level]);
         [values[place] - level, inner[0] - level, inner[1] - level, values[place + 1] - level]

@@ -8,7 +8,7 @@
 //! A plane and an infinite line are projected to a point, so their parameters need no search. Rays
 //! and segments are curves, cut off where the surface ends. Invariant, the study's theorem T5: a
 //! pair of pieces is excluded only if hulls that contain the pieces are farther apart than the
-//! answer. The bound therefore holds whatever the search finds.
+//! answer. The bound therefore holds for any result of the search.
 
 mod control_net;
 mod descent;

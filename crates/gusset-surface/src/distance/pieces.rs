@@ -237,7 +237,7 @@ impl<'a> Pieces<'a> {
             }
             Source::Curve(curve) if to - from == 1 => {
                 let points = alloc::collect(curve.segment(from).iter().map(|&point| self.view.map(point)))?;
-                // A segment whose points coincide has no parameter.
+                // A segment whose points coincide lacks a parameter.
                 let count = if points.iter().all(|&point| point == points[0]) { 1 } else { points.len() };
                 let whereabouts = Whereabouts { number: from, ..Whereabouts::default() };
                 return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);

@@ -2,11 +2,11 @@
 //!
 //! The paper bounds the angle of normals over a region by curvature times diameter; cones (Shirman
 //! and Abi-Ezzi 1993) are tighter and need no bound of the curvature. For each block, `tangents`
-//! gives bounding boxes of S_u and S_v. In a frame whose third axis is close to the cross product
-//! of their centres, the component ranges of S_u and S_v bound the components of N = S_u x S_v, and
-//! so the largest angle between N and that axis. At each higher level, a cone encloses the cones of
-//! its four children. Invariant: rounding only widens a cone. O(n) to build, 8 bytes for each
-//! block.
+//! gives bounding boxes of S_u and S_v. A frame is chosen whose third axis is close to the cross
+//! product of their centres. In it, the component ranges of S_u and S_v bound the components of N =
+//! S_u x S_v, and so the largest angle between N and the axis. At each higher level, a cone
+//! encloses the cones of its four children. Invariant: rounding only widens a cone. O(n) to build,
+//! 8 bytes for each block.
 
 use super::super::cells::{BLOCK, Cells};
 use super::super::normal::angle;

@@ -161,8 +161,8 @@ impl Pyramid {
         self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])
     }
 
-    /// The cones, built at the first call. Two threads may build them at once, with equal bits.
-    /// Neither waits for the other, because the other may be its own caller.
+    /// The cones, built at the first call. Two threads may build them at once, with equal bits. A
+    /// thread does not wait for the other one, which may be its own caller.
     pub(crate) fn cones<const N: usize>(&self, cells: &impl Cells<N>, job: &Job<'_>) -> Result<&Cones> {
         if let Some(cones) = self.cones.get() {
             return Ok(cones);

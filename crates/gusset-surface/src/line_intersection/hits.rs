@@ -9,8 +9,8 @@ use gusset_base::sort;
 use std::cmp::Ordering;
 
 /// Largest length, in merge distances, of an unresolved hit that is a single point. A contact is
-/// longer, because its length is proportional to the square root of the distance. A short
-/// unresolved hit is due to parameters that are not regular, as at a pole.
+/// longer, because its length is proportional to the square root of the distance. Parameters that
+/// are not regular, as at a pole, cause a short unresolved hit.
 pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 
 /// Sine of the angle between line and surface above which the line crosses the surface.
@@ -218,7 +218,7 @@ impl LineRounding {
         2.0 * self.merge_distance.max(self.rounding_error / self.floor)
     }
 
-    /// False if a place is far from all sides, whatever the size of its cell.
+    /// False if a place is far from all sides in cells of any size.
     fn may_be_on_side(&self, place: Place, tolerance: f64) -> bool {
         is_near_side(place, (1e4 * tolerance / self.size).max(1e-7))
     }

@@ -245,7 +245,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         Ok(())
     }
 
-    /// The part of the line whose extent along the line equals that of the patch.
+    /// The part of the line beside the patch: both have the same extent along the line.
     fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));

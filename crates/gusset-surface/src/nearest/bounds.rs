@@ -2,8 +2,8 @@
 //!
 //! - *box*: the distance to the box of the control points. Their hull contains the patch.
 //! - *half-space*: let d be a unit vector from the patch towards q. Every point of the patch
-//!   satisfies
-//! q - S| >= (q - S) . d, which is at least the minimum over the control points P of (q - P) . d.
+//!   satisfies |q - S| >= (q - S) . d. This is at least the minimum of (q - P) . d over the control
+//!   points P.
 //! - *convexity*: let the Hessian of f = |S - q|^2 / 2 be at least m > 0 over the whole patch. Then
 //!   f >= f(x) - |g|^2 / (2 m) at any x, where g is the projected gradient. Close to a stationary
 //!   point x, this proves the minimum. The study (3.5) calls it the convexity certificate.
@@ -63,8 +63,8 @@ impl<const N: usize> Patch<N> {
     /// at one of its points.
     ///
     /// H_ab = S_a . S_b + (S - q) . S_ab. The deviations from place x obey |S_u - S_u(x)| <= |du|
-    /// max |S_uu| + |dv| max |S_uv|. |S - S(x)| is at most r, the largest distance of a control
-    /// point from S(x). So (S - q) . S_ab is within r max |S_ab| of (S(x) - q) . S_ab.
+    /// max |S_uu| + |dv| max |S_uv|. Let r be the largest distance of a control point from S(x),
+    /// which bounds |S - S(x)|. Then (S - q) . S_ab is within r max |S_ab| of (S(x) - q) . S_ab.
     pub(super) fn hessian_range(&self, query: DVec3, foot: &Foot) -> HessianRange {
         let p = &self.points;
         let from = foot.jet.point - query;

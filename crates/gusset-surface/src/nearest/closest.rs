@@ -61,7 +61,8 @@ impl Surface<'_> {
     }
 
     /// The length to which distances from a point are proven: the tolerance, or the rounding of
-    /// distances, which is a few units in the last place of the largest coordinate.
+    /// distances if that is larger. Rounding is a few units in the last place of the largest
+    /// coordinate.
     pub(super) fn query_tolerance(&self, query: DVec3) -> f64 {
         let rounding = 16.0 * f64::EPSILON * self.max_coordinate().max(query.abs().max_element());
         self.tolerance().max(rounding)

@@ -196,8 +196,8 @@ mod tests {
         })
     }
 
-    /// Compares with points of all cells: bounds of candidates hold, an excluded cell has no point
-    /// within the prune bound, and the upper bound is at least the smallest distance.
+    /// Compares with points of all cells. Bounds of candidates hold, excluded cells are beyond the
+    /// prune bound, and the upper bound is at least the smallest distance.
     #[test]
     fn no_cell_is_excluded_wrongly() {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);

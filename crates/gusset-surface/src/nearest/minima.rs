@@ -54,11 +54,10 @@ struct FoundMinimum {
 
 impl Surface<'_> {
     /// Returns the local minima of the distance from `query` that are at most `limit` away, the
-    /// nearest first: all of them, or the nearest `most` ones if `most` is not 0.
+    /// nearest first. If `most` is not 0, returns only the nearest `most` minima.
     ///
-    /// No minimum is missed. A place that is proven neither to be a minimum nor to be none is
-    /// returned with `proven` false. If `most` is given, cells farther than the last minimum are
-    /// not searched.
+    /// No minimum is missed. A place that may be a minimum, without proof, is returned with `proven`
+    /// false. If `most` is given, cells farther than the last minimum are not searched.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
@@ -227,7 +226,7 @@ impl MinimaSearch<'_> {
             let normal = self.surface.normal(place);
             points.push(Closest { place, point, normal, distance, bound, proven, is_ambiguous: !proven });
         }
-        // The global minimum is a local minimum, whatever the surface is like there.
+        // The global minimum is a local minimum on any surface.
         let reached = |point: &Closest, nearest: &Closest| point.distance <= nearest.distance + self.tolerance;
         if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
             points.push(nearest);

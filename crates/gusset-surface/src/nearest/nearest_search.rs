@@ -2,9 +2,11 @@
 //!
 //! Sheets are searched depth first, the nearest blocks first. This needs no queue, tests boxes in
 //! single precision, and soon yields a good answer. A long search moves the rest to the frontier:
-//! blocks, cells and parts of cells by rising lower bounds, until no bound is below the answer by
-//! more than the tolerance. Invariant: the distance of every point of the surface is at least the
-//! upper bound less the tolerance, or at least `settled`, or the point is in a waiting task.
+//! blocks, cells and parts of cells by rising lower bounds. It ends when no bound is below the
+//! answer by more than the tolerance.
+//!
+//! Invariant: a point of the surface is in a waiting task, or its distance is at least the upper
+//! bound less the tolerance, or at least `settled`.
 //!
 //! At a centre of curvature, all points of a patch are equally close, and bounds cannot separate
 //! its parts. The search then ends without proof after [`MAX_EVALUATIONS`] patches. It ends after

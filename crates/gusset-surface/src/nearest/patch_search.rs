@@ -1,7 +1,8 @@
 //! The proven nearest point of one patch.
 //!
-//! If the bounds at the foot of a descent (see `bounds`) prove too little for the tolerance, branch
-//! and bound splits the patch, down to 2^-26 of a side and at most [`MAX_PARTS`] parts.
+//! The bounds at the foot of a descent (see `bounds`) may prove too little for the tolerance.
+//! Branch and bound then splits the patch, down to 2^-26 of a side, into at most [`MAX_PARTS`]
+//! parts.
 
 use super::bounds::lower_bound;
 use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};

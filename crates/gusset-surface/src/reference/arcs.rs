@@ -108,13 +108,13 @@ impl Arcs {
     }
 }
 
-/// A bound of the angles between the tangents of an arc and the tangents at its ends: twice the
-/// half-angle of a cone that contains the legs of its control polygon.
+/// Bounds the angles between the tangents of an arc and the tangents at its ends. The bound is
+/// twice the half-angle of a cone that contains the legs of its control polygon.
 fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
     let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
     let longest = legs().map(DVec3::length).fold(0.0, f64::max);
     let Some(axis) = legs().sum::<DVec3>().try_normalize() else { return PI };
-    // A leg of length zero has no direction, because the derivative may vanish there.
+    // A leg of length zero lacks a direction, because the derivative may vanish there.
     if legs().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
         return PI;
     }

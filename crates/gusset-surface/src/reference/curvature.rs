@@ -1,11 +1,10 @@
 //! A bound of the principal curvatures, from control nets.
 //!
 //! The normal curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv)
-//! divided by
-//! a S_u + b S_v|^2. Let a^2 + b^2 = 1. The numerator is at most the larger eigenvalue of the matrix of |S_uu|, |S_uv|
-//! and |S_vv|. |a S_u + b S_v| is at least the smaller singular value of the mean of (S_u, S_v),
-//! less the deviation of both from their means. Parameters are scaled so that the means have length
-//! 1.
+//! divided by |a S_u + b S_v|^2. Let a^2 + b^2 = 1. The numerator is at most the larger eigenvalue
+//! of the matrix of |S_uu|, |S_uv| and |S_vv|. The root of the denominator is at least the smaller
+//! singular value of the mean of (S_u, S_v), less the deviation of both from their means.
+//! Parameters are scaled so that the means have length 1.
 
 use crate::cells::{Cells, by_cell};
 use crate::{Patch, Sheet, each_sheet};

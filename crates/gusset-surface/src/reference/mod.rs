@@ -10,9 +10,8 @@
 //! **Theorems.** Let O be the object, d_c the diameter of cell c, and d the largest diameter. Let
 //! B_J(A) be the cells [i - J, i + J - 1] x [j - J, j + J - 1] around node A = (i, j) that exist.
 //! - *T1, chains.* From a cell at A, a chain of at most J cells leads to any cell of B_J(A) by the
-//!   moves of the king. Consecutive cells share a point. Therefore |x - A| <= R_J(A) for all x in
-//!   B_J(A), where R_J(A) is the sum over k = 1..J of the largest d_c in ring k, which is at most J
-//!   d.
+//!   moves of the king. Consecutive cells share a point. Let R_J(A) be the sum over k = 1..J of the
+//!   largest d_c in ring k, which is at most J d. Then |x - A| <= R_J(A) for all x in B_J(A).
 //! - *T2, incidence.* If R_J(A) < dist(A, O) - tau, all x in B_J(A) have dist(x, O) > tau, because
 //!   distance is 1-Lipschitz. The scan keeps every cell with a point within tau.
 //! - *T3, nearest.* Let rho be the smallest distance found so far. R_J(A) < dist(A, O) - rho
@@ -20,9 +19,9 @@
 //!   minimum.
 //! - *T4, angles.* Replace points by normals: |angle(N, direction) - alpha| is 1-Lipschitz in N,
 //!   and the variation of a cell's normals takes the place of its diameter.
-//! - *Curves.* All theorems hold for curves, whose points are the nodes, and whose arcs with their
-//!   lengths are the cells: see [`Arcs`]. Distances are also measured from curves and surfaces: see
-//!   [`Figure`].
+//! - *Curves.* All theorems hold for curves: their points are the nodes, their arcs the cells, and
+//!   lengths of arcs the diameters. See [`Arcs`]. Distances are also measured from curves and
+//!   surfaces: see [`Figure`].
 //! - *T5, hierarchy.* A block may be excluded by any set that contains it. Balls of radius J d
 //!   around nodes are one choice; the index uses boxes.
 //!

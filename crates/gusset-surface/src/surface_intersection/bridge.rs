@@ -29,7 +29,7 @@ const POINT_RESOLUTIONS: f64 = 8.0;
 /// distance from the longer chain, both in resolutions.
 const REPEATED_RESOLUTIONS: [f64; 2] = [8.0, 2.0];
 
-/// What bridges need to know of the intersected surfaces.
+/// The properties of the intersected surfaces that bridges depend on.
 pub(super) trait Surroundings {
     /// The sheets of a pair of cells.
     fn sheets(&self, pair: u32) -> [u32; 2];
@@ -339,7 +339,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(pairs)
     }
 
-    /// For each ball, whether a joint explains it. Such a ball is hardly larger than the
+    /// For each ball, whether a joint explains it. An explained ball is hardly larger than the
     /// resolution, and a chain passes through it, as at poles.
     pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
         let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);

@@ -6,10 +6,10 @@
 //!   compared along it.
 //! - *A graph*: the free parameter is the one along which the curve runs. The equation is
 //!   multiplied by the inverse of the derivatives with respect to the other three parameters, x, in
-//!   the middle. If the derivatives with respect to x stay near the identity (a dominant diagonal)
-//!   all over the box, then x is a function of the free parameter on the solutions, and loops are
-//!   impossible. The difference quotients of any two solutions obey the same bounds as the slopes.
-//!   They tell whether the curve can return through a side that it left by.
+//!   the middle. Suppose that the derivatives with respect to x stay near the identity (a dominant
+//!   diagonal) all over the box. Then x is a function of the free parameter on the solutions, and
+//!   loops are impossible. The difference quotients of any two solutions obey the same bounds as
+//!   the slopes. They tell whether the curve can return through a side that it left by.
 //!
 //! A - B is a difference of functions of different parameters. Its bounds are therefore sums of
 //! bounds over control nets.
@@ -135,7 +135,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     }
 
     /// True if a direction that [`ParameterBox::prove`] does not try for graphs proves the box
-    /// empty: the cross products with the derivative along which the curve runs, and those of
+    /// empty. Tries the cross products with the derivative along which the curve runs, and
     /// [`Self::is_beside`].
     pub(super) fn is_apart(&self, frame: &Frame, rounding_error: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);

@@ -57,8 +57,8 @@ impl Frame {
 
     /// The step to the solution nearest to another point, which is `away` from A.
     ///
-    /// It combines two steps: to A = B with one parameter fixed, the one along which the curve
-    /// mainly runs, and then along the curve as along a line.
+    /// It combines two steps. The first leads to A = B, with the parameter fixed along which the
+    /// curve mainly runs. The second leads along the curve as along a line.
     pub(super) fn step_towards(&self, away: DVec3) -> DVec4 {
         let (tangent, direction) = (self.tangent(), self.direction());
         let fixed = (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best });

@@ -1,11 +1,11 @@
 //! A piece of a surface as the graph of a height over a plane: bounds of its derivatives.
 //!
 //! Where x_u y_v - x_v y_u is not 0, S(u, v) = (x, y, z) is the graph of a height h(x, y) over the
-//! plane of x and y. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y. For its
-//! second derivatives, subtract from the second derivatives of z the slopes times those of x and y.
-//! Then apply the derivatives of (u, v) with respect to (x, y) twice. In interval arithmetic, the
-//! results are bounds over the whole piece. The difference of two such bounds bounds the relative
-//! second form of two surfaces that touch.
+//! plane of x and y. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y. To obtain
+//! its second derivatives, subtract from z_uu the slopes times x_uu and y_uu, and likewise for uv
+//! and vv. Then apply the derivatives of (u, v) with respect to (x, y) twice. In interval
+//! arithmetic, the results are bounds over the whole piece. The difference of two such bounds
+//! bounds the relative second form of two surfaces that touch.
 //!
 //! Cost: O(N^3) for a piece of degree N - 1.
 

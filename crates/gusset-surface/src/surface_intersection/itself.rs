@@ -48,14 +48,14 @@ impl Surface<'_> {
     /// Finds every branch longer than the tolerance outside the cells in `unresolved`. A tolerance
     /// above the surface's own one is reduced to it.
     ///
-    /// Pieces that are joined count as one. Joined are: cells with a common side or corner, also
-    /// across a seam; opposite borders of a sheet whose control points agree within rounding, in
-    /// either order; and cells around a pole. Joined cells that are proven to have no other common
-    /// points are skipped.
+    /// Pieces that are joined count as one. Cells are joined if they share a side or a corner, also
+    /// across a seam, or if they are around the same pole. Opposite borders of a sheet are joined
+    /// if their control points agree within rounding, in either order. Joined cells that are proven
+    /// to have no other common points are skipped.
     ///
     /// The proof fails where the tangents are dependent, as at a crease, or where a curve ends in a
-    /// pinch point (Whitney's umbrella). Such a cell is in `unresolved`, and curves end within the
-    /// tolerance of the place. The same holds for cells that touch or coincide. Borders that
+    /// pinch point (Whitney's umbrella). The cell is then listed in `unresolved`, and curves end
+    /// within the tolerance of the place. Cells that touch or coincide are listed too. Borders that
     /// different sheets share count as intersections.
     ///
     /// Time and memory are proportional to the number of cells and of pairs of cells that may meet,

@@ -203,7 +203,7 @@ impl Joints {
 /// The relation of two parts of cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Meeting {
-    /// They have no points in common by declaration.
+    /// They do not have points in common by declaration.
     Apart,
     /// They are equal, or share a side or a corner.
     Joined(Joint),

@@ -41,7 +41,7 @@ impl Links {
         }
     }
 
-    /// Whether arc `end` has no successor, and arc `start` no predecessor.
+    /// Whether arc `end` lacks a successor, and arc `start` a predecessor.
     pub(super) fn are_free(&self, end: u32, start: u32) -> bool {
         self.after[end as usize] == NONE && self.before[start as usize] == NONE
     }

@@ -1,21 +1,21 @@
 //! Task e) of the paper: intersections of two surfaces.
 //!
 //! 1. Both pyramids are descended together to find the pairs of cells that may meet (`pairs`).
-//! 2. Over a pair, the points with A(s, t) = B(u, v) are curves in four parameters. A box of parameters
-//!    is excluded, or proven to contain a graph (`chart`), whose arc is followed from side to side
-//!    (`arc`). Other boxes are halved (`solve`).
-//! 3. Unresolved boxes are clustered. The relative second form resolves clusters (`contact`, `graph`):
-//!    points where the surfaces touch, and points where branches cross.
-//! 4. Arcs are chained (`intersection_chain`, `links`), also through crossings and across unresolved
-//!    places (`bridge`).
+//! 2. Over a pair, the points with A(s, t) = B(u, v) are curves in four parameters. A box of
+//!    parameters is excluded, or proven to contain a graph (`chart`), whose arc is followed from
+//!    side to side (`arc`). Other boxes are halved (`solve`).
+//! 3. Unresolved boxes are clustered. The relative second form resolves clusters (`contact`,
+//!    `graph`): points where the surfaces touch, and points where branches cross.
+//! 4. Arcs are chained (`intersection_chain`, `links`), also through crossings and across
+//!    unresolved places (`bridge`).
 //!
 //! Proven: every common point of the given surfaces lies in a pair of cells of step 1. It lies in a
-//! box with an arc through it, or in a box shorter than the resolution, or within the radius of a
-//! contact, or in a cell reported as unresolved. Bounds are computed in double precision, with an
-//! allowance for rounding (`rounding_error`).
+//! box whose arc was found or is shorter than the resolution, within the radius of a contact, or in
+//! a cell reported as unresolved. Bounds are computed in double precision, with an allowance for
+//! rounding (`rounding_error`).
 //!
-//! One decision is made from points and is not proven: whether a curve closer to a side of a box
-//! than a thousandth of the resolution runs along the side, touches it or crosses it. The decision
+//! One decision is made from points and is not proven. If a curve is closer to a side of a box than
+//! a thousandth of the resolution, it may run along the side, touch it or cross it. The decision
 //! assigns the curve to one of the boxes on both sides. A curve along a side is found from both,
 //! and kept once (`overlap`).
 //!
@@ -106,10 +106,10 @@ impl Surface<'_> {
     /// option and the surfaces' own).
     ///
     /// `contacts` holds the points where, within the tolerance, the surfaces touch or two branches
-    /// cross. A contact requires that the surfaces are graphs over a plane there, and that the
-    /// difference of their second derivatives is proven definite or indefinite over the whole
-    /// unresolved neighbourhood. Surfaces that overlap by more than the tolerance meet in a curve
-    /// instead. Surfaces that are farther apart do not meet.
+    /// cross. At a contact, the surfaces are graphs over a plane, and the difference of their
+    /// second derivatives is proven definite or indefinite over the whole unresolved neighbourhood.
+    /// Surfaces that overlap by more than the tolerance meet in a curve instead. Surfaces that are
+    /// farther apart do not meet.
     ///
     /// The radius of a contact is at most about four times sqrt(2 tolerance / k), where k is the
     /// smallest curvature of the difference. Inside it, the curve is omitted, and a path that
@@ -118,11 +118,11 @@ impl Surface<'_> {
     /// leads back to it, so that a figure of eight becomes two closed paths with a common point. If
     /// no neighbour leads back, paths are as straight as possible.
     ///
-    /// `unresolved` holds the cells of this surface where the surfaces coincide, or touch along a
-    /// curve, at a pole, at the border of a sheet or to a higher order. Curves may end there. They
-    /// are joined across such a place if a chord is as close to both surfaces as elsewhere. Points
-    /// are on this surface. They agree with the places on the other surface within rounding, and at
-    /// crossings within the tolerance.
+    /// `unresolved` holds the cells of this surface where the surfaces coincide or touch in another
+    /// way: along a curve, at a pole, at the border of a sheet or to a higher order. Curves may end
+    /// there. They are joined across such a place if a chord is as close to both surfaces as
+    /// elsewhere. Points are on this surface. They agree with the places on the other surface
+    /// within rounding, and at crossings within the tolerance.
     ///
     /// Time and memory are proportional to the number of pairs of cells within the tolerance of
     /// each other, with a limit for each pair. Surfaces that coincide have many such pairs.

@@ -3,8 +3,8 @@
 //! Let the parts P and Q of equal size be the same, or share a side or a corner, so that S(p) =
 //! S(q) for p = q. To prove that they have no other common points, find two rows L for which the
 //! derivatives of L S have a dominant diagonal over both parts. The way from p to q through a
-//! common point is monotone in each parameter, so L S(q) - L S(p) = M d, where the entries of M
-//! obey the bounds of the derivatives. M d = 0 requires |m_11| |d_1| <= |m_12| |d_2| and |m_22|
+//! common point is monotone in each parameter. So L S(q) - L S(p) = M d, and the entries of M obey
+//! the bounds of the derivatives. M d = 0 requires |m_11| |d_1| <= |m_12| |d_2| and |m_22|
 //! |d_2| <= |m_21| |d_1|. If min |m_11| min |m_22| > max |m_12| max |m_21|, only d = 0 satisfies
 //! both. L is the inverse of the tangents in the middle. This is the mean value theorem on a convex
 //! set of parameters; for the dominance see Hanniel and Elber (2007, "Subdivision termination
@@ -94,8 +94,8 @@ impl NearPair<'_> {
         Ok(())
     }
 
-    /// True if both parts are within half the resolution of one line. So close to a pinch point, all
-    /// parts are within the resolution of each other, whatever their size.
+    /// True if both parts are within half the resolution of one line. All parts so close to a pinch
+    /// point, of any size, are within the resolution of each other.
     fn is_thin<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
         let [centre, u, v] = part.nets.a.tangents(0.5, 0.5);
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };

@@ -1,6 +1,6 @@
 //! Joins arcs of self-intersections to paths.
 //!
-//! The two pieces of surface at an arc have no order, so the direction of N_A x N_B is arbitrary.
+//! The two pieces of surface at an arc are not ordered, so the direction of N_A x N_B is arbitrary.
 //! An arc therefore has two equal ends instead of a start and an end. Ends are joined by their
 //! positions, directions, and pairs of tangent planes.
 //!

@@ -7,8 +7,8 @@
 //! derivatives at both ends would give 3.9e-3.
 //!
 //! The piece is a tensor product. Its sides depend only on the rational sides, and its cross
-//! derivatives only on the rational ones there. Adjacent pieces therefore share their sides, and
-//! tangents are continuous wherever those of the rational surface are.
+//! derivatives only on the rational ones there. Adjacent pieces therefore share their sides. Their
+//! tangents are continuous wherever the tangents of the rational surface are.
 
 use super::super::spline::Net;
 use crate::MAX_DEGREE;
@@ -22,8 +22,8 @@ use gusset_base::geom::linear::dense::Dense;
 /// and value at 1.
 const DATA: usize = MAX_DEGREE + 1;
 
-/// The inner parameters: the zeros of (1 - t^2)^2 (t^2 - A) (t^2 - B) over -1 <= t <= 1, with A =
-/// 0.048143381178 and B = 0.393282575607, for which all extrema have equal magnitude.
+/// The inner parameters: the zeros of (1 - t^2)^2 (t^2 - A) (t^2 - B) over -1 <= t <= 1. For A =
+/// 0.048143381178 and B = 0.393282575607, all extrema have equal magnitude.
 const WITHIN: [f64; 4] =
     [0.186_438_771_685_935_4, 0.390_291_999_860_562_7, 0.609_708_000_139_437_3, 0.813_561_228_314_064_6];
 
