@@ -110,7 +110,7 @@ impl Origins {
         let mut faces = Table::with_capacity(mesh.face_count(), mesh.face_count())?;
         for (f, range) in mesh.face_offsets.windows(2).enumerate() {
             job.part(0.3, 1.0).step_within(f, STAGE)?;
-            let (cell, parameters) = lines.of_face(range[0] as usize..range[1] as usize);
+            let (cell, parameters) = lines.face_parameters(range[0] as usize..range[1] as usize);
             for place in parameters {
                 corners.push(nodes(cell, place))?;
             }

@@ -75,8 +75,8 @@ impl Axis {
                 axis.weights[place] = weights(place, nodes, nodes.min(5), nodes.min(4), scheme);
             }
         }
-        axis.lebesgue = axis.weights.iter().map(|of| most(of, |_| true)).fold(1.0, f64::max);
-        let others = |(place, of)| most(of, |node| node != place && node != place + 1);
+        axis.lebesgue = axis.weights.iter().map(|of| max_weight_sum(of, |_| true)).fold(1.0, f64::max);
+        let others = |(place, of)| max_weight_sum(of, |node| node != place && node != place + 1);
         axis.outside = axis.weights.iter().enumerate().map(others).fold(0.0, f64::max);
         axis
     }
@@ -85,7 +85,7 @@ impl Axis {
     ///
     /// # Errors
     /// [`Error::NetTooSmall`] below [`Axis::least_lines`].
-    pub(crate) fn pair([rows, columns]: [usize; 2], closed: [bool; 2], scheme: Scheme) -> Result<[Axis; 2]> {
+    pub(crate) fn new_pair([rows, columns]: [usize; 2], closed: [bool; 2], scheme: Scheme) -> Result<[Axis; 2]> {
         if rows < Axis::least_lines(closed[0]) || columns < Axis::least_lines(closed[1]) {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }
@@ -154,7 +154,7 @@ impl Axis {
     }
 
     /// All lines that a range of intervals depends on, each line once.
-    pub(crate) fn lines_of(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
+    pub(crate) fn lines_for(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
         let (before, count) = if self.closed {
             let distinct = self.lines - 1;
             (cells.start + 2 * distinct - 2, (cells.len() + TAPS - 1).min(distinct))
@@ -173,14 +173,14 @@ impl Axis {
     }
 
     /// The largest sum of the absolute weights of an interval's nodes, without the two at its ends.
-    pub(crate) fn outside(&self) -> f64 {
+    pub(crate) fn outer_lebesgue(&self) -> f64 {
         self.outside
     }
 }
 
 /// Upper bound of the sum of |w_k(t)| over selected nodes k, for 0 <= t <= 1. Bounds each sixteenth
 /// of the interval by its Bézier points.
-fn most(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
+fn max_weight_sum(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
     let mut worst = 0.0_f64;
     for piece in 0..16 {
         let (from, to) = (f64::from(piece) / 16.0, f64::from(piece + 1) / 16.0);

@@ -5,20 +5,20 @@ use gusset_base::error::{Element, Error, Result};
 use std::borrow::Borrow;
 
 /// Returns the unit vector of a direction.
-pub(super) fn direction(given: DVec3, option: &'static str) -> Result<DVec3> {
-    finite(given, option)?;
+pub(super) fn unit_vector(given: DVec3, option: &'static str) -> Result<DVec3> {
+    check_finite(given, option)?;
     // Scaling first avoids overflow and underflow.
     let largest = given.abs().max_element();
     Error::require(largest > 0.0, option, 0.0)?;
     Ok((given / largest).normalize())
 }
 
-pub(super) fn finite(given: DVec3, option: &'static str) -> Result<()> {
+pub(super) fn check_finite(given: DVec3, option: &'static str) -> Result<()> {
     given.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))
 }
 
 /// Checks that levels (planes, angles, values) are finite and strictly increasing.
-pub(super) fn rising(levels: &[f64], option: &'static str) -> Result<()> {
+pub(super) fn check_ascending(levels: &[f64], option: &'static str) -> Result<()> {
     let rises = |k: usize| levels[k].is_finite() && (k == 0 || levels[k] > levels[k - 1]);
     (0..levels.len()).try_for_each(|k| Error::require(rises(k), option, levels[k]))
 }

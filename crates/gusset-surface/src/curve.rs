@@ -43,11 +43,11 @@ pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme, job: &Job<'_
         let (lines, weights) = axis.taps(cell);
         [nodes[cell], inner(&weights[1], &lines), inner(&weights[2], &lines), nodes[cell + 1]]
     });
-    joined(segments, axis.cells(), closed, job)
+    join_segments(segments, axis.cells(), closed, job)
 }
 
 /// Joins segments of equal degree, each of which begins where the previous one ends.
-fn joined<const N: usize>(
+fn join_segments<const N: usize>(
     segments: impl Iterator<Item = [DVec3; N]>,
     count: usize,
     closed: bool,
@@ -94,7 +94,7 @@ impl Sheet<'_> {
                 0 => Cells::patch(cells, line, k).transposed(),
                 _ => Cells::patch(cells, k, line),
             };
-            joined((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed, job)
+            join_segments((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed, job)
         })
     }
 }

@@ -25,15 +25,15 @@ use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
 /// Weights that compute the differences of the inner Bézier points from the thirds of the chord.
-fn bend(weights: &Weights) -> Sums<2> {
+fn chord_deviation_weights(weights: &Weights) -> Sums<2> {
     let [start, first, second, end] = weights;
-    let mut bend = [[0.0; TAPS]; 2];
+    let mut deviation = [[0.0; TAPS]; 2];
     for k in 0..TAPS {
         let third = (end[k] - start[k]) / 3.0;
-        bend[0][k] = first[k] - start[k] - third;
-        bend[1][k] = second[k] - end[k] + third;
+        deviation[0][k] = first[k] - start[k] - third;
+        deviation[1][k] = second[k] - end[k] + third;
     }
-    bend
+    deviation
 }
 
 /// Computes the displacement boxes of the blocks in some rows of blocks, row by row.
@@ -43,23 +43,23 @@ pub(super) fn displacements(
     block_rows: Range<usize>,
     boxes: &mut [Aabb],
 ) -> Result<()> {
-    let sweep = Sweep { nodes, u, v, sums: bend };
+    let sweep = Sweep { nodes, u, v, sums: chord_deviation_weights };
     let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
-    sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
-    sweep.across_blocks(block_rows, |k, columns, ranges| {
-        let across = ranges.over(columns.start..columns.end + 1);
-        boxes[k] = widened(shrunk(along[k]), u.lebesgue()).sum(shrunk(across));
+    sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
+    sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
+        let across = ranges.bounding_box(columns.start..columns.end + 1);
+        boxes[k] = enlarged_box(three_quarter_box(along[k]), u.lebesgue()).sum(three_quarter_box(across));
     })
 }
 
 /// A box that contains every weighted sum of points of `bounds` whose weights sum to 1 and whose
 /// absolute weights sum to at most `lebesgue`.
-pub(super) fn widened(bounds: Aabb, lebesgue: f64) -> Aabb {
+pub(super) fn enlarged_box(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
     Aabb { low: bounds.low - more, high: bounds.high + more }
 }
 
 /// 3/4 of a box, joined with 0.
-fn shrunk(bounds: Aabb) -> Aabb {
+fn three_quarter_box(bounds: Aabb) -> Aabb {
     Aabb { low: (0.75 * bounds.low).min(DVec3::ZERO), high: (0.75 * bounds.high).max(DVec3::ZERO) }
 }

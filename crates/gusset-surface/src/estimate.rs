@@ -34,10 +34,10 @@ impl Sheet<'_> {
         let Sheet::Grid(grid) = self else {
             return alloc::filled(0.0, rows * columns);
         };
-        let defects = grid.axes().map(Defects::of);
+        let defects = grid.axes().map(QuinticDefects::new);
         by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
-            let along = |row: usize, j: usize| defects[1].along(j, |column| grid.nodes().get(row, column));
-            let across = |column: usize| defects[0].along(i, |row| grid.nodes().get(row, column));
+            let along = |row: usize, j: usize| defects[1].largest_difference(j, |column| grid.nodes().get(row, column));
+            let across = |column: usize| defects[0].largest_difference(i, |row| grid.nodes().get(row, column));
             let mut left = across(0);
             for (j, error) in errors.iter_mut().enumerate() {
                 let right = across(j + 1);
@@ -82,12 +82,16 @@ impl Sheet<'_> {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn crease(&self, job: &Job<'_>) -> Result<f64> {
-        each_sheet!(self, cells => crease_of(cells, self.is_closed(), job))
+        each_sheet!(self, cells => crease_of_cells(cells, self.is_closed(), job))
     }
 }
 
 /// Computes [`Sheet::crease`]: compares each cell with the next ones in u and in v.
-fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool; 2], job: &Job<'_>) -> Result<f64> {
+fn crease_of_cells<const N: usize>(
+    cells: &impl Cells<N>,
+    [closed_u, closed_v]: [bool; 2],
+    job: &Job<'_>,
+) -> Result<f64> {
     let [rows, columns] = cells.counts();
     let in_chunk = |range: Range<usize>| {
         let mut worst = CreaseAngle::default();
@@ -132,14 +136,14 @@ impl CreaseAngle {
 
 /// Weights of the difference between the quintic and the scheme's cubic, at three parameters of
 /// each interval of an axis.
-struct Defects<'a> {
+struct QuinticDefects<'a> {
     axis: &'a Axis,
     /// Indexed by the position of the interval among its nodes; `None` if there are too few nodes.
     weights: Option<[[[f64; TAPS]; 3]; TAPS - 1]>,
 }
 
-impl<'a> Defects<'a> {
-    fn of(axis: &'a Axis) -> Self {
+impl<'a> QuinticDefects<'a> {
+    fn new(axis: &'a Axis) -> Self {
         let nodes = if axis.is_closed() { TAPS } else { TAPS.min(axis.cells() + 1) };
         let mut weights = [[[0.0; TAPS]; 3]; TAPS - 1];
         for (place, at) in weights.iter_mut().enumerate() {
@@ -156,11 +160,11 @@ impl<'a> Defects<'a> {
                 }
             }
         }
-        Defects { axis, weights: (nodes >= 5).then_some(weights) }
+        QuinticDefects { axis, weights: (nodes >= 5).then_some(weights) }
     }
 
     /// The largest difference in an interval of a line of nodes.
-    fn along(&self, cell: usize, node: impl Fn(usize) -> DVec3) -> f64 {
+    fn largest_difference(&self, cell: usize, node: impl Fn(usize) -> DVec3) -> f64 {
         let Some(all) = &self.weights else { return f64::INFINITY };
         let nodes = self.axis.taps(cell).0.map(node);
         let difference = |weights: &[f64; TAPS]| weights.iter().zip(&nodes).map(|(&w, &node)| w * node).sum::<DVec3>();

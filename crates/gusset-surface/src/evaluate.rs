@@ -108,7 +108,7 @@ impl Surface<'_> {
     }
 
     /// Whether a place exists: its sheet and cell exist, and its parameters are between 0 and 1.
-    pub fn has(&self, place: &Place) -> bool {
+    pub fn has_place(&self, place: &Place) -> bool {
         let within = |t: f64| (0.0..=1.0).contains(&t);
         let sheet = place.sheet as usize;
         sheet < self.len() && within(place.u) && within(place.v) && {
@@ -133,7 +133,7 @@ impl Surface<'_> {
     /// [`Error::NoSuch`] with the first place that does not exist, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<LocalGeometry>> {
-        if let Some(index) = places.iter().position(|place| !self.has(place)) {
+        if let Some(index) = places.iter().position(|place| !self.has_place(place)) {
             return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
         let mut all = alloc::with_capacity(places.len())?;

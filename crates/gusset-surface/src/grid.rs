@@ -38,7 +38,7 @@ impl<'a> Grid<'a> {
     /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart) with the place of
     /// the largest gap, if a closed direction does not end where it begins.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
-        let [u, v] = Axis::pair([nodes.rows(), nodes.columns()], closed, scheme)?;
+        let [u, v] = Axis::new_pair([nodes.rows(), nodes.columns()], closed, scheme)?;
         nodes.check_finite()?;
         nodes.check_closed(closed)?;
         Ok(Grid { nodes, u, v })
@@ -75,7 +75,7 @@ impl<'a> Grid<'a> {
             if direct[0].is_none() { rows.map(|row| self.nodes.read(row, &columns)) } else { [[0.0; 3 * TAPS]; TAPS] };
         let nodes: [&Window; TAPS] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
         let (row, column) = (self.u.place(i), self.v.place(j));
-        let inner = [blended(&row_weights[1], &nodes), blended(&row_weights[2], &nodes)];
+        let inner = [weighted_sum(&row_weights[1], &nodes), weighted_sum(&row_weights[2], &nodes)];
         let mut points = [[DVec3::ZERO; 4]; 4];
         for (points, line) in points.iter_mut().zip([nodes[row], &inner[0], &inner[1], nodes[row + 1]]) {
             *points = bezier(line, column, column_weights);
@@ -86,7 +86,7 @@ impl<'a> Grid<'a> {
 
 /// The weighted sum of lines of nodes.
 #[inline(always)]
-fn blended(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
+fn weighted_sum(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
     let mut sum = [0.0; 3 * TAPS];
     for (weight, line) in weights.iter().zip(lines) {
         sum.iter_mut().zip(*line).for_each(|(sum, x)| *sum += weight * x);

@@ -70,7 +70,7 @@ pub struct ParameterLines {
 impl ParameterLines {
     /// The cell that contains a face, and the parameters of the face's corners within it. `corners`
     /// is the range of the face's corners in the mesh.
-    pub fn of_face(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
+    pub fn face_parameters(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
         let across = self.lines[1].len();
         let at = move |corner: usize| [self.corners[corner] as usize / across, self.corners[corner] as usize % across];
         // Each line of the cell contains at least one of any three corners.
@@ -86,10 +86,10 @@ impl ParameterLines {
 
 /// Bounds of the second derivatives S_uu, S_uv, S_vv.
 #[derive(Clone, Copy, Default)]
-struct Bend([f64; 3]);
+struct DerivativeBounds([f64; 3]);
 
-impl Bend {
-    fn of<const N: usize>(patch: &Patch<N>) -> Bend {
+impl DerivativeBounds {
+    fn from_patch<const N: usize>(patch: &Patch<N>) -> DerivativeBounds {
         let (points, degree) = (&patch.points, (N - 1) as f64);
         let mut squares = [0.0_f64; 3];
         for (a, b) in (0..N).flat_map(|a| (0..N).map(move |b| (a, b))) {
@@ -107,7 +107,7 @@ impl Bend {
             }
         }
         let [uu, uv, vv] = squares.map(f64::sqrt);
-        Bend([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
+        DerivativeBounds([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
     }
 
     /// Bound of the distance between the surface and the triangles, if a cell has m x n parts.
@@ -127,12 +127,12 @@ impl Sheet<'_> {
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require(!options.least.contains(&0), "parts", 0.0)?;
-        let lattice = Lattice::new(self, options, &job.part(0.0, 0.3))?;
+        let lattice = MeshLattice::new(self, options, &job.part(0.0, 0.3))?;
         lattice.mesh(options.triangles, &job.part(0.3, 1.0))
     }
 
-    fn bend(&self, i: usize, j: usize) -> Bend {
-        each_sheet!(self, cells => Bend::of(&Cells::patch(cells, i, j)))
+    fn derivative_bounds(&self, i: usize, j: usize) -> DerivativeBounds {
+        each_sheet!(self, cells => DerivativeBounds::from_patch(&Cells::patch(cells, i, j)))
     }
 }
 
@@ -158,7 +158,7 @@ fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Re
 }
 
 /// The parameter lines of a mesh of a sheet.
-struct Lattice<'a> {
+struct MeshLattice<'a> {
     sheet: &'a Sheet<'a>,
     /// Lines in u and in v, without the lines that close the sheet.
     lines: [Vec<Line>; 2],
@@ -170,7 +170,7 @@ struct Lattice<'a> {
     deviation: f64,
 }
 
-impl<'a> Lattice<'a> {
+impl<'a> MeshLattice<'a> {
     fn new(sheet: &'a Sheet<'a>, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = sheet.cells();
         let [least_u, least_v] = options.least.map(f64::from);
@@ -180,7 +180,7 @@ impl<'a> Lattice<'a> {
         for i in 0..rows {
             job.step(0.8 * i as f64 / rows as f64, "bounding second derivatives")?;
             for j in 0..columns {
-                let bend = sheet.bend(i, j);
+                let bend = sheet.derivative_bounds(i, j);
                 parts[0][i] = parts[0][i].max(least(bend.0[0]));
                 parts[1][j] = parts[1][j].max(least(bend.0[2]));
                 bends.push(bend);
@@ -207,11 +207,11 @@ impl<'a> Lattice<'a> {
         let (lines_u, points_u) = lines(sheet, 0, &parts[0], counts[0] as usize)?;
         let (lines_v, points_v) = lines(sheet, 1, &parts[1], counts[1] as usize)?;
         let meeting = if points_u.contains(&true) { points_v.iter().position(|&point| point) } else { None };
-        Ok(Lattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
+        Ok(MeshLattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
     }
 
     /// The first pair of lines that meet at the vertex where lines a and b meet.
-    fn first(&self, a: usize, b: usize) -> (usize, usize) {
+    fn first_lines(&self, a: usize, b: usize) -> (usize, usize) {
         let (a, b) = (a % self.lines[0].len(), b % self.lines[1].len());
         match (self.points[0][a], self.points[1][b], self.meeting) {
             (false, false, _) => (a, b),
@@ -227,7 +227,7 @@ impl<'a> Lattice<'a> {
         let (mut positions, mut places, mut normals) = (Vec::new(), Vec::new(), Vec::new());
         for a in 0..height {
             job.step(0.8 * a as f64 / height as f64, "evaluating")?;
-            for b in (0..width).filter(|&b| self.first(a, b) == (a, b)) {
+            for b in (0..width).filter(|&b| self.first_lines(a, b) == (a, b)) {
                 let ((i, u), (j, v)) = (self.lines[0][a], self.lines[1][b]);
                 vertices[a * width + b] = positions.len() as u32;
                 alloc::push(&mut positions, self.sheet.jet(i as usize, j as usize, u, v).point.to_array())?;
@@ -259,7 +259,7 @@ impl<'a> Lattice<'a> {
             for b in 0..wide {
                 let [p, q, r, s] = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| {
                     let place = (a * (wide + 1) + b) as u32;
-                    let (a, b) = self.first(a, b);
+                    let (a, b) = self.first_lines(a, b);
                     (vertices[a * width + b], place)
                 });
                 if triangles {

@@ -48,7 +48,7 @@ impl<const N: usize> Patch<N> {
     #[inline]
     pub fn jet(&self, u: f64, v: f64) -> Jet {
         // First in u, for all columns at once, then in v.
-        let [points, first, second] = self.across(u);
+        let [points, first, second] = self.iso_curve_controls(u);
         let [point, v1, vv] = curve(&points, v);
         let [u1, uv, _] = curve(&first, v);
         let [uu, ..] = curve(&second, v);
@@ -58,7 +58,7 @@ impl<const N: usize> Patch<N> {
     /// The control points in v of the iso-curve at u, and of its first two derivatives with respect
     /// to u. Applies [`curve`] to each column.
     #[inline(always)]
-    fn across(&self, u: f64) -> [[DVec3; N]; 3] {
+    fn iso_curve_controls(&self, u: f64) -> [[DVec3; N]; 3] {
         let mut work = self.points;
         let low = 1.0 - u;
         reduce(&mut work, u, 3);

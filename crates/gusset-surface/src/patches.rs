@@ -55,12 +55,12 @@ impl<const N: usize> Patches<N> {
         }
         Error::check_count("control points", total, super::MAX_NODES)?;
         let points = finite_points(points, total, "control points")?;
-        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::raised(net, degrees)))?;
-        Ok(Self::of(patches, rows, columns))
+        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::elevated(net, degrees)))?;
+        Ok(Self::from_patches(patches, rows, columns))
     }
 
     /// Creates a sheet of `rows * columns` patches. At least one patch is required.
-    pub(crate) fn of(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
+    pub(crate) fn from_patches(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
         let mut made = Patches { patches: Arc::new(patches), rows, columns, closed: [false, false], origin: None };
         let closed_u = |j: usize| made.get(0, j).points[0] == made.get(rows - 1, j).points[N - 1];
         let closed_v = |i: usize| {
@@ -72,7 +72,7 @@ impl<const N: usize> Patches<N> {
     }
 
     /// Returns the patches with a record of the spline they were converted from.
-    pub(crate) fn with(self, origin: Origin) -> Self {
+    pub(crate) fn with_origin(self, origin: Origin) -> Self {
         Patches { origin: Some(Arc::new(origin)), ..self }
     }
 
@@ -100,7 +100,7 @@ impl<const N: usize> Patches<N> {
 
 impl<const N: usize> Patch<N> {
     /// Raises a control net of lower degrees to degree N - 1.
-    pub(crate) fn raised(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
+    pub(crate) fn elevated(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
         let mut points = [[DVec3::ZERO; N]; N];
         for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
             row[..=q].copy_from_slice(given);

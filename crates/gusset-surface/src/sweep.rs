@@ -79,7 +79,7 @@ impl Ranges {
 
     /// The bounding box of the ranges of consecutive cells or columns.
     #[inline]
-    pub(super) fn over(&self, places: Range<usize>) -> Aabb {
+    pub(super) fn bounding_box(&self, places: Range<usize>) -> Aabb {
         let mut bounds = Aabb::EMPTY;
         let parts = self.low[3 * places.start..3 * places.end].chunks_exact(3);
         for (low, high) in parts.zip(self.high[3 * places.start..3 * places.end].chunks_exact(3)) {
@@ -91,7 +91,7 @@ impl Ranges {
 }
 
 /// True if a line is a side of one of the cells.
-fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
+fn is_side_of_cells(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
     cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.cells() } else { cells.end }
 }
 
@@ -99,18 +99,19 @@ impl<const K: usize> Sweep<'_, K> {
     /// Computes boxes of the sums along the rows that rows of blocks depend on. Each row is swept
     /// once, for all blocks that depend on it. `add` receives the index of the block, the box over
     /// its columns, and whether the row is a side of its cells.
-    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
+    pub(super) fn sweep_rows(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
         let rows = |r: usize| block_range(r, self.u.cells());
         let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
         // Closed rows continue at both ends.
         let (mut ranges, mut line) = (Ranges::new(cells)?, alloc::with_capacity(3 * (cells + TAPS))?);
-        for row in self.u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
+        for row in self.u.lines_for(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
             ranges.clear();
-            self.along(row, &mut line, &mut ranges);
-            let needed = block_rows.clone().filter(|&r| self.u.lines_of(rows(r)).any(|line| line == row));
-            let needed = alloc::gather(needed.map(|r| (r - block_rows.start, is_own(self.u, &rows(r), row))))?;
+            self.widen_along_row(row, &mut line, &mut ranges);
+            let needed = block_rows.clone().filter(|&r| self.u.lines_for(rows(r)).any(|line| line == row));
+            let needed =
+                alloc::gather(needed.map(|r| (r - block_rows.start, is_side_of_cells(self.u, &rows(r), row))))?;
             for c in 0..across {
-                let found = ranges.over(block_range(c, cells));
+                let found = ranges.bounding_box(block_range(c, cells));
                 needed.iter().for_each(|&(r, own)| add(r * across + c, found, own));
             }
         }
@@ -119,7 +120,7 @@ impl<const K: usize> Sweep<'_, K> {
 
     /// Computes the ranges, by column, of the sums across the rows of cells in each row of blocks.
     /// `each` receives the index of a block, its columns of cells, and the ranges.
-    pub(super) fn across_blocks(
+    pub(super) fn sweep_across_rows(
         &self,
         block_rows: Range<usize>,
         mut each: impl FnMut(usize, Range<usize>, &Ranges),
@@ -128,14 +129,14 @@ impl<const K: usize> Sweep<'_, K> {
         let mut ranges = Ranges::new(cells + 1)?;
         for (k, r) in block_rows.enumerate() {
             ranges.clear();
-            block_range(r, self.u.cells()).for_each(|i| self.across(i, &mut ranges));
+            block_range(r, self.u.cells()).for_each(|i| self.widen_across_rows(i, &mut ranges));
             (0..across).for_each(|c| each(k * across + c, block_range(c, cells), &ranges));
         }
         Ok(())
     }
 
     /// Widens the ranges of cells by the sums along a row.
-    fn along(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
+    fn widen_along_row(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
         let cells = self.v.cells();
         // Inner cells share their weights, so that one pass handles them all. A closed row
         // continues at both ends.
@@ -166,7 +167,7 @@ impl<const K: usize> Sweep<'_, K> {
     }
 
     /// Widens the ranges of columns by the sums across the rows of interval i.
-    fn across(&self, i: usize, ranges: &mut Ranges) {
+    fn widen_across_rows(&self, i: usize, ranges: &mut Ranges) {
         let (rows, weights) = self.u.taps(i);
         let sums = (self.sums)(weights);
         let packed = rows.map(|row| self.nodes.packed_row(row));

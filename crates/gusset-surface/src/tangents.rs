@@ -9,7 +9,7 @@
 //! e.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::displacements::widened;
+use super::displacements::enlarged_box;
 use super::nodes::Nodes;
 use super::sweep::{Sums, Sweep};
 use gusset_base::alloc;
@@ -18,7 +18,7 @@ use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
 /// Weights that compute the control vectors of the derivative.
-fn steps(weights: &Weights) -> Sums<3> {
+fn derivative_weights(weights: &Weights) -> Sums<3> {
     std::array::from_fn(|b| std::array::from_fn::<_, TAPS, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
 }
 
@@ -41,8 +41,8 @@ impl Spread {
 
     /// A box of the weighted sums of lines along `axis`.
     fn sums(&self, axis: &Axis) -> Aabb {
-        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outside();
-        let grown = widened(self.own, axis.lebesgue());
+        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outer_lebesgue();
+        let grown = enlarged_box(self.own, axis.lebesgue());
         Aabb { low: grown.low - beside, high: grown.high + beside }
     }
 }
@@ -54,14 +54,14 @@ pub(super) fn tangents(
     block_rows: Range<usize>,
     boxes: &mut [[Aabb; 2]],
 ) -> Result<()> {
-    let sweep = Sweep { nodes, u, v, sums: steps };
+    let sweep = Sweep { nodes, u, v, sums: derivative_weights };
     // S_v.
     let mut along = alloc::filled(Spread::EMPTY, boxes.len())?;
-    sweep.along_blocks(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
-    sweep.across_blocks(block_rows, |k, columns, ranges| {
+    sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
+    sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
         let mut across = Spread::EMPTY;
-        across.add(ranges.over(columns.start..columns.end + 1), true);
-        v.lines_of(columns).for_each(|j| across.add(ranges.over(j..j + 1), false));
+        across.add(ranges.bounding_box(columns.start..columns.end + 1), true);
+        v.lines_for(columns).for_each(|j| across.add(ranges.bounding_box(j..j + 1), false));
         boxes[k] = [across.sums(v), along[k].sums(u)];
     })
 }

@@ -16,7 +16,7 @@ use gusset_base::geom::bernstein::{blossom, elevate};
 const MAX_LENGTH_RATIO: f64 = 8.0;
 
 /// The functions between two lines: the Bézier points of the functions that do not vanish there.
-pub(super) struct Piece {
+pub(super) struct CardinalPiece {
     /// The lines that the functions belong to. Lines of weight 0 may repeat other lines.
     pub(super) lines: [usize; TAPS],
     points: [[f64; 4]; TAPS],
@@ -24,12 +24,12 @@ pub(super) struct Piece {
 
 /// The cardinal functions between successive lines. `lengths` are the lengths of the intervals,
 /// which are positive. In a closed direction, the last interval leads back to the first line.
-pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<Piece>> {
+pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<CardinalPiece>> {
     let row = Row { lengths, closed };
     alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))
 }
 
-impl Piece {
+impl CardinalPiece {
     /// Restricts the functions to a part of the interval. For each Bernstein coefficient of degree
     /// N - 1, returns the weights of the lines.
     pub(super) fn weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
@@ -97,7 +97,7 @@ impl Row<'_> {
         (first, weights)
     }
 
-    fn piece(&self, interval: usize) -> Piece {
+    fn piece(&self, interval: usize) -> CardinalPiece {
         let lines = self.lines();
         let before = interval as isize - 2;
         let first = if self.closed { before } else { before.clamp(0, lines.saturating_sub(TAPS) as isize) };
@@ -116,7 +116,7 @@ impl Row<'_> {
         let place = |k: isize| {
             if self.closed { k.rem_euclid(lines as isize) as usize } else { (k as usize).min(lines - 1) }
         };
-        Piece { lines: std::array::from_fn(|k| place(first + k as isize)), points }
+        CardinalPiece { lines: std::array::from_fn(|k| place(first + k as isize)), points }
     }
 }
 

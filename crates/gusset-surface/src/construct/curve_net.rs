@@ -11,7 +11,7 @@
 
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
-use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
+use super::net_curve::{CurvePiece, CurvePlace, NetCurve, degree};
 use crate::axis::TAPS;
 use crate::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
@@ -75,9 +75,9 @@ impl Sheet<'static> {
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         net.check()?;
         if degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
-            Ok(Sheet::Cubic(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::Cubic(Gordon::from_net(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         } else {
-            Ok(Sheet::High(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::High(Gordon::from_net(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         }
     }
 }
@@ -105,8 +105,8 @@ pub(super) struct Gordon<const N: usize> {
     closed: [bool; 2],
     /// Piece j of row k runs from column j to the next one. Without columns, each row is one piece.
     /// Columns accordingly.
-    rows: Vec<Vec<Piece<N>>>,
-    columns: Vec<Vec<Piece<N>>>,
+    rows: Vec<Vec<CurvePiece<N>>>,
+    columns: Vec<Vec<CurvePiece<N>>>,
     /// The nodes, row by row.
     nodes: Vec<DVec3>,
     /// For each row and each column, whether it is a single point. These curves do not affect
@@ -116,7 +116,7 @@ pub(super) struct Gordon<const N: usize> {
 
 impl<const N: usize> Gordon<N> {
     /// Finds the nodes, where the curves are nearest to each other, and cuts the curves there.
-    fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+    fn from_net(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
         let net_curves = |curves: &[CurveView<'_>], before: usize| {
             alloc::try_collect((0..curves.len()).map(|k| {
@@ -128,7 +128,7 @@ impl<const N: usize> Gordon<N> {
         let boxes = |net_curves: &[NetCurve<N>], before: usize| {
             alloc::try_collect((0..net_curves.len()).map(|k| {
                 job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
-                Boxes::of(&net_curves[k])
+                Boxes::from_curve(&net_curves[k])
             }))
         };
         let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
@@ -145,7 +145,10 @@ impl<const N: usize> Gordon<N> {
             if met.distance > tolerance.max(rounding_error) {
                 return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
             }
-            Ok::<_, Error>([snapped(&rows[k], met.places[0], slack), snapped(&columns[l], met.places[1], slack)])
+            Ok::<_, Error>([
+                snap_to_joint(&rows[k], met.places[0], slack),
+                snap_to_joint(&columns[l], met.places[1], slack),
+            ])
         }))?;
         Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
@@ -194,16 +197,16 @@ impl<const N: usize> Gordon<N> {
     pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
             let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
-            return transposed(&skin, &job.part(0.8, 1.0));
+            return transpose_patches(&skin, &job.part(0.8, 1.0));
         }
         if self.columns.is_empty() {
             return self.skin(&self.rows, &self.points[0], self.closed[0], job);
         }
-        let u = Strips::of(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
-        let v = Strips::of(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let u = Strips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = Strips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
         let (blend_u, blend_v) = (blend(&u.lengths, self.closed[0])?, blend(&v.lengths, self.closed[1])?);
-        let rows = v.refined(&self.rows, &job.part(0.2, 0.3))?;
-        let columns = u.refined(&self.columns, &job.part(0.3, 0.4))?;
+        let rows = v.refine(&self.rows, &job.part(0.2, 0.3))?;
+        let columns = u.refine(&self.columns, &job.part(0.3, 0.4))?;
         let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
             let piece = &blend_v[strip];
             (piece.lines, piece.weights::<N>(part))
@@ -216,38 +219,39 @@ impl<const N: usize> Gordon<N> {
             let rest = alloc::collect((0..self.columns.len()).map(|l| {
                 let nodes = piece.lines.map(|k| self.nodes[k * self.columns.len() + l]);
                 let curve = columns[l][i];
-                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
+                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_sum(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
                 job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
-                    combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
+                    weighted_sum(&across[a], &rows.map(|row| row[b]))
+                        + weighted_sum(&along[b], &rest.map(|rest| rest[a]))
                 };
                 let points = std::array::from_fn(|a| std::array::from_fn(|b| point(a, b)));
                 patches.push(Patch { points });
             }
         }
-        Ok(Patches::of(patches, u.count(), v.count()))
+        Ok(Patches::from_patches(patches, u.count(), v.count()))
     }
 
     /// Computes the sum of L_k R_k only.
-    fn skin(&self, rows: &[Vec<Piece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
-        let v = Strips::of(rows, points, &job.part(0.0, 0.2))?;
-        let refined = v.refined(rows, &job.part(0.2, 0.4))?;
+    fn skin(&self, rows: &[Vec<CurvePiece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
+        let v = Strips::from_curves(rows, points, &job.part(0.0, 0.2))?;
+        let refined = v.refine(rows, &job.part(0.2, 0.4))?;
         let last = rows.len() - usize::from(!closed);
         let apart = |k: usize| {
             let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
             let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
             sum / (2 * row.len()) as f64
         };
-        let blend = blend(&positive(alloc::collect((0..last).map(apart))?), closed)?;
+        let blend = blend(&fill_zero_lengths(alloc::collect((0..last).map(apart))?), closed)?;
         let mut patches = patches_with_capacity(last, v.count())?;
         for piece in &blend {
             let across = piece.weights::<N>([0.0, 1.0]);
             let patch = |j: usize| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
-                let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
+                let point = |a: usize, b: usize| weighted_sum(&across[a], &rows.map(|row| row[b]));
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
             for j in 0..v.count() {
@@ -255,12 +259,12 @@ impl<const N: usize> Gordon<N> {
                 patches.push(patch(j));
             }
         }
-        Ok(Patches::of(patches, last, v.count()))
+        Ok(Patches::from_patches(patches, last, v.count()))
     }
 }
 
 /// The place, or the joint of segments if it is within `near`.
-fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
+fn snap_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
     let here = net_curve.point(at);
     let close = |t: f64| net_curve.point(CurvePlace { t, ..at }).distance(here) <= near;
     let count = net_curve.segments.len();
@@ -283,7 +287,7 @@ fn pieces<const N: usize>(
     closed: bool,
     ends: impl Fn(usize) -> DVec3,
     out_of_order: impl Fn(usize) -> Error,
-) -> Result<Vec<Piece<N>>> {
+) -> Result<Vec<CurvePiece<N>>> {
     let point = net_curve.is_point();
     if closed && !net_curve.closed && !point {
         return Err(Error::CurveNotClosed);
@@ -294,7 +298,7 @@ fn pieces<const N: usize>(
     }
     if !point {
         let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
-        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && turned(&at)) {
+        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && is_reversed(&at)) {
             at.iter_mut().for_each(|at| *at = net_curve.reversed(*at));
             net_curve.reverse();
         }
@@ -313,13 +317,13 @@ fn pieces<const N: usize>(
     }
     let mut pieces = net_curve.cut(&at)?;
     for (k, piece) in pieces.iter_mut().enumerate() {
-        piece.bend(ends(k), ends(k + 1));
+        piece.move_ends(ends(k), ends(k + 1));
     }
     Ok(pieces)
 }
 
 /// True if three places on a closed curve are in reverse order.
-fn turned(at: &[CurvePlace]) -> bool {
+fn is_reversed(at: &[CurvePlace]) -> bool {
     // The parameter falls once in forward order, and twice in reverse order.
     (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
 }
@@ -337,7 +341,7 @@ struct Strips {
 impl Strips {
     /// Computes the strips from the curves that cross them. `points` marks curves that are single
     /// points.
-    fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
+    fn from_curves<const N: usize>(curves: &[Vec<CurvePiece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
         let count = curves[0].len();
         let mut lengths = alloc::filled(0.0, count)?;
         for (curve, _) in curves.iter().zip(points).filter(|&(_, &point)| !point) {
@@ -352,7 +356,7 @@ impl Strips {
             all_breaks.push(breaks);
             all_ends.push(ends);
         }
-        Ok(Strips { lengths: positive(lengths), breaks: all_breaks, ends: all_ends })
+        Ok(Strips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, ends: all_ends })
     }
 
     /// The number of cells.
@@ -370,12 +374,12 @@ impl Strips {
     }
 
     /// The segments of each curve over each cell.
-    fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
+    fn refine<const N: usize>(&self, curves: &[Vec<CurvePiece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
         alloc::try_collect((0..curves.len()).map(|k| {
             job.step(k as f64 / curves.len() as f64, MAKING)?;
             let mut refined = alloc::with_capacity(self.count())?;
             for (strip, piece) in curves[k].iter().enumerate() {
-                piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
+                piece.refine(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
             }
             Ok(refined)
         }))
@@ -419,7 +423,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
 }
 
 /// Replaces lengths that are (nearly) zero by the mean length.
-fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
+fn fill_zero_lengths(mut lengths: Vec<f64>) -> Vec<f64> {
     let sum: f64 = lengths.iter().sum();
     let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
     lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);
@@ -434,17 +438,17 @@ fn patches_with_capacity<const N: usize>(rows: usize, columns: usize) -> Result<
 }
 
 /// Exchanges u and v.
-fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
+fn transpose_patches<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
     let [rows, columns] = patches.cells();
     let mut turned = patches_with_capacity(columns, rows)?;
     for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
         job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), MAKING)?;
         turned.push(patches.get(i, j).transposed());
     }
-    Ok(Patches::of(turned, columns, rows))
+    Ok(Patches::from_patches(turned, columns, rows))
 }
 
 /// The weighted sum of points.
-fn combined(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
+fn weighted_sum(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
     (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
 }

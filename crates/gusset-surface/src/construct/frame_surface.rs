@@ -50,7 +50,7 @@ impl Sheet<'static> {
     ) -> Result<Self> {
         let counts = [grid.rows, grid.columns];
         if kind == FrameSurface::Nodes && grid.corners.is_empty() {
-            return through(counts, &grid.nodes, closed, job);
+            return node_grid(counts, &grid.nodes, closed, job);
         }
         if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
             Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
@@ -64,7 +64,7 @@ impl Sheet<'static> {
 const NODES_PER_REPORT: usize = 1 << 17;
 
 /// Creates the grid of the nodes. Repeats the first line at the end of a closed direction.
-fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job: &Job<'_>) -> Result<Sheet<'static>> {
+fn node_grid([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job: &Job<'_>) -> Result<Sheet<'static>> {
     let [height, width] = [rows + usize::from(closed[0]), columns + usize::from(closed[1])];
     let mut data = alloc::with_capacity(3 * height * width)?;
     let places = (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns)));

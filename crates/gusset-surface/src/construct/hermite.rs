@@ -63,7 +63,7 @@ impl Sheet<'static> {
             job.step(i as f64 / rows as f64, "making patches")?;
             patches.extend((0..columns).map(|j| hermite.patch(&twists, i, j)));
         }
-        Ok(Sheet::Cubic(Patches::of(patches, rows, columns)))
+        Ok(Sheet::Cubic(Patches::from_patches(patches, rows, columns)))
     }
 }
 
@@ -79,7 +79,7 @@ impl<'a> Hermite<'a> {
     fn new(given: &'a Tangents<'a>) -> Result<Self> {
         let (nodes, closed) = (given.nodes, given.closed);
         let (rows, columns) = (nodes.rows(), nodes.columns());
-        let axes = Axis::pair([rows, columns], closed, Scheme::SixTap)?;
+        let axes = Axis::new_pair([rows, columns], closed, Scheme::SixTap)?;
         nodes.check_finite()?;
         let arrays = [("tangents", given.u), ("tangents", given.v)];
         let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
@@ -117,7 +117,7 @@ impl<'a> Hermite<'a> {
     /// Adini's twist, from differences over the adjacent lines: of S_u along the row, plus of S_v
     /// along the column, minus the mixed difference of the nodes.
     fn adini(&self, i: usize, j: usize) -> DVec3 {
-        let (rows, columns) = (self.near(0, i), self.near(1, j));
+        let (rows, columns) = (self.adjacent_lines(0, i), self.adjacent_lines(1, j));
         let [height, width] = [rows, columns].map(|[_, _, span]| span as f64);
         let (given, node) = (self.given, |i: usize, j: usize| self.node(i, j));
         let along = (given.u[node(i, columns[1])] - given.u[node(i, columns[0])]) / width;
@@ -128,7 +128,7 @@ impl<'a> Hermite<'a> {
     }
 
     /// The lines before and after a line, and the number of intervals between them.
-    fn near(&self, direction: usize, line: usize) -> [usize; 3] {
+    fn adjacent_lines(&self, direction: usize, line: usize) -> [usize; 3] {
         let last = self.axes[direction].cells();
         if self.given.closed[direction] {
             return [(line + last - 1) % last, (line + 1) % last, 2];

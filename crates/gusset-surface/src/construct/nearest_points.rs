@@ -27,7 +27,7 @@ pub(super) struct Boxes {
 }
 
 impl Boxes {
-    pub(super) fn of<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
+    pub(super) fn from_curve<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
         let mut levels = alloc::with_capacity(32)?;
         let mut level = alloc::collect(net_curve.segments.iter().map(Aabb::of))?;
         while level.len() > 1 {
@@ -82,7 +82,7 @@ pub(super) fn nearest<const N: usize>(
     let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
     let mut search =
         NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
-    search.wait(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    search.push_task(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
     search.run()?;
     Ok(search.best)
 }
@@ -119,7 +119,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 let of = [a.1, b.1];
                 let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
                 let whole = SegmentPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
-                self.wait(gap, Task::SegmentPair(Box::new(whole)))
+                self.push_task(gap, Task::SegmentPair(Box::new(whole)))
             }
             Task::Boxes(pair) => {
                 let taller = usize::from(pair[0].0 < pair[1].0);
@@ -128,7 +128,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                     let mut pair = pair;
                     pair[taller] = child;
                     let [a, b] = [0, 1].map(|k| boxes[k].get(pair[k]));
-                    self.wait(a.distance(&b), Task::Boxes(pair))
+                    self.push_task(a.distance(&b), Task::Boxes(pair))
                 })
             }
             Task::SegmentPair(parts) => {
@@ -139,7 +139,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 self.splits += 1;
                 parts.halves().into_iter().try_for_each(|half| {
                     let [a, b] = half.points.map(Aabb::of);
-                    self.wait(a.distance(&b), Task::SegmentPair(Box::new(half)))
+                    self.push_task(a.distance(&b), Task::SegmentPair(Box::new(half)))
                 })
             }
         }
@@ -147,7 +147,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
 }
 
 impl<const N: usize> NearestPointsSearch<'_, N> {
-    fn wait(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+    fn push_task(&mut self, gap: f64, task: Task<N>) -> Result<()> {
         self.added += 1;
         self.frontier.push(gap, self.added, task)
     }

@@ -30,7 +30,7 @@ pub(super) struct NetCurve<const N: usize> {
 }
 
 /// The part of a curve between two nodes.
-pub(super) struct Piece<const N: usize> {
+pub(super) struct CurvePiece<const N: usize> {
     pub(super) segments: Vec<[DVec3; N]>,
     /// The ends of segments as fractions of the piece; the last one is 1.
     pub(super) ends: Vec<f64>,
@@ -72,7 +72,7 @@ impl<const N: usize> NetCurve<N> {
             segments.push([curve.points()[0]; N]);
         }
         let mut net_curve = NetCurve { lengths: Vec::new(), segments, closed: curve.is_closed() };
-        net_curve.lengths = net_curve.natural()?;
+        net_curve.lengths = net_curve.parameter_lengths()?;
         Ok(net_curve)
     }
 
@@ -84,7 +84,7 @@ impl<const N: usize> NetCurve<N> {
     /// Lengths of segments in a parameter with continuous lengths of derivatives. For a curve that
     /// is C1 in some knots, these are its knot intervals. Segments that are single points have
     /// length 0.
-    fn natural(&self) -> Result<Vec<f64>> {
+    fn parameter_lengths(&self) -> Result<Vec<f64>> {
         let polygon = |points: &[DVec3; N]| points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
         let polygons = alloc::collect(self.segments.iter().map(polygon))?;
         let total: f64 = polygons.iter().sum();
@@ -125,19 +125,19 @@ impl<const N: usize> NetCurve<N> {
 
     /// The pieces between successive places. On a closed curve, the last piece leads from the last
     /// place to the first. The pieces of a curve that is a single point are equal.
-    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<Piece<N>>> {
+    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<CurvePiece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
-        alloc::try_collect((0..count).map(|k| self.between(places[k], places[(k + 1) % places.len()])))
+        alloc::try_collect((0..count).map(|k| self.piece_between(places[k], places[(k + 1) % places.len()])))
     }
 
     /// The whole curve as one piece.
-    pub(super) fn whole(&self) -> Result<Piece<N>> {
+    pub(super) fn whole(&self) -> Result<CurvePiece<N>> {
         let last = self.segments.len() - 1;
-        self.between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
+        self.piece_between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
     }
 
-    fn between(&self, from: CurvePlace, to: CurvePlace) -> Result<Piece<N>> {
-        let mut piece = Piece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
+    fn piece_between(&self, from: CurvePlace, to: CurvePlace) -> Result<CurvePiece<N>> {
+        let mut piece = CurvePiece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
         let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
             if end <= start || self.lengths[segment] == 0.0 {
                 return Ok(());
@@ -167,7 +167,7 @@ impl<const N: usize> NetCurve<N> {
     }
 }
 
-impl<const N: usize> Piece<N> {
+impl<const N: usize> CurvePiece<N> {
     /// Converts ends to fractions, and keeps a minimum distance between them.
     fn spread(&mut self) {
         let min = MIN_SEGMENT_SHARE * self.length;
@@ -186,7 +186,7 @@ impl<const N: usize> Piece<N> {
 
     /// Moves the ends of the piece to the given points. Moves all other points by linear
     /// interpolation.
-    pub(super) fn bend(&mut self, from: DVec3, to: DVec3) {
+    pub(super) fn move_ends(&mut self, from: DVec3, to: DVec3) {
         let last = self.segments.len() - 1;
         let (start, end) = (from - self.segments[0][0], to - self.segments[last][N - 1]);
         let mut before = 0.0;
@@ -205,7 +205,7 @@ impl<const N: usize> Piece<N> {
 
     /// Appends the segments over the spans between breaks, the last of which is 1. `ends` are the
     /// ends of the piece's segments, all of which are among the breaks.
-    pub(super) fn refined(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
+    pub(super) fn refine(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
         alloc::reserve(refined, breaks.len())?;
         let (mut segment, mut from) = (0, 0.0);
         let mut start = self.segments[0][0];

@@ -48,7 +48,7 @@ impl Sheet<'_> {
                 alloc::collect((0..height * width).map(|k| own[k / width % h * w + k % width % w]))?
             }
             _ => alloc::collect((0..height * width).map(|k| {
-                let ([i, u], [j, v]) = (cell_of(k / width, rows), cell_of(k % width, columns));
+                let ([i, u], [j, v]) = (cell_at_line(k / width, rows), cell_at_line(k % width, columns));
                 self.normal(i as usize, j as usize, u, v)
             }))?,
         };
@@ -78,7 +78,7 @@ impl Sheet<'_> {
 }
 
 /// The cell that a line of corners belongs to, and the parameter of the line in it.
-fn cell_of(line: usize, cells: usize) -> [f64; 2] {
+fn cell_at_line(line: usize, cells: usize) -> [f64; 2] {
     let cell = line.min(cells - 1);
     [cell as f64, (line - cell) as f64]
 }

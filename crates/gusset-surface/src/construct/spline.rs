@@ -66,7 +66,7 @@ pub(super) struct Interval {
 
 /// The control points of the Bézier piece over an interval, as weights of the spline's control
 /// points.
-pub(super) struct Piece {
+pub(super) struct SplinePiece {
     /// The first control point. The next `degree` points follow; they wrap around in a closed
     /// direction.
     pub(super) first: usize,
@@ -75,16 +75,16 @@ pub(super) struct Piece {
 }
 
 /// A control net of one piece; degrees determine how much of it is used.
-pub(super) type Net<T> = [[T; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+pub(super) type PieceNet<T> = [[T; MAX_DEGREE + 1]; MAX_DEGREE + 1];
 
 impl Spline<'_> {
     /// The pieces over intervals, in u and in v.
-    pub(super) fn pieces(&self, intervals: &[Vec<Interval>; 2]) -> Result<[Vec<Piece>; 2]> {
+    pub(super) fn pieces(&self, intervals: &[Vec<Interval>; 2]) -> Result<[Vec<SplinePiece>; 2]> {
         Ok([self.axes[0].pieces(&intervals[0], self.counts[0])?, self.axes[1].pieces(&intervals[1], self.counts[1])?])
     }
 
     /// The index, among the spline's control points, of point (a, b) of a piece's control net.
-    pub(super) fn place(&self, rows: &Piece, columns: &Piece, a: usize, b: usize) -> usize {
+    pub(super) fn place(&self, rows: &SplinePiece, columns: &SplinePiece, a: usize, b: usize) -> usize {
         (rows.first + a) % self.counts[0] * self.counts[1] + (columns.first + b) % self.counts[1]
     }
 
@@ -92,12 +92,12 @@ impl Spline<'_> {
     pub(super) fn net<T: Copy + Default + Add<Output = T> + Mul<f64, Output = T>>(
         &self,
         points: &[T],
-        rows: &Piece,
-        columns: &Piece,
-    ) -> Net<T> {
+        rows: &SplinePiece,
+        columns: &SplinePiece,
+    ) -> PieceNet<T> {
         let [p, q] = [0, 1].map(|k| self.axes[k].degree);
         // First along the rows, then across them.
-        let (mut along, mut net) = (Net::default(), Net::default());
+        let (mut along, mut net) = (PieceNet::default(), PieceNet::default());
         for (a, row) in along[..=p].iter_mut().enumerate() {
             for (point, weights) in row[..=q].iter_mut().zip(&columns.weights) {
                 let terms = (0..=q).map(|b| points[self.place(rows, columns, a, b)] * weights[b]);
@@ -114,7 +114,7 @@ impl Spline<'_> {
 }
 
 /// The parameters of the borders of cells.
-pub(super) fn knots_of(intervals: &[Vec<Interval>; 2]) -> Result<[Vec<f64>; 2]> {
+pub(super) fn border_knots(intervals: &[Vec<Interval>; 2]) -> Result<[Vec<f64>; 2]> {
     let of = |intervals: &[Interval]| {
         let mut knots = alloc::with_capacity(intervals.len() + 1)?;
         knots.extend(intervals.first().map(|first| first.ends[0]));
@@ -141,15 +141,15 @@ impl SplineAxis<'_> {
     }
 
     /// The pieces over successive intervals, from the first to the last span.
-    fn pieces(&self, intervals: &[Interval], count: usize) -> Result<Vec<Piece>> {
-        let mut pieces: Vec<Piece> = alloc::with_capacity(intervals.len())?;
+    fn pieces(&self, intervals: &[Interval], count: usize) -> Result<Vec<SplinePiece>> {
+        let mut pieces: Vec<SplinePiece> = alloc::with_capacity(intervals.len())?;
         let mut before = 0;
         for interval in intervals {
             let mut piece = self.piece(interval, count);
             // Neighbouring pieces share their ends exactly: the first point of this piece is the
             // last point of the previous one.
             if let Some(last) = pieces.last() {
-                piece.weights[0] = self.shared(&last.weights[self.degree], interval.knot - before);
+                piece.weights[0] = self.reindexed_weights(&last.weights[self.degree], interval.knot - before);
             }
             before = interval.knot;
             pieces.push(piece);
@@ -165,7 +165,7 @@ impl SplineAxis<'_> {
     }
 
     /// Re-indexes the weights of a point for a list of control points that begins `passed` later.
-    fn shared(&self, weights: &[f64; MAX_DEGREE + 1], passed: usize) -> [f64; MAX_DEGREE + 1] {
+    fn reindexed_weights(&self, weights: &[f64; MAX_DEGREE + 1], passed: usize) -> [f64; MAX_DEGREE + 1] {
         std::array::from_fn(|i| if i + passed <= self.degree { weights[i + passed] } else { 0.0 })
     }
 
@@ -210,7 +210,7 @@ impl SplineAxis<'_> {
     /// The piece over [a, b]: the blossom at p - i arguments a and i arguments b, as weights.
     /// Weights are not negative, and each is accurate to a few units in the last place, however
     /// small.
-    fn piece(&self, interval: &Interval, count: usize) -> Piece {
+    fn piece(&self, interval: &Interval, count: usize) -> SplinePiece {
         let (p, k, [a, b]) = (self.degree, interval.knot, interval.ends);
         let knot = |i: usize| self.knot(k as isize + 1 + i as isize - p as isize, count);
         // The 2 p knots around the span that its control points depend on: p up to its start, and p
@@ -235,6 +235,6 @@ impl SplineAxis<'_> {
             }
         }
         let first = if self.closed { (k + count * p - p) % count } else { k - p };
-        Piece { first, weights }
+        SplinePiece { first, weights }
     }
 }

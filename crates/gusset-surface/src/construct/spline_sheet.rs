@@ -1,7 +1,7 @@
 //! Sheets of splines: the exact pieces of polynomial splines, and approximations of rational ones.
 
 use super::rational;
-use super::spline::{Interval, Spline, SplineOptions, knots_of};
+use super::spline::{Interval, Spline, SplineOptions, border_knots};
 use crate::checks::finite_points;
 use crate::patches::Origin;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
@@ -43,15 +43,19 @@ impl Sheet<'static> {
             return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
         }
         if spline.axes.iter().all(|axis| axis.degree <= 3) {
-            Ok(Sheet::Cubic(exact(spline, &intervals, job)?))
+            Ok(Sheet::Cubic(exact_patches(spline, &intervals, job)?))
         } else {
-            Ok(Sheet::High(exact(spline, &intervals, job)?))
+            Ok(Sheet::High(exact_patches(spline, &intervals, job)?))
         }
     }
 }
 
 /// The pieces of a polynomial spline.
-fn exact<const N: usize>(spline: &Spline<'_>, intervals: &[Vec<Interval>; 2], job: &Job<'_>) -> Result<Patches<N>> {
+fn exact_patches<const N: usize>(
+    spline: &Spline<'_>,
+    intervals: &[Vec<Interval>; 2],
+    job: &Job<'_>,
+) -> Result<Patches<N>> {
     let [p, q] = [0, 1].map(|k| spline.axes[k].degree);
     let [u, v] = spline.pieces(intervals)?;
     let mut patches = alloc::with_capacity(u.len().saturating_mul(v.len()))?;
@@ -61,8 +65,9 @@ fn exact<const N: usize>(spline: &Spline<'_>, intervals: &[Vec<Interval>; 2], jo
             let net = spline.net(spline.points, rows, columns);
             let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
             packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
-            patches.push(Patch::raised(&packed[..(p + 1) * (q + 1)], [p, q]));
+            patches.push(Patch::elevated(&packed[..(p + 1) * (q + 1)], [p, q]));
         }
     }
-    Ok(Patches::of(patches, u.len(), v.len()).with(Origin { deviation: 0.0, knots: knots_of(intervals)? }))
+    Ok(Patches::from_patches(patches, u.len(), v.len())
+        .with_origin(Origin { deviation: 0.0, knots: border_knots(intervals)? }))
 }

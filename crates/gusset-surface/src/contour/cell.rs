@@ -48,7 +48,7 @@ pub(super) struct Mark {
 
 impl Mark {
     /// The parameter along its side.
-    fn along(&self) -> f64 {
+    fn parameter(&self) -> f64 {
         self.at[self.side % 2]
     }
 
@@ -60,7 +60,7 @@ impl Mark {
 
 /// An arc as a graph: over u (0) or v (1), with the range of the other parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Graph {
+pub(super) struct ArcGraph {
     pub(super) over: usize,
     pub(super) range: [f64; 2],
 }
@@ -71,7 +71,7 @@ pub(super) struct Link {
     pub(super) from: Mark,
     pub(super) to: Mark,
     /// The graph of the arc; `None` in unresolved parts.
-    pub(super) graph: Option<Graph>,
+    pub(super) graph: Option<ArcGraph>,
 }
 
 /// A cell or part with the marks on its border.
@@ -110,7 +110,7 @@ pub(super) fn arcs<const M: usize>(
         return None;
     }
     if let Some(over) = graph(field, rounding_error) {
-        in_order(marks, Graph { over, range: [0.0, 1.0] }, &mut add);
+        link_in_order(marks, ArcGraph { over, range: [0.0, 1.0] }, &mut add);
         return None;
     }
     let marks = std::mem::take(marks);
@@ -152,16 +152,16 @@ impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearc
 
     fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
         let low = part.from[1 - over];
-        in_order(&mut part.marks, Graph { over, range: [low, low + part.size] }, &mut self.add);
+        link_in_order(&mut part.marks, ArcGraph { over, range: [low, low + part.size] }, &mut self.add);
         Ok(())
     }
 
     fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
-        let middle = part.field.at(0.5, 0.5).value;
+        let middle = part.field.evaluate(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
         }
-        by_middle(&part.marks, positive(middle), &mut self.add);
+        link_around_middle(&part.marks, positive(middle), &mut self.add);
         Ok(())
     }
 
@@ -198,7 +198,7 @@ fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize>
 
 /// Links marks along a graph: the k-th entry to the k-th exit.
 #[inline]
-fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
+fn link_in_order(marks: &mut [Mark], graph: ArcGraph, add: &mut impl FnMut(Link)) {
     if let [a, b] = *marks {
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
         return add(Link { from, to, graph: Some(graph) });
@@ -212,12 +212,12 @@ fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
 
 /// Links marks around an unresolved part. If the middle is positive, arcs cut off negative regions,
 /// and positive ones otherwise.
-fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
+fn link_around_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     let mut round: Vec<Mark> = Vec::with_capacity(marks.len());
     for side in 0..SIDES {
         let first = round.len();
         round.extend(marks.iter().filter(|mark| mark.side == side));
-        sort::stable(&mut round[first..], &|a, b| a.along().total_cmp(&b.along()));
+        sort::stable(&mut round[first..], &|a, b| a.parameter().total_cmp(&b.parameter()));
         if side >= 2 {
             round[first..].reverse();
         }
@@ -237,7 +237,7 @@ impl<const M: usize> MarkedPart<M> {
         // The signs at the middles of sides: the sign at the start, changed by each mark before the
         // middle.
         let amid: [bool; SIDES] = std::array::from_fn(|side| {
-            let before = |mark: &&Mark| mark.side == side && mark.along() < middle[side % 2];
+            let before = |mark: &&Mark| mark.side == side && mark.parameter() < middle[side % 2];
             self.corners[CORNERS[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
         });
         let fields = self.field.quarters();
@@ -251,7 +251,7 @@ impl<const M: usize> MarkedPart<M> {
         ];
         let mut marks: [Vec<Mark>; 4] = std::array::from_fn(|_| Vec::new());
         for mark in self.marks {
-            let high = mark.along() >= middle[mark.side % 2];
+            let high = mark.parameter() >= middle[mark.side % 2];
             marks[[[0, 2], [2, 3], [1, 3], [0, 1]][mark.side][usize::from(high)]].push(mark);
         }
         // The lines between the parts, as (part before, part after, side of the part before).

@@ -4,7 +4,7 @@
 //! Invariant: the cone of a block contains the normals of all its cells, so no cell with the angle
 //! is discarded. Cost: O(blocks visited).
 
-use super::source::between;
+use super::source::levels_between;
 use crate::index::Cones;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -18,7 +18,7 @@ const ANGLE_SLACK: f64 = 1e-9;
 const MIN_SLOPE: f64 = 1e-8;
 
 /// The interval of the tolerance around an angle.
-fn interval_of(angle: f64) -> [f64; 2] {
+fn tolerance_interval(angle: f64) -> [f64; 2] {
     let slope = libm::sin(2.0 * angle).abs();
     let slack = if slope > MIN_SLOPE { ANGLE_SLACK / slope } else { ANGLE_SLACK };
     [angle - slack, angle + slack]
@@ -26,15 +26,15 @@ fn interval_of(angle: f64) -> [f64; 2] {
 
 /// True if normals at angles between `low` and `high` may have one of the given angles, which are
 /// sorted.
-pub(super) fn may_have(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
+pub(super) fn may_have_angle(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
     let near = |[low, high]: [f64; 2]| {
         let meets = |&angle: &f64| {
-            let [from, to] = interval_of(angle);
+            let [from, to] = tolerance_interval(angle);
             low <= to && from <= high
         };
         // With many angles, most of them need not be tested.
-        !between(goals, [low, high], 0.0).is_empty()
-            || goals[between(goals, [low, high], ANGLE_SLACK / MIN_SLOPE)].iter().any(meets)
+        !levels_between(goals, [low, high], 0.0).is_empty()
+            || goals[levels_between(goals, [low, high], ANGLE_SLACK / MIN_SLOPE)].iter().any(meets)
     };
     near([low, high]) || (unsigned && near([PI - high, PI - low]))
 }

@@ -5,8 +5,8 @@
 //! side share its marks. Cost: O(arcs) for each level, O(arcs log arcs) if fields are
 //! discontinuous.
 
-use super::contour_lattice::Lattice;
-use super::contour_search::{Arc, FoundArcs};
+use super::contour_lattice::ContourLattice;
+use super::contour_search::{ContourArc, ContourArcs};
 use crate::Place;
 use glam::DVec2;
 use gusset_base::error::{Error, Result};
@@ -49,13 +49,13 @@ const NONE: u32 = u32::MAX;
 
 /// A hash table of arcs by the keys of the marks where they begin, with open addressing.
 struct Table<'a> {
-    arcs: &'a [Arc],
+    arcs: &'a [ContourArc],
     slots: Vec<u32>,
     shift: u32,
 }
 
 impl<'a> Table<'a> {
-    fn new(arcs: &'a [Arc]) -> Result<Self> {
+    fn new(arcs: &'a [ContourArc]) -> Result<Self> {
         let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
         let mut table = Table { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
@@ -84,13 +84,13 @@ impl<'a> Table<'a> {
 /// separate marks, which are linked first.
 pub(super) fn chain(
     sheet: u32,
-    found: &mut FoundArcs,
-    lattice: &Lattice,
+    found: &mut ContourArcs,
+    lattice: &ContourLattice,
     jumps: bool,
     threads: usize,
     made: &mut ContourPaths,
 ) -> Result<()> {
-    by_level(&mut found.arcs)?;
+    sort_by_level(&mut found.arcs)?;
     if jumps {
         link_arcs(&mut found.arcs, lattice)?;
     }
@@ -101,7 +101,7 @@ pub(super) fn chain(
 
 /// Sorts arcs by level. Cells come in the order of the search, each with its levels. The sort is
 /// stable.
-fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
+fn sort_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
     if arcs.is_sorted_by_key(|arc| arc.level) {
         return Ok(());
     }
@@ -112,7 +112,7 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
 }
 
 /// For each arc, the index of its successor or [`NONE`], and whether it has a predecessor.
-fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
+fn successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
@@ -126,7 +126,7 @@ fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
 }
 
 /// The paths of one level, sorted by the lowest cell of each and the key of its mark.
-fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
+fn paths(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPaths> {
     let (next, entered) = successors(arcs)?;
     let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
     let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
@@ -175,7 +175,7 @@ fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
 
 /// An end of an arc on a side between cells with discontinuous fields.
 #[derive(Clone, Copy)]
-struct End {
+struct SideEnd {
     level: u32,
     /// The index of the side or the corner.
     group: u64,
@@ -190,34 +190,34 @@ struct End {
 /// opposite signs, the side itself belongs to the zero set between exit and entry. Cells may
 /// disagree on the sign at a corner, which leaves some ends over. They are linked around the
 /// nearest corner.
-fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
+fn link_arcs(arcs: &mut [ContourArc], lattice: &ContourLattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
         for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {
             let side = key >> 7;
             let inside = key >> 63 == 1;
             if !inside && !lattice.on_edge_side(arc.cell, side) {
-                ends.push(End { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
+                ends.push(SideEnd { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
             }
         }
     }
-    let mut left = pair(ends, arcs)?;
+    let mut left = link_pairs(ends, arcs)?;
     for end in &mut left {
         end.group = lattice.node(end.group, end.t >= 0.5);
         // The distance from the corner.
         end.t = end.t.min(1.0 - end.t);
     }
-    pair(left, arcs)?;
+    link_pairs(left, arcs)?;
     Ok(())
 }
 
 /// Links exits to entries of the same level and group, in order. Returns the remaining ends.
-fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
+fn link_pairs(mut ends: Vec<SideEnd>, arcs: &mut [ContourArc]) -> Result<Vec<SideEnd>> {
     sort::stable(&mut ends, &|a, b| {
-        let by = |end: &End| (end.level, end.group);
+        let by = |end: &SideEnd| (end.level, end.group);
         by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
     });
-    let mut waiting: VecDeque<End> = VecDeque::new();
+    let mut waiting: VecDeque<SideEnd> = VecDeque::new();
     let mut left = Vec::new();
     for group in ends.chunk_by(|a, b| (a.level, a.group) == (b.level, b.group)) {
         let bytes = size_of_val(group) as u64;

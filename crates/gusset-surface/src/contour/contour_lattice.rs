@@ -6,17 +6,17 @@ use std::ops::Range;
 
 /// The cells of a sheet in rows and columns.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lattice {
+pub(super) struct ContourLattice {
     /// The numbers of cells in u and in v.
     pub(super) counts: [usize; 2],
     /// Whether the last line repeats the first one, in u and in v.
     pub(super) closed: [bool; 2],
 }
 
-impl Lattice {
+impl ContourLattice {
     /// Returns the lattice of a sheet.
-    pub(super) fn of(sheet: &Sheet<'_>) -> Self {
-        Lattice { counts: sheet.cells(), closed: sheet.seams() }
+    pub(super) fn new(sheet: &Sheet<'_>) -> Self {
+        ContourLattice { counts: sheet.cells(), closed: sheet.seams() }
     }
 
     /// The numbers of blocks in u and in v.

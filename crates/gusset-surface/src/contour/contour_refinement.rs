@@ -4,7 +4,7 @@
 //!
 //! Cost: O(M^2) and a few Newton steps for each point; at most 2^12 points for an arc.
 
-use super::cell::{Graph, Link};
+use super::cell::{ArcGraph, Link};
 use super::side::bracketed;
 use crate::Patch;
 use crate::subdivision::Field;
@@ -22,7 +22,7 @@ const SEEN_PART: f64 = 0.85;
 struct Curve<'a, const N: usize, const M: usize> {
     patch: &'a Patch<N>,
     field: &'a Field<M>,
-    graph: Graph,
+    graph: ArcGraph,
     chord: f64,
     /// Values up to this may be 0.
     rounding_error: f64,
@@ -79,7 +79,7 @@ const RESIDUAL: f64 = 16.0;
 /// The place of an arc at the middle of the parameter that it is a graph over. Returns `None` if
 /// the field does not vanish there, or the arc is not a graph.
 pub(super) fn middle<const M: usize>(field: &Field<M>, link: &Link, rounding_error: f64) -> Option<DVec2> {
-    amid(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
+    middle_place(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
 }
 
 /// Adds places between the ends of an arc until its chords are within `chord` of it, tested at
@@ -95,14 +95,14 @@ pub(super) fn refine<const N: usize, const M: usize>(
 ) -> Option<DVec2> {
     let curve = Curve { patch, field, graph: link.graph?, chord, rounding_error };
     let [from, to] = [link.from.at, link.to.at].map(|at| Node { at, point: patch.point(at.x, at.y) });
-    curve.between(from, to).and_then(|middle| curve.halve(from, middle, to, DEPTH, places)).err()
+    curve.middle_node(from, to).and_then(|middle| curve.halve(from, middle, to, DEPTH, places)).err()
 }
 
 /// The place of a graph at the mean of the parameters of two others. Returns the expected place as
 /// an error if the field does not vanish there.
-fn amid<const M: usize>(
+fn middle_place<const M: usize>(
     field: &Field<M>,
-    Graph { over, range }: Graph,
+    ArcGraph { over, range }: ArcGraph,
     [a, b]: [DVec2; 2],
     rounding_error: f64,
 ) -> Result<DVec2, DVec2> {
@@ -120,14 +120,14 @@ fn amid<const M: usize>(
 
 impl<const N: usize, const M: usize> Curve<'_, N, M> {
     /// The place at the mean of the parameters of two others.
-    fn between(&self, a: Node, b: Node) -> Result<Node, DVec2> {
-        let at = amid(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
+    fn middle_node(&self, a: Node, b: Node) -> Result<Node, DVec2> {
+        let at = middle_place(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
         Ok(Node { at, point: self.patch.point(at.x, at.y) })
     }
 
     /// Adds the places needed between `from` and `to`, given the place between them.
     fn halve(&self, from: Node, middle: Node, to: Node, depth: u32, places: &mut Vec<DVec2>) -> Result<(), DVec2> {
-        let quarters = [self.between(from, middle)?, self.between(middle, to)?];
+        let quarters = [self.middle_node(from, middle)?, self.middle_node(middle, to)?];
         let limit = SEEN_PART * self.chord;
         let far = |node: &Node| distance_squared(node.point, from.point, to.point) > limit * limit;
         if depth == 0 || ![quarters[0], middle, quarters[1]].iter().any(far) {

@@ -5,7 +5,7 @@
 //! that is not simple; memory is proportional to the number of arcs.
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{is_straight, middle, refine, stays_near};
 use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
 use super::side::{crossings, positive};
@@ -27,7 +27,7 @@ const CHUNKS: usize = 256;
 
 /// An arc of a level's zero set over a cell.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
+pub(super) struct ContourArc {
     pub(super) level: u32,
     pub(super) cell: [u32; 2],
     /// The keys of the marks at its ends.
@@ -43,19 +43,19 @@ pub(super) struct Arc {
 
 /// The arcs of a sheet.
 #[derive(Debug, Default)]
-pub(super) struct FoundArcs {
-    pub(super) arcs: Vec<Arc>,
+pub(super) struct ContourArcs {
+    pub(super) arcs: Vec<ContourArc>,
     pub(super) inner: Vec<DVec2>,
     /// Cells, and places in them, that are unresolved.
     pub(super) unresolved: Vec<([u32; 2], DVec2)>,
 }
 
-impl FoundArcs {
-    fn append(&mut self, other: &FoundArcs) -> Result<()> {
+impl ContourArcs {
+    fn append(&mut self, other: &ContourArcs) -> Result<()> {
         let shift = self.inner.len() as u32;
         alloc::append(&mut self.inner, &other.inner)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
-        let moved = |arc: &Arc| Arc { inner: arc.inner.map(|k| k + shift), ..*arc };
+        let moved = |arc: &ContourArc| ContourArc { inner: arc.inner.map(|k| k + shift), ..*arc };
         alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))
     }
 }
@@ -64,14 +64,14 @@ impl FoundArcs {
 pub(super) struct ContourSearch<'a, C, S, const N: usize, const M: usize> {
     pub(super) cells: &'a C,
     pub(super) source: &'a S,
-    pub(super) lattice: Lattice,
+    pub(super) lattice: ContourLattice,
     /// Largest distance of chords from the curve. `None` means that only marks are computed.
     pub(super) chord: Option<f64>,
 }
 
 /// Memory that the work on cells reuses.
 #[derive(Default)]
-struct Workspace {
+struct CellWorkspace {
     marks: Vec<Mark>,
     links: Vec<Link>,
     /// Arcs of simple cells (arc, end, side) whose ends are still to be computed as roots of the
@@ -81,9 +81,9 @@ struct Workspace {
     roots: Vec<f64>,
 }
 
-impl Workspace {
+impl CellWorkspace {
     /// Computes the ends that are still open.
-    fn solve_open_ends(&mut self, arcs: &mut [Arc]) {
+    fn solve_open_ends(&mut self, arcs: &mut [ContourArc]) {
         roots(&self.sides, &mut self.roots);
         for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
             arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
@@ -126,16 +126,16 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         count: usize,
         block: impl Fn(usize) -> [u32; 2] + Sync,
         job: &Job<'_>,
-    ) -> Result<FoundArcs> {
-        let mut found = FoundArcs::default();
+    ) -> Result<ContourArcs> {
+        let mut found = ContourArcs::default();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             let blocks = (count - first).min(CHUNK * CHUNKS);
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // With many levels, a single block takes long.
             let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
             let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
-                let mut part = FoundArcs::default();
-                let (mut workspace, mut cache) = (Workspace::default(), S::Cache::default());
+                let mut part = ContourArcs::default();
+                let (mut workspace, mut cache) = (CellWorkspace::default(), S::Cache::default());
                 for k in range {
                     self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
                 }
@@ -143,7 +143,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
                 Ok(part)
             });
             for part in parts? {
-                let part: FoundArcs = part?;
+                let part: ContourArcs = part?;
                 if found.arcs.is_empty() && found.unresolved.is_empty() {
                     found = part;
                 } else {
@@ -158,8 +158,8 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         &self,
         block: [u32; 2],
         cache: &mut S::Cache,
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<()> {
         let [rows, columns] = self.lattice.block(block);
         let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
@@ -170,7 +170,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
             let CellBase { levels, rounding_error, data } = self.source.base(&block, cell, cache);
             let mut patch = None;
             for level in levels {
-                let field = snapped(self.source.field(&data, level), rounding_error);
+                let field = snap_field(self.source.field(&data, level), rounding_error);
                 let [low, high] = field.range();
                 // Includes rounding: if sides agree only within rounding, the neighbour may have
                 // marks on a side that this cell lacks.
@@ -203,8 +203,8 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         &self,
         block: &S::Block,
         cell: [usize; 2],
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<bool> {
         if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
             return Ok(false);
@@ -257,8 +257,8 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         level: usize,
         sides: [usize; 2],
         (corners, rounding_error): ([f64; 4], f64),
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<()> {
         let arc = found.arcs.len() as u32;
         let inner = found.inner.len() as u32;
@@ -268,12 +268,15 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         for (end, side) in sides.into_iter().enumerate() {
             if end == 0 || self.lattice.is_open(cell, side) {
                 alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
-                let along = self.source.along(cell, side, level);
+                let along = self.source.side_coefficients(cell, side, level);
                 alloc::push(&mut workspace.sides, along.map(|x| snap(x, rounding_error)))?;
             }
         }
         let cell = cell.map(|k| k as u32);
-        alloc::push(&mut found.arcs, Arc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false })
+        alloc::push(
+            &mut found.arcs,
+            ContourArc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false },
+        )
     }
 
     /// The polynomials along a cell's sides and the signs at its corners, as computed from the
@@ -293,7 +296,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
                 *own
             } else {
                 let base = self.source.base(block, owner, cache);
-                snapped(self.source.field(&base.data, level), base.rounding_error)
+                snap_field(self.source.field(&base.data, level), base.rounding_error)
             };
             let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
             corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(field.c[a][b]);
@@ -311,11 +314,11 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         &self,
         cell_level: &CellLevel<'_, M>,
         patch: &mut Option<Patch<N>>,
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<()> {
         let CellLevel { cell: at, level, field, rounding_error, deviation, corners, .. } = *cell_level;
-        let Workspace { marks, links, .. } = workspace;
+        let CellWorkspace { marks, links, .. } = workspace;
         links.clear();
         self.marks(cell_level, marks);
         let cell = at.map(|k| k as u32);
@@ -328,7 +331,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
             let [from, to] = [link.from.at, link.to.at];
             // Places on the arc itself, because the midpoint of its ends may be far from it.
             let places = || [from, middle(field, link, rounding_error).unwrap_or(from), to];
-            let keeps = self.source.keeps(at, level, places);
+            let keeps = self.source.keeps_arc(at, level, places);
             if keeps.is_none() {
                 alloc::push(&mut found.unresolved, (cell, from))?;
             }
@@ -345,7 +348,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
                 }
             }
             let (keys, inner) = ([link.from.key, link.to.key], [first, found.inner.len() as u32]);
-            let arc = Arc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
+            let arc = ContourArc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
             alloc::push(&mut found.arcs, arc)?;
         }
         Ok(())
@@ -373,7 +376,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
 /// Rounds values within the rounding error to 0. A piece that lies in a plane within rounding then
 /// lies in it exactly, and produces no tiny curves. Equal coefficients remain equal.
 #[inline]
-fn snapped<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
+fn snap_field<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
     Field { c: field.c.map(|row| row.map(|x| snap(x, rounding_error))) }
 }
 

@@ -2,7 +2,7 @@
 //! belong to the isophote, but no cell contains the angle.
 
 use super::cone_culling;
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::projected_normals::ProjectedNormals;
 use crate::cells::{BLOCK, Cells};
 use crate::index::Cones;
@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 pub(super) fn creases<C: Cells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,
-    lattice: &Lattice,
+    lattice: &ContourLattice,
     angles: &[f64],
     unsigned: bool,
     job: &Job<'_>,
@@ -33,7 +33,7 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
         let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
         let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
         let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
-        cone_culling::may_have(angles, unsigned, whole)
+        cone_culling::may_have_angle(angles, unsigned, whole)
     };
     let [rows, columns] = lattice.counts;
     let (mut found, mut jumps_in) = (Vec::new(), Vec::new());

@@ -7,16 +7,16 @@
 //! which happens at isolated points. These equations do not suffer from cancellation at any angle.
 
 use super::cone_culling;
-use super::contour_lattice::Lattice;
-use super::contour_search::{ContourSearch, FoundArcs};
+use super::contour_lattice::ContourLattice;
+use super::contour_search::{ContourArcs, ContourSearch};
 use super::creases::creases;
 use super::normals::squares;
 use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::source::{CellBase, Continuity, Source, between};
+use super::source::{CellBase, Continuity, Source, levels_between};
 use crate::cells::Cells;
-use crate::checks::{direction, rising};
+use crate::checks::{check_ascending, unit_vector};
 use crate::ranges::angles;
 use crate::subdivision::Field;
 use crate::{NormalKind, Paths, Place, Sheet, Surface};
@@ -88,11 +88,11 @@ impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     /// between them.
     fn levels_in(&self, [low, high]: [f64; 2]) -> Range<usize> {
         let AngleClasses { radians, unsigned, .. } = self.classes;
-        let own = between(radians, [low, high], 0.0);
+        let own = levels_between(radians, [low, high], 0.0);
         if !unsigned {
             return own;
         }
-        match between(radians, [PI - high, PI - low], 0.0) {
+        match levels_between(radians, [PI - high, PI - low], 0.0) {
             others if others.is_empty() => own,
             others if own.is_empty() => others,
             others => own.start.min(others.start)..own.end.max(others.end),
@@ -138,14 +138,14 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
         let [sin, cos] = self.classes.others[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
-        base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
+        base.along.linear_combination(sign * sin * sin, &base.across, -sign * cos * cos)
     }
 
     /// Accepts the arcs on which H has the sign of cos alpha, because pi - alpha satisfies the same
     /// equation. The sign is constant along an arc: H and P vanish together only where the normal
     /// does not exist, as at poles, where the sign is undetermined. Close to such a place inside a
     /// cell, arcs that were linked without being resolved may have both signs.
-    fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+    fn keeps_arc(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         if self.classes.unsigned {
             return Some(true);
         }
@@ -211,8 +211,8 @@ impl Surface<'_> {
         spacing: PointSpacing,
         job: &Job<'_>,
     ) -> Result<Paths> {
-        let axis = direction(axis, "direction")?;
-        rising(angles, "levels")?;
+        let axis = unit_vector(axis, "direction")?;
+        check_ascending(angles, "levels")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "levels", angle))?;
         let mut search = IsophoteSearch {
@@ -307,14 +307,14 @@ impl IsophoteSearch<'_> {
     ) -> Result<()> {
         let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
         let (sheet, cones, job) = (surface.sheet(k), surface.cones(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
-        let lattice = Lattice::of(sheet);
+        let lattice = ContourLattice::new(sheet);
         let is_smooth = matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.is_smooth()));
         let jumps = !is_smooth;
         let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
         let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
         // The blocks, row by row, that may have one of some angles.
         let blocks = |angles: &[f64]| {
-            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have(angles, classes.unsigned, range))
+            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have_angle(angles, classes.unsigned, range))
         };
         let passes = classes.silhouettes.len()
             + usize::from(!classes.others.is_empty())
@@ -343,7 +343,7 @@ impl IsophoteSearch<'_> {
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);
             let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
-            let found = FoundArcs { unresolved, ..FoundArcs::default() };
+            let found = ContourArcs { unresolved, ..ContourArcs::default() };
             curves.add(k, found, &lattice, true, job.threads())?;
         }
         for &(number, sign) in &classes.poles {
@@ -363,7 +363,7 @@ impl IsophoteSearch<'_> {
 fn poles<C: Cells<N>, const N: usize, const H: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     sheet: u32,
-    lattice: &Lattice,
+    lattice: &ContourLattice,
     blocks: &[[u32; 2]],
     sign: f64,
     job: &Job<'_>,

@@ -12,12 +12,12 @@
 //! the answer), at most [`MAX_PARTS`] parts for each.
 
 use super::cone_culling;
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;
 use crate::cells::Cells;
-use crate::checks::direction;
+use crate::checks::unit_vector;
 use crate::index::Cones;
 use crate::ranges::angles;
 use crate::subdivision::Field;
@@ -74,7 +74,7 @@ struct Best {
 }
 
 /// A cell that may contain a better place.
-struct Candidate {
+struct CandidateCell {
     bound: f64,
     sheet: u32,
     cell: [u32; 2],
@@ -109,7 +109,7 @@ impl TargetAngle {
                 return false;
             }
             let (sin, cos) = (libm::sin(theta), libm::cos(theta));
-            let [low, high] = h.combined(sin * sin, &p, -cos * cos).range();
+            let [low, high] = h.linear_combination(sin * sin, &p, -cos * cos).range();
             match (below, cos >= 0.0) {
                 (false, true) => behind || high <= 0.0,
                 (false, false) => behind && low >= 0.0,
@@ -123,7 +123,7 @@ impl TargetAngle {
 }
 
 /// True if all components are within the rounding error.
-fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
+fn all_vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
     ranges.iter().all(|&[low, high]| low >= -rounding_error && high <= rounding_error)
 }
 
@@ -139,7 +139,7 @@ struct NormalPart<const H: usize> {
 
 impl<const H: usize> NormalPart<H> {
     fn new(normal: [Field<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
-        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), rounding_error);
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].evaluate(0.5, 0.5).value), rounding_error);
         NormalPart { normal, from, size, rounding_error, deviation }
     }
 
@@ -169,7 +169,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
 
     /// The blocks that may contain an angle as good as the best one. Searches the most promising
     /// blocks first, to improve the best angle.
-    fn blocks(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>> {
+    fn blocks(&self, cones: &Cones, lattice: &ContourLattice, best: &Best) -> Result<Vec<[u32; 2]>> {
         let direction = self.normals.frame[2];
         let mut front = vec![[0; 2]];
         for level in (0..cones.levels()).rev() {
@@ -192,9 +192,9 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
     fn candidates(
         &self,
         cones: &Cones,
-        lattice: &Lattice,
+        lattice: &ContourLattice,
         best: &mut Best,
-        candidates: &mut Vec<Candidate>,
+        candidates: &mut Vec<CandidateCell>,
         job: &Job<'_>,
     ) -> Result<()> {
         let blocks = self.blocks(cones, lattice, best)?;
@@ -219,7 +219,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
                 Ok((best, candidates))
             })?;
             for part in parts {
-                let (found, some): (Best, Vec<Candidate>) = part?;
+                let (found, some): (Best, Vec<CandidateCell>) = part?;
                 if found.deviation < best.deviation {
                     *best = found;
                 }
@@ -230,12 +230,12 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         Ok(())
     }
 
-    fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()> {
+    fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<CandidateCell>) -> Result<()> {
         let (cell, patch) = ([i as u32, j as u32], self.normals.cells.patch(i, j));
         let of = Hodographs::new(&patch, &self.normals.frame);
         let (ranges, rounding_error) = (of.ranges(), self.normals.rounding_error(&of));
         let bound = self.goal.bound(angles(&ranges, 0.0));
-        if bound >= best.deviation || vanish(&ranges, rounding_error) {
+        if bound >= best.deviation || all_vanish(&ranges, rounding_error) {
             return Ok(());
         }
         let normal = patch.jet(0.5, 0.5).normal();
@@ -243,7 +243,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         if deviation < best.deviation {
             *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
         }
-        alloc::push(candidates, Candidate { bound, sheet: self.sheet, cell })
+        alloc::push(candidates, CandidateCell { bound, sheet: self.sheet, cell })
     }
 
     /// Improves the best place within a cell. Returns a lower bound of the deviations in the cell.
@@ -280,7 +280,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
             *self.best = Best { deviation: part.deviation, place: Some(place) };
         }
         let ranges = part.normal.map(|field| field.range());
-        if vanish(&ranges, part.rounding_error) {
+        if all_vanish(&ranges, part.rounding_error) {
             // The normal does not exist here.
             return Ok(BoxTest::Empty);
         }
@@ -330,7 +330,7 @@ impl Surface<'_> {
         unsigned: bool,
         job: &Job<'_>,
     ) -> Result<Option<NearestAngle>> {
-        let axis = direction(axis, "direction")?;
+        let axis = unit_vector(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
         let (goal, frame) = (TargetAngle { angle, unsigned }, frame(axis));
@@ -341,10 +341,10 @@ impl Surface<'_> {
             let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             each_sheet!(sheet, cells => {
                 let search = AngleSearch::new(self, k, cells, frame, goal);
-                search.candidates(cones, &Lattice::of(sheet), &mut best, &mut candidates, &part)
+                search.candidates(cones, &ContourLattice::new(sheet), &mut best, &mut candidates, &part)
             })?;
         }
-        let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
+        let order = |candidate: &CandidateCell| (candidate.sheet, candidate.cell);
         sort::stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
         let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {

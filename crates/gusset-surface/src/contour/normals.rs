@@ -146,10 +146,10 @@ mod tests {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);
             let truth = patch.jet(u, v).normal();
             for axis in 0..3 {
-                assert!((fields[axis].at(u, v).value - truth[axis]).abs() < 1e-12);
+                assert!((fields[axis].evaluate(u, v).value - truth[axis]).abs() < 1e-12);
                 assert!(ranges[axis][0] <= truth[axis] && truth[axis] <= ranges[axis][1]);
             }
-            assert!((square.at(u, v).value - truth.length_squared()).abs() < 1e-11);
+            assert!((square.evaluate(u, v).value - truth.length_squared()).abs() < 1e-11);
         }
     }
 }

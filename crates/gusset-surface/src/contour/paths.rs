@@ -3,8 +3,8 @@
 //! Cost: O(n log n) for n paths of sheets, and O(1) for each point.
 
 use super::contour_chain::{ContourPath, ContourPaths, chain};
-use super::contour_lattice::Lattice;
-use super::contour_search::FoundArcs;
+use super::contour_lattice::ContourLattice;
+use super::contour_search::ContourArcs;
 use crate::{Paths, Place, Surface};
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;
@@ -26,8 +26,8 @@ impl ContourSet {
     pub(super) fn add(
         &mut self,
         sheet: usize,
-        mut found: FoundArcs,
-        lattice: &Lattice,
+        mut found: ContourArcs,
+        lattice: &ContourLattice,
         jumps: bool,
         threads: usize,
     ) -> Result<()> {
@@ -174,7 +174,7 @@ impl SheetContours {
     /// discontinuous.
     fn report_inner(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
         for place in ends.map(|end| self.places[end]) {
-            let sheet = Lattice::of(surface.sheet(place.sheet as usize));
+            let sheet = ContourLattice::new(surface.sheet(place.sheet as usize));
             if !sheet.on_edge(place.cell, [place.u, place.v]) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
@@ -222,12 +222,12 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
         paths.push(points[k].1, frames[k].0, frames[k].1)?;
         paths.end(false, points[k].0)?;
     }
-    *paths = by_level(std::mem::take(paths))?;
+    *paths = sort_by_level(std::mem::take(paths))?;
     Ok(())
 }
 
 /// The paths sorted by level.
-fn by_level(mut given: Paths) -> Result<Paths> {
+fn sort_by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
     sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
     let unresolved = std::mem::take(&mut given.unresolved);

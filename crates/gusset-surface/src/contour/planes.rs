@@ -1,7 +1,7 @@
 //! Finds the blocks that a stack of parallel planes crosses, in one descent for all planes. Uses
 //! the ranges of the planes' function over boxes.
 
-use super::source::between;
+use super::source::levels_between;
 use crate::index::Pyramid;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -30,7 +30,7 @@ pub(super) fn blocks(
 ) -> Result<Vec<[u32; 2]>> {
     // Boxes are relative to the index's origin.
     let shift = (index.origin() - point).dot(normal);
-    let crossed = |[low, high]: [f64; 2]| !between(offsets, [low + shift, high + shift], slack).is_empty();
+    let crossed = |[low, high]: [f64; 2]| !levels_between(offsets, [low + shift, high + shift], slack).is_empty();
     let levels = index.levels();
     let mut found = Vec::new();
     let mut waiting = vec![(levels.len(), 0, 0)];
@@ -40,14 +40,14 @@ pub(super) fn blocks(
             continue;
         }
         let below = &levels[level - 1];
-        let ranges = below.child_boxes(row, column).along(normal);
+        let ranges = below.child_boxes(row, column).ranges_along(normal);
         // Pushed in reverse, so that blocks are popped in their order.
         for (child, range) in ranges.into_iter().enumerate().rev() {
             let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
             let there = (row << (level - 1)) < counts[0] && (column << (level - 1)) < counts[1];
             if there
                 && crossed(range)
-                && below.oriented(row, column).is_none_or(|oriented| crossed(oriented.along(normal)))
+                && below.oriented(row, column).is_none_or(|oriented| crossed(oriented.range_along(normal)))
             {
                 waiting.push((level - 1, row, column));
             }

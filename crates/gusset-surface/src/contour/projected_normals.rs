@@ -2,7 +2,7 @@
 //!
 //! Cost: O(N^2) for a cell by its corners or its hodographs; roots as in [`roots`].
 
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::normals::Hodographs;
 use super::source::Continuity;
 use crate::Surface;
@@ -87,7 +87,7 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
     /// The corners of a block, and its cells, row by row.
     pub(super) fn block(
         &self,
-        lattice: &Lattice,
+        lattice: &ContourLattice,
         block: [u32; 2],
     ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>) {
         let [rows, columns] = lattice.block(block);

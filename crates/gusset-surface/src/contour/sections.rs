@@ -4,7 +4,7 @@
 //! Both are zero sets of a scalar that is interpolated like the surface. For a plane, the scalar is
 //! the signed distance. See [`super::contour_search`].
 
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::contour_search::ContourSearch;
 use super::paths::ContourSet;
 use super::planes::{self, Planes};
@@ -12,7 +12,7 @@ use super::point_spacing::{PointSpacing, add_leus_points};
 use super::source::{Nodal, Plane};
 use crate::axis::{Axis, Scheme};
 use crate::cells::BLOCK;
-use crate::checks::{direction, finite, rising};
+use crate::checks::{check_ascending, check_finite, unit_vector};
 use crate::{Paths, Sheet, Surface, each_sheet};
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
@@ -35,9 +35,9 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the planes are not finite, lack a normal, or are not
     /// ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn section(&self, planes: &Planes<'_>, spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
-        let normal = direction(planes.normal, "normal")?;
-        finite(planes.point, "point")?;
-        rising(planes.levels, "levels")?;
+        let normal = unit_vector(planes.normal, "normal")?;
+        check_finite(planes.point, "point")?;
+        check_ascending(planes.levels, "levels")?;
         let chord = self.chord(spacing)?;
         let max_coordinate = self.max_coordinate().max(planes.point.abs().max_element());
         // A few rounding errors of coordinates of this size.
@@ -45,7 +45,7 @@ impl Surface<'_> {
         let mut contours = ContourSet::default();
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
-            let lattice = Lattice::of(sheet);
+            let lattice = ContourLattice::new(sheet);
             let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.levels, rounding_error)?;
             let block = |k: usize| blocks[k];
             let jumps = !matches!(sheet, Sheet::Grid(_));
@@ -88,14 +88,14 @@ impl Surface<'_> {
     /// [`Error::NotFinite`] with the index of the value; [`Error::OptionOutOfRange`] if levels are
     /// not finite or not ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn contours(&self, values: &[f64], levels: &[f64], spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
-        rising(levels, "levels")?;
+        check_ascending(levels, "levels")?;
         let chord = self.chord(spacing)?;
         self.check_values(values)?;
         let mut contours = ContourSet::default();
         let mut first = 0;
         for k in 0..self.len() {
             let (part, (sheet, _)) = (self.sheet_job(k, job), self.indexed(k));
-            let lattice = Lattice::of(sheet);
+            let lattice = ContourLattice::new(sheet);
             let [rows, columns] = sheet.cells().map(|count| count + 1);
             let own = &values[first..first + rows * columns];
             first += rows * columns;

@@ -104,7 +104,7 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
 mod tests {
     use super::*;
 
-    fn found<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<Crossing> {
+    fn all_crossings<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<Crossing> {
         let mut list = Vec::new();
         crossings(&c, ends, |crossing| list.push(crossing));
         list
@@ -114,9 +114,9 @@ mod tests {
     fn signs_at_the_ends_are_kept() {
         // A line through 1/2, with true and with false signs at its ends.
         let line = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];
-        assert_eq!(found(line, [false, true]), [Crossing { t: 0.5, rising: true }]);
+        assert_eq!(all_crossings(line, [false, true]), [Crossing { t: 0.5, rising: true }]);
         for ends in [[true, true], [false, false], [true, false]] {
-            let list = found(line, ends);
+            let list = all_crossings(line, ends);
             let mut sign = ends[0];
             for crossing in &list {
                 assert_eq!(crossing.rising, !sign);
@@ -126,17 +126,17 @@ mod tests {
         }
         // The zero polynomial is positive. A value 0 at the start of a negative polynomial is a
         // root there.
-        assert!(found([0.0; 4], [true, true]).is_empty());
-        assert_eq!(found([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
+        assert!(all_crossings([0.0; 4], [true, true]).is_empty());
+        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
         // The polynomial is 0 at an end, positive next to it, and changes sign elsewhere.
-        let [inner] = found([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
+        let [inner] = all_crossings([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
         assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
-        let [inner] = found([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
+        let [inner] = all_crossings([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
         assert!(!inner.rising && inner.t > 0.1 && value_and_slope(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
         // A double root, touched from above and from below.
-        assert!(found([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
-        assert!(found([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());
-        let two = found([0.25 - 1e-12, -0.25, 0.25], [true, true]);
+        assert!(all_crossings([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
+        assert!(all_crossings([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());
+        let two = all_crossings([0.25 - 1e-12, -0.25, 0.25], [true, true]);
         assert!(two.len() == 2 && two[1].t - two[0].t < 3e-6 && two[1].t > two[0].t);
     }
 
@@ -149,7 +149,7 @@ mod tests {
                 - a * b * d
         };
         let c = [blossom(0., 0., 0.), blossom(0., 0., 1.), blossom(0., 1., 1.), blossom(1., 1., 1.)];
-        let list = found(c, [false, true]);
+        let list = all_crossings(c, [false, true]);
         assert_eq!(list.len(), 3);
         for (crossing, root) in list.iter().zip([a, b, d]) {
             assert!((crossing.t - root).abs() < 1e-14, "{list:?}");

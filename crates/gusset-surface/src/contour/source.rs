@@ -44,7 +44,7 @@ pub(super) trait Source<const M: usize>: Sync {
     /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
     /// sources with [`Source::corner_test`].
     #[inline]
-    fn along(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
+    fn side_coefficients(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
     }
 
@@ -67,7 +67,7 @@ pub(super) trait Source<const M: usize>: Sync {
 
     /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
     /// places on it. `None` if only a part of it does.
-    fn keeps(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+    fn keeps_arc(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         Some(true)
     }
 
@@ -94,8 +94,8 @@ pub(super) struct CellBase<B> {
 impl<const M: usize> CellBase<Field<M>> {
     /// Prepares a field from which levels are subtracted.
     #[inline]
-    fn of(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
-        CellBase { levels: between(levels, field.range(), rounding_error), rounding_error, data: field }
+    fn from_field(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
+        CellBase { levels: levels_between(levels, field.range(), rounding_error), rounding_error, data: field }
     }
 }
 
@@ -113,7 +113,7 @@ pub(super) struct CornerTest {
 
 /// The indices of the levels between `low` and `high`, with some slack. Levels are ascending.
 #[inline]
-pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
+pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
     if let &[level] = levels {
         return 0..usize::from(low - slack <= level && level <= high + slack);
     }
@@ -126,7 +126,7 @@ pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Rang
 const WINDOW: usize = BLOCK + TAPS - 1;
 
 /// The scalars that the cells of a block depend on, and their weights.
-pub(super) struct Window {
+pub(super) struct ScalarWindow {
     start: [usize; 2],
     values: [[f64; WINDOW]; WINDOW],
     /// By direction and cell: the index of its first node.
@@ -136,9 +136,9 @@ pub(super) struct Window {
     columns: [[[f64; 4]; TAPS]; BLOCK],
 }
 
-impl Window {
+impl ScalarWindow {
     fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
-        let mut window = Window {
+        let mut window = ScalarWindow {
             start: [cells[0].start, cells[1].start],
             values: [[0.0; WINDOW]; WINDOW],
             first: [[0; BLOCK]; 2],
@@ -209,7 +209,7 @@ impl Window {
 }
 
 /// A block of cells with scalars at nodes.
-pub(super) struct Nodes {
+pub(super) struct NodalBlock {
     cells: [Range<usize>; 2],
     /// The scalars at the corners of cells, if the deviation is finite.
     corners: [[f64; BLOCK + 1]; BLOCK + 1],
@@ -219,12 +219,12 @@ pub(super) struct Nodes {
 
 /// The window of a block, with the block's first cell. It is computed when a cell needs more than
 /// its corners.
-type CachedWindow = Option<([usize; 2], Window)>;
+type CachedWindow = Option<([usize; 2], ScalarWindow)>;
 
-impl Nodes {
+impl NodalBlock {
     /// The scalars at the corners 2 u + v of a cell.
     #[inline(always)]
-    fn around(&self, [i, j]: [usize; 2]) -> [f64; 4] {
+    fn corner_values(&self, [i, j]: [usize; 2]) -> [f64; 4] {
         let (r, c) = (i - self.cells[0].start, j - self.cells[1].start);
         let [low, high] = [&self.corners[r], &self.corners[r + 1]];
         [low[c], low[c + 1], high[c], high[c + 1]]
@@ -232,8 +232,8 @@ impl Nodes {
 
     /// A range of the field over a cell, from its corners.
     #[inline(always)]
-    fn near(&self, cell: [usize; 2]) -> [f64; 2] {
-        let [a, b, c, d] = self.around(cell);
+    fn value_range(&self, cell: [usize; 2]) -> [f64; 2] {
+        let [a, b, c, d] = self.corner_values(cell);
         // Comparisons instead of f64::min, because NaN may be ignored.
         let min = |a: f64, b: f64| if a < b { a } else { b };
         let max = |a: f64, b: f64| if a > b { a } else { b };
@@ -260,14 +260,14 @@ where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
 {
-    type Block = Nodes;
+    type Block = NodalBlock;
     type Base = Field<4>;
     type Cache = CachedWindow;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<Nodes> {
+    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
-        let mut block = Nodes { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
+        let mut block = NodalBlock { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
         if deviation.is_finite() {
             let [rows, columns] = &block.cells;
             for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
@@ -279,21 +279,21 @@ where
         }
         let [low, high] = self.window(&block, cache).range();
         let slack = 0.5 * self.excess * (high - low) + self.rounding_error;
-        (!between(self.levels, [low, high], slack).is_empty()).then_some(block)
+        (!levels_between(self.levels, [low, high], slack).is_empty()).then_some(block)
     }
 
     #[inline]
-    fn may_cross(&self, block: &Nodes, cell: [usize; 2]) -> bool {
-        !between(self.levels, block.near(cell), self.rounding_error).is_empty()
+    fn may_cross(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
+        !levels_between(self.levels, block.value_range(cell), self.rounding_error).is_empty()
     }
 
     /// A control point of the surface may differ by 2 deviations from the bilinear patch: see
     /// `projected_normals`.
     #[inline]
-    fn corner_test(&self, block: &Nodes, cell: [usize; 2]) -> Option<CornerTest> {
+    fn corner_test(&self, block: &NodalBlock, cell: [usize; 2]) -> Option<CornerTest> {
         block.deviation.is_finite().then(|| CornerTest {
-            levels: between(self.levels, block.near(cell), self.rounding_error),
-            corners: block.around(cell),
+            levels: levels_between(self.levels, block.value_range(cell), self.rounding_error),
+            corners: block.corner_values(cell),
             slack: 2.0 * block.deviation,
             rounding_error: self.rounding_error,
         })
@@ -305,7 +305,7 @@ where
     }
 
     #[inline]
-    fn along(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
+    fn side_coefficients(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
         let along_u = side.is_multiple_of(2);
         let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
         let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
@@ -321,8 +321,8 @@ where
     }
 
     #[inline]
-    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
-        CellBase::of(self.window(block, cache).field(cell), self.levels, self.rounding_error)
+    fn base(&self, block: &NodalBlock, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
+        CellBase::from_field(self.window(block, cache).field(cell), self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
@@ -331,11 +331,11 @@ where
 
     #[inline]
     fn field(&self, base: &Field<4>, level: usize) -> Field<4> {
-        shifted(base, self.levels[level])
+        subtract_level(base, self.levels[level])
     }
 
     #[inline]
-    fn deviation(&self, block: &Nodes) -> f64 {
+    fn deviation(&self, block: &NodalBlock) -> f64 {
         block.deviation
     }
 
@@ -345,18 +345,18 @@ where
 }
 
 impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
-    fn window<'a>(&self, block: &Nodes, cache: &'a mut CachedWindow) -> &'a Window {
+    fn window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
         let first = [block.cells[0].start, block.cells[1].start];
         if cache.as_ref().is_some_and(|(of, _)| *of != first) {
             *cache = None;
         }
-        &cache.get_or_insert_with(|| (first, Window::new(self.axes, &block.cells, &self.value))).1
+        &cache.get_or_insert_with(|| (first, ScalarWindow::new(self.axes, &block.cells, &self.value))).1
     }
 }
 
 /// The field minus a number.
 #[inline]
-fn shifted<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
+fn subtract_level<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
     Field { c: base.c.map(|row| row.map(|x| x - level)) }
 }
 
@@ -381,7 +381,7 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> CellBase<Field<N>> {
         let patch = self.cells.patch(i, j);
         let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
-        CellBase::of(heights, self.levels, self.rounding_error)
+        CellBase::from_field(heights, self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
@@ -389,7 +389,7 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     }
 
     fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
-        shifted(base, self.levels[level])
+        subtract_level(base, self.levels[level])
     }
 
     fn continuity(&self) -> Continuity {

@@ -15,7 +15,7 @@ const SHORT_LINE: usize = crate::MAX_DEGREE + 1;
 
 /// A control net, row by row. A direction with a single control point lacks a parameter.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Net<'a> {
+pub(super) struct ControlNet<'a> {
     pub(super) points: &'a [DVec3],
     pub(super) shape: [usize; 2],
 }
@@ -28,7 +28,7 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    fn of(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
+    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
         let bounds = Aabb::of(vectors.clone());
         if bounds.is_empty() {
             return Ball::default();
@@ -65,8 +65,8 @@ impl Balls {
     }
 }
 
-impl<'a> Net<'a> {
-    fn at(&self, a: usize, b: usize) -> DVec3 {
+impl<'a> ControlNet<'a> {
+    fn control_point(&self, a: usize, b: usize) -> DVec3 {
         self.points[a * self.shape[1] + b]
     }
 
@@ -85,7 +85,7 @@ impl<'a> Net<'a> {
         let mut work = [DVec3::ZERO; LINE];
         let mut across = [[DVec3::ZERO; LINE]; 3];
         for b in 0..columns {
-            (0..rows).for_each(|a| work[a] = self.at(a, b));
+            (0..rows).for_each(|a| work[a] = self.control_point(a, b));
             let found = derivatives(&mut work[..rows], u);
             across.iter_mut().zip(found).for_each(|(row, found)| row[b] = found);
         }
@@ -100,7 +100,7 @@ impl<'a> Net<'a> {
         let [rows, columns] = self.shape;
         let degree = self.shape.map(|count| (count - 1) as f64);
         let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
-        let p = |a: usize, b: usize| self.at(a, b);
+        let p = |a: usize, b: usize| self.control_point(a, b);
         let u = all(rows - 1, columns).map(|(a, b)| degree[0] * (p(a + 1, b) - p(a, b)));
         let v = all(rows, columns - 1).map(|(a, b)| degree[1] * (p(a, b + 1) - p(a, b)));
         let again = degree.map(|degree| degree * (degree - 1.0));
@@ -111,9 +111,9 @@ impl<'a> Net<'a> {
         let uv = all(rows - 1, columns - 1);
         let uv = uv.map(|(a, b)| degree[0] * degree[1] * (p(a + 1, b + 1) - p(a + 1, b) - p(a, b + 1) + p(a, b)));
         Balls {
-            point: Ball::of(self.points.iter().copied()),
-            first: [Ball::of(u), Ball::of(v)],
-            second: [Ball::of(uu), Ball::of(uv), Ball::of(vv)],
+            point: Ball::from_vectors(self.points.iter().copied()),
+            first: [Ball::from_vectors(u), Ball::from_vectors(v)],
+            second: [Ball::from_vectors(uu), Ball::from_vectors(uv), Ball::from_vectors(vv)],
         }
     }
 

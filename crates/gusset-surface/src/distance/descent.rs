@@ -5,7 +5,7 @@
 //! definite everywhere, f is convex, and nowhere below its tangent plane at any place. Descent then
 //! leads to the nearest points. Products of balls bound the Hessian. O(1).
 
-use super::control_net::{Ball, Balls, Net};
+use super::control_net::{Ball, Balls, ControlNet};
 use crate::Jet;
 use glam::DVec3;
 
@@ -33,13 +33,13 @@ pub(super) struct Value {
 /// Two nets.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NetPair<'a> {
-    pub(super) a: Net<'a>,
-    pub(super) b: Net<'a>,
+    pub(super) a: ControlNet<'a>,
+    pub(super) b: ControlNet<'a>,
 }
 
 impl NetPair<'_> {
     /// Which parameters exist.
-    fn exist(&self) -> [bool; 4] {
+    fn existing_parameters(&self) -> [bool; 4] {
         let [a, b] = [self.a.shape, self.b.shape].map(|shape| shape.map(|count| count > 1));
         [a[0], a[1], b[0], b[1]]
     }
@@ -53,7 +53,7 @@ impl NetPair<'_> {
 
     /// Descends to a local minimum in at most `steps` steps.
     pub(super) fn minimise(&self, start: Value, steps: usize) -> Value {
-        let exist = self.exist();
+        let exist = self.existing_parameters();
         let mut best = start;
         for _ in 0..steps {
             let gradient = best.gradient();
@@ -85,7 +85,7 @@ impl NetPair<'_> {
 
     /// True if f is proven to be convex.
     pub(super) fn is_convex(&self, balls: [&Balls; 2]) -> bool {
-        is_convex(self.exist(), balls)
+        is_convex(self.existing_parameters(), balls)
     }
 }
 

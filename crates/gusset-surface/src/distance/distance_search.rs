@@ -138,8 +138,10 @@ impl<'a> DistanceSearch<'a> {
             return Ok(());
         }
         let corners = &found.corners[..found.count];
-        let ([u, v], [s, t]) =
-            (self.a.start(a, corners, |corner| corner.a), self.b.start(b, corners, |corner| corner.b));
+        let ([u, v], [s, t]) = (
+            self.a.start_parameters(a, corners, |corner| corner.a),
+            self.b.start_parameters(b, corners, |corner| corner.b),
+        );
         let pair = Pair { a, b, start: [u, v, s, t] };
         // Among equal bounds, the latest pair comes first: where hulls meet, this leads straight to
         // points that meet.
@@ -181,7 +183,7 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Selects the piece to divide (true for A), and the parameter to divide it along.
-    fn choose(&mut self, pair: &Pair) -> (bool, usize) {
+    fn choose_division(&mut self, pair: &Pair) -> (bool, usize) {
         let (of_a, of_b) = (self.a.coarseness(pair.a), self.b.coarseness(pair.b));
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
@@ -227,13 +229,13 @@ impl BranchAndBound for DistanceSearch<'_> {
                 return Ok(());
             }
         }
-        let (of_a, parameter) = self.choose(&pair);
+        let (of_a, parameter) = self.choose_division(&pair);
         if of_a {
-            for part in self.a.divided(pair.a, parameter)? {
+            for part in self.a.divide(pair.a, parameter)? {
                 self.consider(part, pair.b)?;
             }
         } else {
-            for part in self.b.divided(pair.b, parameter)? {
+            for part in self.b.divide(pair.b, parameter)? {
                 self.consider(pair.a, part)?;
             }
         }

@@ -15,7 +15,7 @@ mod descent;
 mod distance_search;
 mod pieces;
 
-use super::checks::{direction, finite};
+use super::checks::{check_finite, unit_vector};
 use super::line_intersection::{Line, MAX_COORDINATE};
 use super::{Place, Surface};
 use distance_search::{DistanceSearch, STAGE};
@@ -79,7 +79,7 @@ fn place(at: &Whereabouts) -> Place {
 
 /// Refuses coordinates whose squares would overflow.
 fn check_size(point: DVec3, option: &'static str) -> Result<()> {
-    finite(point, option)?;
+    check_finite(point, option)?;
     let largest = point.abs().max_element();
     Error::require(largest <= MAX_COORDINATE, option, largest)
 }
@@ -98,7 +98,7 @@ impl Surface<'_> {
     /// is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<Approach<f64>> {
         line.check()?;
-        let (along, length) = line.along();
+        let (along, length) = line.direction_and_length();
         let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
         let at = |t: f64| line.origin + (t * length) * along;
         let box_ends: [f64; 8] = self.corners().map(parameter);
@@ -110,7 +110,7 @@ impl Surface<'_> {
             // surface.
             let points = ends.map(at);
             let view = CurveView::new(&points, &[0, 1], false)?;
-            self.distance_to(Source::Curve(&view), self.view_of_space(), &points, tolerance, job)?
+            self.distance_to(Source::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
         } else {
             let (u, v) = along.any_orthonormal_pair();
             let near = at(0.5 * (ends[0] + ends[1]));
@@ -142,7 +142,7 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Approach<f64>> {
         check_size(point, "point")?;
-        let normal = direction(normal, "normal")?;
+        let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
         let found = self.distance_to(Source::Point, (point, across), &[point], tolerance, job)?;
         let mut approach = found.approach(self, 0.0, DVec3::ZERO);
@@ -168,7 +168,7 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
-        let found = self.distance_to(Source::Curve(curve), self.view_of_space(), curve.points(), tolerance, job)?;
+        let found = self.distance_to(Source::Curve(curve), self.unprojected_view(), curve.points(), tolerance, job)?;
         let at = CurvePlace { segment: found.b.number as u32, t: found.b.at[0] };
         Ok(found.approach(self, at, curve.point(at)?))
     }
@@ -187,7 +187,7 @@ impl Surface<'_> {
     ) -> Result<Approach<Place>> {
         let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
         let source = Source::Surface(other);
-        let found = self.distance_to(source, self.view_of_space(), &other.corners(), Some(tolerance), job)?;
+        let found = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
         let at = place(&found.b);
         Ok(found.approach(self, at, other.jet(at).point))
     }
@@ -198,7 +198,7 @@ impl Surface<'_> {
     }
 
     /// The view without projection, with its origin in the middle of the surface.
-    fn view_of_space(&self) -> (DVec3, DMat3) {
+    fn unprojected_view(&self) -> (DVec3, DMat3) {
         let [low, high] = self.bounds();
         (0.5 * (low + high), DMat3::IDENTITY)
     }

@@ -5,7 +5,7 @@
 //! box, the hull of any other piece by its control points. A piece is divided once, and all its
 //! pairs share the parts. Memory: the control points of all pieces.
 
-use super::control_net::{Balls, Net};
+use super::control_net::{Balls, ControlNet};
 use crate::cells::{Cells, cells_of_block};
 use crate::index::OrientedBox;
 use crate::{Surface, each_sheet};
@@ -56,7 +56,7 @@ enum Kind {
         row: usize,
         column: usize,
     },
-    Net,
+    ControlNet,
 }
 
 /// A position: the sheet or segment, the cell, and parameters in it.
@@ -124,9 +124,9 @@ impl<'a> Pieces<'a> {
     }
 
     /// The control net, if the piece is a net.
-    pub(super) fn net(&self, piece: usize) -> Option<Net<'_>> {
+    pub(super) fn net(&self, piece: usize) -> Option<ControlNet<'_>> {
         let found = &self.pieces[piece];
-        matches!(found.kind, Kind::Net).then(|| Net { points: self.hull(piece), shape: found.shape })
+        matches!(found.kind, Kind::ControlNet).then(|| ControlNet { points: self.hull(piece), shape: found.shape })
     }
 
     /// The number of control points stored.
@@ -153,7 +153,12 @@ impl<'a> Pieces<'a> {
 
     /// Parameters close to the point of a net that is a weighted sum of control points. `side`
     /// selects the control point of this piece from each corner.
-    pub(super) fn start(&self, piece: usize, corners: &[Corner], side: impl Fn(&Corner) -> usize) -> [f64; 2] {
+    pub(super) fn start_parameters(
+        &self,
+        piece: usize,
+        corners: &[Corner],
+        side: impl Fn(&Corner) -> usize,
+    ) -> [f64; 2] {
         let Some(net) = self.net(piece) else { return [0.5; 2] };
         let mut sum = [0.0; 2];
         for corner in corners {
@@ -167,7 +172,7 @@ impl<'a> Pieces<'a> {
     /// deviation of a net from flatness.
     pub(super) fn coarseness(&mut self, piece: usize) -> (f64, usize) {
         let [u, v] = match self.pieces[piece].kind {
-            Kind::Net => self.balls(piece).flatness(),
+            Kind::ControlNet => self.balls(piece).flatness(),
             _ => [self.pieces[piece].bounds.diagonal(), 0.0],
         };
         if u >= v { (u, 0) } else { (v, 1) }
@@ -180,9 +185,9 @@ impl<'a> Pieces<'a> {
     }
 
     /// The parts of a piece. A net is divided along the given parameter.
-    pub(super) fn divided(&mut self, piece: usize, parameter: usize) -> Result<Range<usize>> {
+    pub(super) fn divide(&mut self, piece: usize, parameter: usize) -> Result<Range<usize>> {
         let Piece { kind, parts, .. } = self.pieces[piece];
-        let parameter = if matches!(kind, Kind::Net) { parameter } else { 0 };
+        let parameter = if matches!(kind, Kind::ControlNet) { parameter } else { 0 };
         if parts[parameter] == [0; 2] {
             let first = self.pieces.len();
             match kind {
@@ -191,10 +196,10 @@ impl<'a> Pieces<'a> {
                     self.add_range(from, middle)?;
                     self.add_range(middle, to)?;
                 }
-                Kind::Range { from, .. } => self.open(from)?,
+                Kind::Range { from, .. } => self.add_root_block(from)?,
                 Kind::Block { sheet, level: 0, row, column } => self.add_cells(sheet, [row, column])?,
                 Kind::Block { sheet, level, row, column } => self.add_blocks(sheet, level, [row, column])?,
-                Kind::Net => self.halve(piece, parameter)?,
+                Kind::ControlNet => self.halve(piece, parameter)?,
             }
             self.pieces[piece].parts[parameter] = [first, self.pieces.len()];
         }
@@ -216,7 +221,7 @@ impl<'a> Pieces<'a> {
 
     /// Adds a net of transformed points.
     fn add_net(&mut self, points: &[DVec3], shape: [usize; 2], whereabouts: Whereabouts, size: [f64; 2]) -> Result<()> {
-        self.add(Kind::Net, shape, points.iter().copied())?;
+        self.add(Kind::ControlNet, shape, points.iter().copied())?;
         if let Some(piece) = self.pieces.last_mut() {
             (piece.whereabouts, piece.size) = (whereabouts, size);
         }
@@ -249,7 +254,7 @@ impl<'a> Pieces<'a> {
     }
 
     /// Adds the top block of a sheet.
-    fn open(&mut self, sheet: usize) -> Result<()> {
+    fn add_root_block(&mut self, sheet: usize) -> Result<()> {
         let Source::Surface(surface) = self.source else { return Ok(()) };
         let (_, index) = surface.indexed(sheet);
         let kind = Kind::Block { sheet, level: index.levels().len(), row: 0, column: 0 };
@@ -263,7 +268,7 @@ impl<'a> Pieces<'a> {
         let below = &index.levels()[level - 1];
         for child in 0..4 {
             let (r, c) = (2 * row + child / 2, 2 * column + child % 2);
-            if below.has(r, c) {
+            if below.has_block(r, c) {
                 let aligned = || corners(&below.child_boxes(row, column).get(child));
                 let hull = below.oriented(r, c).map_or_else(aligned, OrientedBox::corners);
                 let kind = Kind::Block { sheet, level: level - 1, row: r, column: c };
@@ -293,7 +298,7 @@ impl<'a> Pieces<'a> {
     /// Adds the halves of a net.
     fn halve(&mut self, piece: usize, parameter: usize) -> Result<()> {
         let Piece { shape, whereabouts, mut size, .. } = self.pieces[piece];
-        let net = Net { points: self.hull(piece), shape };
+        let net = ControlNet { points: self.hull(piece), shape };
         let count = net.points.len();
         let mut both = alloc::filled(DVec3::ZERO, 2 * count)?;
         net.halves(parameter, &mut both);

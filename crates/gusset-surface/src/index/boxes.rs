@@ -67,7 +67,7 @@ impl ChildBoxes {
     /// The range of the products of points of each box with a nonzero direction. For an empty box,
     /// the smallest product is infinite.
     #[inline(always)]
-    pub(crate) fn along(&self, direction: DVec3) -> [[f64; 2]; 4] {
+    pub(crate) fn ranges_along(&self, direction: DVec3) -> [[f64; 2]; 4] {
         let mut ranges = [[0.0; 2]; 4];
         for (axis, by) in direction.to_array().into_iter().enumerate().filter(|&(_, by)| by != 0.0) {
             let (low, high) = (&self.low[axis], &self.high[axis]);
@@ -115,7 +115,7 @@ impl ChildBoxes {
 impl OrientedBox {
     /// Creates a box that contains all points plus any vector of `by`, with axes along two
     /// directions of the surface.
-    pub(crate) fn around(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> OrientedBox {
+    pub(crate) fn from_points(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> OrientedBox {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
         // The cross product of nearly parallel directions, as for a block that closes, is dominated
         // by rounding, and not perpendicular to them.
@@ -195,7 +195,7 @@ impl OrientedBox {
 
     /// The range of the products of points of the box with a direction.
     #[inline(always)]
-    pub(crate) fn along(&self, direction: DVec3) -> [f64; 2] {
+    pub(crate) fn range_along(&self, direction: DVec3) -> [f64; 2] {
         let half = double(self.half);
         let middle = double(self.centre).dot(direction);
         // The axes are orthonormal to 1e-7, so the box may extend slightly farther.
@@ -280,7 +280,7 @@ mod tests {
             let signs = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * bit as f64 - 1.0);
             let points: Vec<DVec3> = (0..8).map(signs).map(|[a, b, c]| a * x + b * y + c * z).collect();
             let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-            let (centre, half) = OrientedBox::around(&points, u, v, exactly).edges();
+            let (centre, half) = OrientedBox::from_points(&points, u, v, exactly).edges();
             let inside = DMat3::from_cols(half[0], half[1], half[2]).inverse();
             for &point in &points {
                 assert!((inside * (point - centre)).abs().max_element() <= 1.0 + 1e-12, "{k}: {sizes:?}");
@@ -299,7 +299,7 @@ mod tests {
             [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
         for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
             let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-            let found = OrientedBox::around(&points, a, b, exactly);
+            let found = OrientedBox::from_points(&points, a, b, exactly);
             let frame = found.frame();
             assert!(
                 (frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6),

@@ -52,7 +52,7 @@ impl PackedCone {
     }
 
     /// A cone that contains the cross products of vectors of two boxes.
-    fn of_products([u, v]: [Aabb; 2]) -> PackedCone {
+    fn from_products([u, v]: [Aabb; 2]) -> PackedCone {
         let parts = |of: Aabb| [of.centre(), 0.5 * of.size()];
         let [[u, half_u], [v, half_v]] = [parts(u), parts(v)];
         let Some((axis, third)) = PackedCone::packed_axis(u.cross(v)) else { return PackedCone::ALL };
@@ -70,7 +70,7 @@ impl PackedCone {
     }
 
     /// A cone that contains other cones.
-    fn around(cones: &[PackedCone]) -> PackedCone {
+    fn enclosing(cones: &[PackedCone]) -> PackedCone {
         if let &[cone] = cones {
             return cone;
         }
@@ -129,7 +129,7 @@ impl Cones {
             let mut boxes = alloc::filled([Aabb::EMPTY; 2], cones.len())?;
             cells.tangents(first..first + cones.len() / columns, &mut boxes)?;
             for (cone, boxes) in cones.iter_mut().zip(boxes) {
-                *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
+                *cone = PackedCone::from_products(boxes.map(|bounds| bounds.inflated(noise)));
             }
             Ok(())
         })?
@@ -137,7 +137,7 @@ impl Cones {
         .collect::<Result<()>>()?;
         let mut levels = vec![Level { columns, cones: base }];
         while let Some(last) = levels.last().filter(|last| last.columns > 2 || last.cones.len() > 2 * last.columns) {
-            levels.push(last.above()?);
+            levels.push(last.next_level()?);
         }
         Ok(Cones { levels })
     }
@@ -167,7 +167,7 @@ impl Cones {
 }
 
 impl Level {
-    fn above(&self) -> Result<Level> {
+    fn next_level(&self) -> Result<Level> {
         let (below, columns) = (self.cones.len() / self.columns, self.columns.div_ceil(2));
         let mut cones = alloc::with_capacity(below.div_ceil(2) * columns)?;
         for (r, c) in (0..below.div_ceil(2)).flat_map(|r| (0..columns).map(move |c| (r, c))) {
@@ -178,7 +178,7 @@ impl Level {
                     count += 1;
                 }
             }
-            cones.push(PackedCone::around(&four[..count]));
+            cones.push(PackedCone::enclosing(&four[..count]));
         }
         Ok(Level { columns, cones })
     }
@@ -202,7 +202,7 @@ mod tests {
             assert!(held >= angle && held < angle + 1e-4, "{angle} {held}");
             assert_eq!(axis, direction);
             let other = PackedCone::new(PackedCone::packed_axis(direction_of(k + 1)).unwrap().0, 0.1);
-            let both = PackedCone::around(&[cone, other]).unpack();
+            let both = PackedCone::enclosing(&[cone, other]).unpack();
             for one in [cone, other] {
                 let one = one.unpack();
                 assert!(both.angle == PI || both.angle >= one.angle + one.angle_to(both.axis), "{k}");

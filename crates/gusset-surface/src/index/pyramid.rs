@@ -75,7 +75,7 @@ impl Level {
 
     /// True if block (r, c) exists.
     #[inline(always)]
-    pub(crate) fn has(&self, r: usize, c: usize) -> bool {
+    pub(crate) fn has_block(&self, r: usize, c: usize) -> bool {
         r < self.rows && c < self.columns
     }
 
@@ -225,7 +225,7 @@ fn build_row<const N: usize>(
         let width = right - left + 1;
         let (a, b) = (points[0], points[width - 1]);
         let (d, e) = (points[count - width], points[count - 1]);
-        oriented[c] = OrientedBox::around(&points[..count], d + e - a - b, b + e - a - d, displacement);
+        oriented[c] = OrientedBox::from_points(&points[..count], d + e - a - b, b + e - a - d, displacement);
     }
 }
 
@@ -268,7 +268,7 @@ fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
     let along_u = span([(0, 2), (1, 3)], points[1] - points[0]);
     let along_v = span([(0, 1), (2, 3)], points[2] - points[0]);
     let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-    OrientedBox::around(&points[..count], along_u, along_v, exactly)
+    OrientedBox::from_points(&points[..count], along_u, along_v, exactly)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
-use super::line_search::Workspace;
+use super::line_search::LineWorkspace;
 use crate::{Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -91,13 +91,13 @@ impl Surface<'_> {
             return Ok(());
         }
         match controls.len() {
-            2 => self.straight(k, [controls[0], controls[1]], finder),
-            3 | 4 => self.curved::<4>(k, controls, finder),
-            _ => self.curved::<8>(k, controls, finder),
+            2 => self.find_on_line_segment(k, [controls[0], controls[1]], finder),
+            3 | 4 => self.find_on_curved_segment::<4>(k, controls, finder),
+            _ => self.find_on_curved_segment::<8>(k, controls, finder),
         }
     }
 
-    fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
+    fn find_on_line_segment(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
         self.find_hits(&Line::segment(a, b), HitSelection::All, &mut finder.lines)?;
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
@@ -118,8 +118,8 @@ impl Surface<'_> {
         Ok(())
     }
 
-    fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
-        let part = CurvePart::whole(raised::<M>(controls));
+    fn find_on_curved_segment<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
+        let part = CurvePart::whole(elevated_segment::<M>(controls));
         for sheet in 0..self.len() {
             let (kind, index) = self.indexed(sheet);
             each_sheet!(kind, cells => {
@@ -136,11 +136,11 @@ impl Surface<'_> {
         merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.longest_touch();
-            let point =
-                find.length <= MAX_POINT_LENGTH * merge_distance || self.passes(find.place, direction(curve, find.at));
+            let point = find.length <= MAX_POINT_LENGTH * merge_distance
+                || self.is_crossing(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
-        sort::stable(&mut finds, &in_order);
+        sort::stable(&mut finds, &compare_hits);
         let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
@@ -160,7 +160,7 @@ impl Surface<'_> {
             kept.pop();
         }
         for find in kept.iter_mut().filter(|find| !find.tangent) {
-            find.tangent = self.is_touched(find.place, direction(curve, find.at), find.point.abs().max_element());
+            find.tangent = self.is_touched(find.place, curve_direction(curve, find.at), find.point.abs().max_element());
         }
         alloc::collect(kept.iter().map(|find| {
             let span = if find.tangent { find.span } else { [find.at; 2] };
@@ -184,19 +184,19 @@ fn place(curve: &CurveView<'_>, at: f64) -> CurvePlace {
 }
 
 /// The unit vector along the curve.
-fn direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
+fn curve_direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
     curve.tangent(place(curve, at)).unwrap_or(DVec3::ZERO)
 }
 
 /// Orders finds by their place on the curve, then by cells.
-fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
+fn compare_hits(a: &CurveFind, b: &CurveFind) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
 }
 
 /// Merges unresolved finds that overlap along the curve. Keeps the place that is closest to the
 /// surface.
 fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
-    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| compare_hits(a, b));
     sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
         let joins = all.tangent && next.tangent && runs_on(all, next, merge_distance);
@@ -225,7 +225,7 @@ fn is_same(a: &CurveFind, b: &CurveFind, merge_distance: f64) -> bool {
 }
 
 /// The control points of a segment, raised to degree M - 1.
-pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
+pub(super) fn elevated_segment<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
     let mut points = [DVec3::ZERO; M];
     points[..controls.len()].copy_from_slice(controls);
     elevate(&mut points, controls.len() - 1);
@@ -235,6 +235,6 @@ pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
 /// The finds of one thread.
 #[derive(Default)]
 struct Finder {
-    lines: Workspace,
+    lines: LineWorkspace,
     finds: Vec<CurveFind>,
 }

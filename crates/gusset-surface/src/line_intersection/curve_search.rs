@@ -59,7 +59,7 @@ impl<const M: usize> CurvePart<M> {
 }
 
 /// A part of a segment and a block of cells. `diagonal` is the diagonal of the block's box.
-struct Entry<const M: usize> {
+struct CurveEntry<const M: usize> {
     part: CurvePart<M>,
     diagonal: f64,
     level: usize,
@@ -92,10 +92,10 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         let rounding_error =
             (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
-        let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
+        let mut waiting = vec![CurveEntry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         let mut solver = CurveSolver { rounding_error, ..CurveSolver::default() };
         while let Some(entry) = waiting.pop() {
-            let Entry { part, diagonal, level, row, column } = entry;
+            let CurveEntry { part, diagonal, level, row, column } = entry;
             let bounds = part.bounds().inflated(rounding_error);
             if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
@@ -107,7 +107,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
                         self.touches(&part, rounding_error, level, row, column)
                     };
                     if near {
-                        waiting.push(Entry { part, diagonal, level, row, column });
+                        waiting.push(CurveEntry { part, diagonal, level, row, column });
                     }
                 }
             } else if level == 0 {
@@ -117,7 +117,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
                     if self.touches(&part, rounding_error, level - 1, row, column) {
                         let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).get(child).diagonal();
-                        waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
+                        waiting.push(CurveEntry { part: part.clone(), diagonal, level: level - 1, row, column });
                     }
                 }
             }

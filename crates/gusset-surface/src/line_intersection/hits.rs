@@ -32,7 +32,7 @@ impl Surface<'_> {
     /// True if a direction crosses the surface next to a place, away from the sides of its cell. An
     /// unresolved hit is then not a contact, but a place where parameters are not regular, such as
     /// a pole.
-    pub(super) fn passes(&self, place: Place, direction: DVec3) -> bool {
+    pub(super) fn is_crossing(&self, place: Place, direction: DVec3) -> bool {
         if !self.is_regular(place) {
             return self.normal(place).dot(direction).abs() > 1e-4;
         }
@@ -50,7 +50,7 @@ impl Surface<'_> {
         if hits.iter().any(|hit| hit.tangent) {
             self.merge_overlapping(line, hits);
         }
-        sort::stable(hits, &in_order);
+        sort::stable(hits, &compare_hits);
         let slack = LineRounding::new(self, line);
         // Duplicates, each with the index of the hit that represents it.
         let mut others: Vec<(usize, Hit)> = Vec::new();
@@ -111,9 +111,9 @@ impl Surface<'_> {
     /// Merges unresolved hits that overlap along the line, and simple hits beside them. Simple hits
     /// come first afterwards.
     fn merge_overlapping(&self, line: &Line, hits: &mut Vec<Hit>) {
-        let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+        let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| compare_hits(a, b));
         sort::stable(hits, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
-        let (along, length) = line.along();
+        let (along, length) = line.direction_and_length();
         let slack = 2.0 * self.merge_distance() / length;
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
         let [low, high] = self.bounds();
@@ -148,7 +148,7 @@ impl Surface<'_> {
                 Hit { span: [start, end], multiplicity: 0, ..first }
             } else if is_point
                 && ((end - start) * length <= MAX_POINT_LENGTH * self.merge_distance()
-                    || self.passes(nearest.place, along))
+                    || self.is_crossing(nearest.place, along))
             {
                 Hit { span: [nearest.at; 2], multiplicity: 1, tangent: false, ..nearest }
             } else {
@@ -163,7 +163,7 @@ impl Surface<'_> {
 }
 
 /// Orders hits by parameter, then by cells.
-fn in_order(a: &Hit, b: &Hit) -> Ordering {
+fn compare_hits(a: &Hit, b: &Hit) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| cell(a).cmp(&cell(b)))
 }
 
@@ -196,7 +196,7 @@ struct LineRounding {
 
 impl LineRounding {
     fn new(surface: &Surface<'_>, line: &Line) -> LineRounding {
-        let ((along, length), [low, high]) = (line.along(), surface.bounds());
+        let ((along, length), [low, high]) = (line.direction_and_length(), surface.bounds());
         let (rounding_error, size) = (4.0 * rounding_error(line, low.midpoint(high), [low, high]), low.distance(high));
         let floor = (rounding_error / size).sqrt();
         LineRounding { along, length, rounding_error, size, merge_distance: surface.merge_distance(), floor }

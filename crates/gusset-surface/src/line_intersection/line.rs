@@ -1,7 +1,7 @@
 //! Lines, rays and segments, and their common points with surfaces.
 
 use crate::Place;
-use crate::checks::finite;
+use crate::checks::check_finite;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 
@@ -41,7 +41,7 @@ impl Line {
     /// Checks that the line is finite and has a direction.
     pub(crate) fn check(&self) -> Result<()> {
         self.origin.to_array().into_iter().try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "origin", x))?;
-        finite(self.direction, "direction")?;
+        check_finite(self.direction, "direction")?;
         // Parameters of points are divided by the length, and would be infinite.
         let square = self.direction.length_squared();
         let is_usable = square >= f64::MIN_POSITIVE && square.is_finite();
@@ -51,7 +51,7 @@ impl Line {
     }
 
     /// The unit vector along the line, and the length of the direction, at any scale.
-    pub(crate) fn along(&self) -> (DVec3, f64) {
+    pub(crate) fn direction_and_length(&self) -> (DVec3, f64) {
         let largest = self.direction.abs().max_element();
         let scaled = self.direction / largest;
         let length = scaled.length();

@@ -1,7 +1,7 @@
 //! Intersections with many lines.
 
 use super::line::{Hit, HitSelection, Line};
-use super::line_search::Workspace;
+use super::line_search::LineWorkspace;
 use crate::Surface;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -36,7 +36,7 @@ impl Surface<'_> {
     pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
         let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
         all.ends.push(0);
-        let each = |lines: &[Line], workspace: &mut Workspace| {
+        let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
                 self.find_hits(line, selection, workspace)?;
@@ -60,7 +60,7 @@ impl Surface<'_> {
     /// The errors of [`Surface::lines`].
     pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
         let mut all = alloc::with_capacity(lines.len())?;
-        let each = |lines: &[Line], workspace: &mut Workspace| {
+        let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let mut hits = alloc::with_capacity(lines.len())?;
             for line in lines {
                 self.find_hits(line, HitSelection::First, workspace)?;
@@ -77,7 +77,7 @@ impl Surface<'_> {
 fn batches<R: Send>(
     lines: &[Line],
     job: &Job<'_>,
-    each: impl Fn(&[Line], &mut Workspace) -> Result<R> + Sync,
+    each: impl Fn(&[Line], &mut LineWorkspace) -> Result<R> + Sync,
     mut add: impl FnMut(R) -> Result<()>,
 ) -> Result<()> {
     job.step(0.0, "lines")?;
@@ -96,7 +96,7 @@ fn batches<R: Send>(
     }
     // One workspace for each thread, reused from batch to batch.
     let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
-    let mut workspaces = alloc::collect((0..threads).map(|_| Workspace::default()))?;
+    let mut workspaces = alloc::collect((0..threads).map(|_| LineWorkspace::default()))?;
     let round = BATCH * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;

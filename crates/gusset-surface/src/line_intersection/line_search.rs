@@ -21,7 +21,7 @@ pub(super) struct Solver<const N: usize> {
 
 /// Memory for sheets of all kinds, and the hits.
 #[derive(Default)]
-pub(super) struct Workspace {
+pub(super) struct LineWorkspace {
     pub(super) hits: Vec<Hit>,
     pub(super) cubic: Solver<4>,
     pub(super) high: Solver<8>,
@@ -51,7 +51,7 @@ struct Ray {
 
 impl Ray {
     fn new(line: &Line, index: &Pyramid) -> Ray {
-        let (along, length) = line.along();
+        let (along, length) = line.direction_and_length();
         let from = line.origin - index.origin();
         let distance = -from.dot(along);
         let local = from + distance * along;
@@ -89,7 +89,7 @@ pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]
 
 /// A waiting block, and the distance at which the line enters it.
 #[derive(Debug, Clone, Copy, Default)]
-struct Entry {
+struct LineEntry {
     enters: f64,
     level: u32,
     row: u32,
@@ -123,15 +123,15 @@ impl LineSearch<'_> {
         let slack = ray.rounding_error;
         let slab = Slab::new(ray.local, ray.along, slack);
         let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
-        let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
+        let mut leaf = LineLeaf { cells, index, sheet, ray: &ray, tolerance, solver };
         let levels = index.levels();
-        let mut stack = [Entry::default(); MAX_STACK];
+        let mut stack = [LineEntry::default(); MAX_STACK];
         let mut count = 1;
-        stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+        stack[0] = LineEntry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
         let mut farthest = self.farthest(&ray, to, hits);
         while count > 0 {
             count -= 1;
-            let Entry { enters, level, row, column } = stack[count];
+            let LineEntry { enters, level, row, column } = stack[count];
             if enters > farthest {
                 continue;
             }
@@ -148,7 +148,7 @@ impl LineSearch<'_> {
                 continue;
             }
             let level_below = &levels[level as usize - 1];
-            let [near, far] = slab.through(level_below.child_boxes(row, column), from, farthest);
+            let [near, far] = slab.intersect(level_below.child_boxes(row, column), from, farthest);
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
@@ -162,7 +162,7 @@ impl LineSearch<'_> {
                     stack[at] = stack[at - 1];
                     at -= 1;
                 }
-                stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+                stack[at] = LineEntry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
                 count += 1;
             }
         }
@@ -181,7 +181,7 @@ impl LineSearch<'_> {
 }
 
 /// The search of a block.
-struct Leaf<'a, C, const N: usize> {
+struct LineLeaf<'a, C, const N: usize> {
     cells: &'a C,
     index: &'a Pyramid,
     sheet: u32,
@@ -190,7 +190,7 @@ struct Leaf<'a, C, const N: usize> {
     solver: &'a mut Solver<N>,
 }
 
-impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
     fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let [rows, columns] = self.cells.counts();
         let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
@@ -217,7 +217,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
         if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
-            return self.touching(i, j, hits);
+            return self.search_as_curve(i, j, hits);
         }
         let roots = &self.solver.roots.simple;
         if roots.is_empty() {
@@ -229,7 +229,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
 
     /// Searches a cell in which the fields do not decide: treats the part of the line in the cell's
     /// box as a curve.
-    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
+    fn search_as_curve(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let patch = self.cells.patch(i, j);
         let Some(segment) = self.segment(&patch) else { return Ok(()) };
         let [start, end] = segment;

@@ -33,7 +33,7 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
 use gusset_curve::ops::{NearMiss, NearMisses};
 use gusset_curve::{CurveView, Place as CurvePlace};
-use line_search::{LineSearch, Workspace};
+use line_search::{LineSearch, LineWorkspace};
 
 impl Surface<'_> {
     /// Finds the common points of a line and the surface, by ascending t.
@@ -47,18 +47,18 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction.
     pub fn line(&self, line: &Line, selection: HitSelection) -> Result<Vec<Hit>> {
         line.check()?;
-        let mut workspace = Workspace::default();
+        let mut workspace = LineWorkspace::default();
         self.find_hits(line, selection, &mut workspace)?;
         Ok(workspace.hits)
     }
 
     /// Stores the hits of a checked line in the workspace, by ascending t.
-    fn find_hits(&self, line: &Line, selection: HitSelection, workspace: &mut Workspace) -> Result<()> {
+    fn find_hits(&self, line: &Line, selection: HitSelection, workspace: &mut LineWorkspace) -> Result<()> {
         workspace.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
             let search = LineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
-            let Workspace { hits, cubic, high } = workspace;
+            let LineWorkspace { hits, cubic, high } = workspace;
             match sheet {
                 Sheet::Grid(cells) => search.run(cells, cubic, hits)?,
                 Sheet::Cubic(cells) => search.run(cells, cubic, hits)?,
@@ -104,7 +104,7 @@ impl Line {
     /// Keeps the places of the infinite line that are on this one, within 1e-12 of the curve's
     /// size.
     fn exact_meetings(&self, curve: &CurveView<'_>, places: &[CurvePlace]) -> Result<NearMisses> {
-        let (along, length) = self.along();
+        let (along, length) = self.direction_and_length();
         let slack = 1e-12 * Aabb::of(curve.points()).size().max_element() / length;
         let mut found = NearMisses::default();
         for &a in places {
@@ -128,7 +128,7 @@ impl Line {
         self.check()?;
         Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
         // The part of the line beside the curve, and a little more.
-        let (along, length) = self.along();
+        let (along, length) = self.direction_and_length();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
         let [low, high] = range(parameters);
         // A curve perpendicular to the line lacks extent along it.

@@ -38,7 +38,7 @@ impl Surface<'_> {
         let mut cells: Vec<Place> = Vec::new();
         for place in places {
             if !cells.iter().any(|known| (known.sheet, known.cell) == (place.sheet, place.cell)) {
-                cells.extend(self.cells_round(*place));
+                cells.extend(self.cells_around_place(*place));
             }
         }
         let along = direction.normalize();
@@ -76,7 +76,7 @@ impl Surface<'_> {
 
     /// The cells of the sheet around a place on a side, each with its parameters of the place. At a
     /// pole, all cells with a side there.
-    fn cells_round(&self, place: Place) -> Vec<Place> {
+    fn cells_around_place(&self, place: Place) -> Vec<Place> {
         let sheet = self.sheet(place.sheet as usize);
         let (counts, closed) = (sheet.cells(), sheet.is_closed());
         let lines = |direction: usize, at: f64| {

@@ -34,7 +34,7 @@ impl Region {
     ///
     /// # Panics
     /// If the bit does not exist.
-    pub fn has(&self, bit: u64) -> bool {
+    pub fn contains(&self, bit: u64) -> bool {
         self.mask[(bit / 64) as usize] >> (bit % 64) & 1 == 1
     }
 }
@@ -60,7 +60,7 @@ impl Surface<'_> {
         }
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
-        let ball = Ball { query, radius, tolerance: self.query_tolerance(query) };
+        let ball = QueryBall { query, radius, tolerance: self.query_tolerance(query) };
         let mut found = Vec::new();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
@@ -85,13 +85,13 @@ const BLOCKS_PER_STEP: usize = 1 << 12;
 const STAGE: &str = "region";
 
 /// A ball around the query.
-struct Ball {
+struct QueryBall {
     query: DVec3,
     radius: f64,
     tolerance: f64,
 }
 
-impl Ball {
+impl QueryBall {
     /// Adds the cells of a sheet with a point in the ball, and whether the whole cell is in it.
     fn collect<const N: usize>(
         &self,

@@ -52,7 +52,8 @@ impl<const N: usize> Patch<N> {
 
     /// The convexity bound; 0 if the Hessian may be indefinite somewhere.
     pub(super) fn convexity_distance(&self, query: DVec3, foot: &Foot) -> f64 {
-        let at_middle = || self.hessian_range(query, &Foot::at(self, query, DVec2::splat(0.5))).min_eigenvalue();
+        let at_middle =
+            || self.hessian_range(query, &Foot::from_place(self, query, DVec2::splat(0.5))).min_eigenvalue();
         let at_foot = self.hessian_range(query, foot).min_eigenvalue();
         let Some(least) = at_foot.or_else(at_middle) else { return 0.0 };
         let gain = foot.projected_gradient(query).length_squared() / least;
@@ -243,7 +244,7 @@ mod tests {
     fn the_half_space_proves_where_convexity_does_not() {
         let patch = graph(|a, _| [0.0, 9.0, -9.0, 9.0][a]);
         let query = DVec3::new(-10.0, 0.5, 0.0);
-        let foot = Foot::at(&patch, query, DVec2::new(0.0, 0.5));
+        let foot = Foot::from_place(&patch, query, DVec2::new(0.0, 0.5));
         assert_eq!(patch.convexity_distance(query, &foot), 0.0);
         assert!((lower_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
     }
@@ -255,7 +256,7 @@ mod tests {
         let mut patch = graph(|_, _| 0.0);
         patch.points.as_flattened_mut().iter_mut().for_each(|point| point.y *= 10.0);
         let query = DVec3::new(0.9, 5.0, 0.3);
-        let foot = Foot::at(&patch, query, DVec2::new(0.1, 0.5));
+        let foot = Foot::from_place(&patch, query, DVec2::new(0.1, 0.5));
         let bound = patch.convexity_distance(query, &foot);
         assert!(bound <= 0.3 && bound > 0.28, "{bound}");
     }
@@ -280,11 +281,11 @@ mod tests {
         let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough)).enumerate();
         for (k, patch) in all {
             for (query, from) in queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
-                let range = patch.hessian_range(query, &Foot::at(&patch, query, from));
+                let range = patch.hessian_range(query, &Foot::from_place(&patch, query, from));
                 let range = [range.uu, range.uv, range.vv];
                 let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
                 for place in places() {
-                    let values = at(&Foot::at(&patch, query, place), query);
+                    let values = at(&Foot::from_place(&patch, query, place), query);
                     for ([low, high], x) in found.iter_mut().zip(values) {
                         (*low, *high) = (low.min(x), high.max(x));
                     }

@@ -28,7 +28,7 @@ impl DisplacementBox {
 
     /// How far the surface extends beyond the bilinear patches in a direction.
     #[inline(always)]
-    pub(super) fn along(&self, direction: DVec3) -> f64 {
+    pub(super) fn extent_along(&self, direction: DVec3) -> f64 {
         self.middle.dot(direction) + self.half.dot(direction.abs())
     }
 }
@@ -176,7 +176,7 @@ mod tests {
             let t = f64::from(k);
             let direction = DVec3::new(t.sin(), (2.0 * t).cos(), (3.0 * t).sin());
             let reach = (0..8).map(|k| corner(k).dot(direction)).fold(f64::NEG_INFINITY, f64::max);
-            assert!((displacement.along(direction) - reach).abs() < 1e-12, "{direction}");
+            assert!((displacement.extent_along(direction) - reach).abs() < 1e-12, "{direction}");
         }
         assert_eq!(displacement.max_length, DVec3::new(1.0, 2.0, 3.0).length());
     }

@@ -22,7 +22,7 @@ pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVe
         let near_high = if x >= 1.0 - SIDE_ROUNDING { 1.0 } else { x };
         if x <= SIDE_ROUNDING { 0.0 } else { near_high }
     };
-    let foot = Foot::at(patch, query, DVec2::new(snapped(place.x), snapped(place.y)));
+    let foot = Foot::from_place(patch, query, DVec2::new(snapped(place.x), snapped(place.y)));
     let (u, v) = (foot.jet.u, foot.jet.v);
     // On a fold, a point hardly determines its parameters.
     let is_fold = |along: DVec3, bend: DVec3| along.length_squared() <= patch.noise().powi(2) + moved * bend.length();

@@ -29,7 +29,7 @@ pub(super) struct Foot {
 }
 
 impl Foot {
-    pub(super) fn at<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> Foot {
+    pub(super) fn from_place<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> Foot {
         let jet = patch.jet(place.x, place.y);
         Foot { place, jet, distance: jet.point.distance(query) }
     }
@@ -43,7 +43,7 @@ impl Foot {
 
 /// Descends from `start` to a place from which no permitted step goes down, within rounding.
 pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
-    let mut foot = Foot::at(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
+    let mut foot = Foot::from_place(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
     for _ in 0..steps {
         let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
         let free = [0, 1].map(|k| !is_blocked(foot.place[k], gradient[k]));
@@ -93,7 +93,7 @@ fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: 
         if moved <= 1e-14 {
             return Trial::Ended;
         }
-        let next = Foot::at(patch, query, place);
+        let next = Foot::from_place(patch, query, place);
         if next.distance < foot.distance {
             return Trial::Down { next, whole: length == 1.0 };
         }

@@ -25,14 +25,14 @@ pub(super) struct CellCandidate {
 }
 
 /// A block of the lowest level.
-pub(super) struct Leaf<'a, C, const N: usize> {
+pub(super) struct BlockLeaf<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     pub(super) row: usize,
     pub(super) column: usize,
 }
 
-impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
     /// Lowers the upper bound, and adds the cells that may contain the nearest point to the
     /// candidates. `direction` is the unit vector from the nearest answer to the query, or zero.
     /// Returns the block's extent.
@@ -53,7 +53,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         // The half-space through the nearest answer.
         let mut bounds = [[0.0; BLOCK]; BLOCK];
         if direction != DVec3::ZERO {
-            bounds = corners.half_spaces(direction, displacement.along(direction));
+            bounds = corners.half_spaces(direction, displacement.extent_along(direction));
             let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min);
             if least > prune_bound {
                 return corners.extent();
@@ -91,7 +91,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
             upper.lower(distance + displacement.max_length);
             // The hull of the corners contains the bilinear patch.
             let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min);
-            let bound = along - displacement.along(direction);
+            let bound = along - displacement.extent_along(direction);
             if bound > upper.prune_bound() {
                 continue;
             }
@@ -213,7 +213,7 @@ mod tests {
             for (limit, direction) in [(f64::INFINITY, DVec3::ZERO), (least, DVec3::ZERO), (least, direction)] {
                 candidates.clear();
                 let mut upper = UpperBound::new(limit, 0.0);
-                let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+                let leaf = BlockLeaf { cells: &grid, index: &index, row: 0, column: 0 };
                 leaf.find_candidates(query, direction, &mut upper, &mut candidates);
                 // Points of the lattice are close to the nearest point, but not equal to it.
                 assert!(upper.distance >= least - 0.05, "{seed} {query}");
@@ -241,7 +241,7 @@ mod tests {
             let displacement = DisplacementBox::new(index.displacement(0, 0));
             let corners = BlockCorners::new(&grid, [0, 0], [4, 3], query);
             let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
-            let spaces = corners.half_spaces(direction, displacement.along(direction));
+            let spaces = corners.half_spaces(direction, displacement.extent_along(direction));
             let squares = corners.box_squares(&displacement);
             for [i, j] in (0..12).map(|k| [k / 3, k % 3]) {
                 let truth = nearest_by_force(&grid, [i, j], query);
@@ -273,13 +273,13 @@ mod tests {
             let truth = corner.distance(query);
             let direction = (query - corner) / truth;
             assert!((corners.box_squares(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
-            assert!((corners.half_spaces(direction, displacement.along(direction))[i][j] - truth).abs() < 1e-9);
+            assert!((corners.half_spaces(direction, displacement.extent_along(direction))[i][j] - truth).abs() < 1e-9);
             assert!((nearest_on_bilinear(&corners.quad(i, j)).distance - truth).abs() < 1e-9);
         }
         assert!((corners.min_square() - 9.0).abs() < 1e-12);
         assert!(is_beyond(&corners.quad(3, 3), 5.0) && !is_beyond(&corners.quad(3, 3), 9.0));
         let mut candidates = Vec::new();
-        let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+        let leaf = BlockLeaf { cells: &grid, index: &index, row: 0, column: 0 };
         leaf.find_candidates(query, DVec3::ZERO, &mut UpperBound::new(f64::INFINITY, 0.0), &mut candidates);
         assert_eq!(candidates.iter().map(|candidate| candidate.cell).collect::<Vec<_>>(), [[0, 0]]);
     }

@@ -78,7 +78,7 @@ impl Surface<'_> {
             job,
         };
         for sheet in 0..self.len() {
-            search.wait(sheet, Block::root(self.indexed(sheet).1))?;
+            search.push_block(sheet, Block::root(self.indexed(sheet).1))?;
         }
         let bound = search.run()?.unwrap_or(limit);
         search.end(bound, self.closest(query, limit))
@@ -121,7 +121,7 @@ impl BranchAndBound for MinimaSearch<'_> {
             return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
         }
         let mut children = block.children(index, self.query).into_iter().flatten();
-        children.try_for_each(|block| self.wait(sheet, block))
+        children.try_for_each(|block| self.push_block(sheet, block))
     }
 }
 
@@ -133,7 +133,7 @@ impl MinimaSearch<'_> {
         if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, STAGE) } else { Ok(()) }
     }
 
-    fn wait(&mut self, sheet: usize, block: Block) -> Result<()> {
+    fn push_block(&mut self, sheet: usize, block: Block) -> Result<()> {
         self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
 
@@ -236,7 +236,7 @@ impl MinimaSearch<'_> {
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
         points.retain(|point| point.distance <= self.limit);
-        unite(&mut points, near)?;
+        merge_points(&mut points, near)?;
         if self.most > 0 {
             points.truncate(self.most);
         }
@@ -245,7 +245,7 @@ impl MinimaSearch<'_> {
 }
 
 /// Merges points at the same position in space. Keeps the first, or a proven one if there is one.
-fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
+fn merge_points(points: &mut Vec<Closest>, near: f64) -> Result<()> {
     let mut kept: Vec<Closest> = alloc::with_capacity(points.len())?;
     for point in points.drain(..) {
         // Equal points have nearly equal distances, so only the last ones need to be compared.

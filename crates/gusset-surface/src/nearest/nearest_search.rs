@@ -17,7 +17,7 @@ use super::block::Block;
 use super::bounds::lower_bound;
 use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
 use super::incumbent::{Answer, Incumbent};
-use super::leaf::{CellCandidate, Leaf};
+use super::leaf::{BlockLeaf, CellCandidate};
 use super::part::PatchPart;
 use crate::cells::Cells;
 use crate::frontier::{BranchAndBound, Frontier};
@@ -150,7 +150,7 @@ impl NearestSearch {
     }
 
     /// Adds a task to the frontier. If the allocation fails, drops the task and records its bound.
-    fn wait(&mut self, bound: f64, sheet: u32, task: Task) {
+    fn push_task(&mut self, bound: f64, sheet: u32, task: Task) {
         if bound <= self.prune_bound() && self.frontier.push(bound, (), (sheet, task)).is_err() {
             self.settle(bound);
         }
@@ -171,11 +171,11 @@ impl NearestSearch {
             let (row, column) = (block.row as usize, block.column as usize);
             if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
                 let (bound, level) = (query.distance(block.bound), block.level as usize);
-                self.wait(bound, sheet, Task::Block(Block { bound, level, row, column }));
+                self.push_task(bound, sheet, Task::Block(Block { bound, level, row, column }));
                 continue;
             }
             if block.level == 0 {
-                let extent = self.search_leaf(&Leaf { cells, index, row, column });
+                let extent = self.search_leaf(&BlockLeaf { cells, index, row, column });
                 // From afar, the first answers and their directions exclude most other cells.
                 let is_far = self.incumbent.direction == DVec3::ZERO && self.prune_bound() > 4.0 * extent;
                 if is_far || self.candidates.len() >= MAX_CANDIDATES {
@@ -189,7 +189,7 @@ impl NearestSearch {
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                if !level.has(row, column) {
+                if !level.has_block(row, column) {
                     continue;
                 }
                 let bound = if boxed > threshold {
@@ -216,7 +216,7 @@ impl NearestSearch {
 
     /// Adds a block's candidates. Returns the block's extent.
     #[inline(always)]
-    fn search_leaf<const N: usize>(&mut self, leaf: &Leaf<'_, impl Cells<N>, N>) -> f64 {
+    fn search_leaf<const N: usize>(&mut self, leaf: &BlockLeaf<'_, impl Cells<N>, N>) -> f64 {
         self.blocks += 1;
         let (query, direction) = (self.incumbent.query, self.incumbent.direction);
         leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
@@ -259,7 +259,7 @@ impl NearestSearch {
         if bound >= foot.distance - tolerance {
             self.settle(bound);
         } else {
-            self.wait(bound, at.sheet, Task::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
+            self.push_task(bound, at.sheet, Task::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
         }
     }
 
@@ -272,13 +272,13 @@ impl NearestSearch {
         let local = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance <= self.prune_bound().min(self.incumbent.distance()) {
             // Evaluated on the whole patch, because the part's control points are rounded.
-            self.add(at, &Foot::at(at.patch, query, part.place(local.place)));
+            self.add(at, &Foot::from_place(at.patch, query, part.place(local.place)));
         }
         let bound = lower_bound(&part.patch, query, &local, part.bound, tolerance);
         if bound >= self.incumbent.distance() - tolerance || part.is_smallest() {
             self.settle(bound);
         } else {
-            self.wait(bound, at.sheet, Task::Part { cell: at.cell, from: part.from, size: part.size });
+            self.push_task(bound, at.sheet, Task::Part { cell: at.cell, from: part.from, size: part.size });
         }
     }
 
@@ -303,23 +303,30 @@ impl NearestSearch {
     }
 
     /// Opens a task of a sheet. Its parts may become waiting tasks.
-    fn open<const N: usize>(&mut self, cells: &impl Cells<N>, index: &Pyramid, sheet: u32, bound: f64, task: Task) {
+    fn open_task<const N: usize>(
+        &mut self,
+        cells: &impl Cells<N>,
+        index: &Pyramid,
+        sheet: u32,
+        bound: f64,
+        task: Task,
+    ) {
         let query = self.incumbent.query;
         match task {
             Task::Block(Block { level: 0, row, column, .. }) => {
                 let before = self.incumbent.upper.distance;
-                self.search_leaf(&Leaf { cells, index, row, column });
+                self.search_leaf(&BlockLeaf { cells, index, row, column });
                 let upper = self.incumbent.upper.distance;
                 if upper < before && self.incumbent.is_gain(upper) {
                     self.examine_candidates(cells, sheet);
                 }
                 while let Some(CellCandidate { bound, start, cell, .. }) = self.candidates.pop() {
-                    self.wait(bound.max(0.0), sheet, Task::Cell { cell, start });
+                    self.push_task(bound.max(0.0), sheet, Task::Cell { cell, start });
                 }
             }
             Task::Block(block) => {
                 for child in block.children(index, query).into_iter().flatten() {
-                    self.wait(child.bound.max(bound), sheet, Task::Block(child));
+                    self.push_task(child.bound.max(bound), sheet, Task::Block(child));
                     let cell = child.middle(cells);
                     if self.incumbent.is_gain(cells.corner(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
@@ -330,8 +337,8 @@ impl NearestSearch {
             Task::Part { cell, from, size } => {
                 let patch = cells.patch(cell[0] as usize, cell[1] as usize);
                 let at = CellPatch { patch: &patch, sheet, cell };
-                let part = PatchPart::of(&patch, from, size, bound);
-                part.split(|part| self.examine_part(&at, &part.bounded(query)));
+                let part = PatchPart::from_range(&patch, from, size, bound);
+                part.split(|part| self.examine_part(&at, &part.with_cheap_bounds(query)));
             }
         }
     }
@@ -376,7 +383,7 @@ impl SurfaceSearch<'_> {
     pub(super) fn find(&mut self, query: DVec3, limit: f64, tolerance: f64) {
         let SurfaceSearch { surface, search } = self;
         search.begin(query, limit, tolerance);
-        for k in by_distance(surface, query) {
+        for k in sheets_by_distance(surface, query) {
             let (sheet, index) = surface.indexed(k);
             each_sheet!(sheet, cells => search.search_sheet(cells, index, k as u32));
         }
@@ -406,13 +413,13 @@ impl BranchAndBound for SurfaceSearch<'_> {
     fn branch(&mut self, bound: f64, (sheet, task): (u32, Task)) -> Result<(), Infallible> {
         self.search.evaluations += 1;
         let (cells, index) = self.surface.indexed(sheet as usize);
-        each_sheet!(cells, cells => self.search.open(cells, index, sheet, bound, task));
+        each_sheet!(cells, cells => self.search.open_task(cells, index, sheet, bound, task));
         Ok(())
     }
 }
 
 /// All sheets, the one with the nearest box first.
-fn by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item = usize> {
+fn sheets_by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item = usize> {
     let first = if surface.len() == 1 {
         0
     } else {

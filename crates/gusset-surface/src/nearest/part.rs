@@ -24,7 +24,7 @@ impl<const N: usize> PatchPart<N> {
     }
 
     /// The part of a patch with the given smallest parameters and size.
-    pub(super) fn of(patch: &Patch<N>, from: DVec2, size: DVec2, bound: f64) -> Self {
+    pub(super) fn from_range(patch: &Patch<N>, from: DVec2, size: DVec2, bound: f64) -> Self {
         let (mut patch, to) = (*patch, from + size);
         patch.points.iter_mut().for_each(|row| restrict(row, [from.y, to.y]));
         restrict(&mut patch.points, [from.x, to.x]);
@@ -64,7 +64,7 @@ impl<const N: usize> PatchPart<N> {
 
     /// Raises the bound to the bounds that need no descent: the distance of the box, and of the
     /// half-space through the middle.
-    pub(super) fn bounded(mut self, query: DVec3) -> PatchPart<N> {
+    pub(super) fn with_cheap_bounds(mut self, query: DVec3) -> PatchPart<N> {
         let [[a, b], [c, d]] = self.patch.corners();
         let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();
         let bound = self.patch.box_distance(query).max(self.patch.half_space_distance(query, direction));

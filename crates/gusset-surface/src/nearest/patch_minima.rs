@@ -74,7 +74,7 @@ pub(super) fn interior_minima<const N: usize>(
         if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
             continue;
         }
-        let on_whole = || Foot::at(patch, query, part.place(foot.place));
+        let on_whole = || Foot::from_place(patch, query, part.place(foot.place));
         if hessian.min_eigenvalue().is_some() && has_ended(&part.patch, &foot, query) {
             if is_stationary(&part.patch, &foot, query) {
                 add(LocalMinimum::new(&on_whole(), part.patch.convexity_distance(query, &foot), true));
@@ -166,7 +166,7 @@ pub(super) fn side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut ad
 
 /// Passes a place on the border to `add` if no permitted step from it goes down.
 fn add_if_minimum<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, add: &mut impl FnMut(LocalMinimum)) {
-    let foot = Foot::at(patch, query, place);
+    let foot = Foot::from_place(patch, query, place);
     let slope = foot.projected_gradient(query);
     if slope.abs().cmple(slope_rounding(patch, &foot, query, 1e-9)).all() {
         add(LocalMinimum::new(&foot, foot.distance, true));

@@ -81,7 +81,7 @@ impl<const N: usize> PatchSearch<'_, N> {
 
     fn split(&mut self, part: &PatchPart<N>) {
         part.split(|part| {
-            let part = part.bounded(self.query);
+            let part = part.with_cheap_bounds(self.query);
             let bound = part.bound;
             if self.frontier.push(bound, self.added, part).is_err() {
                 self.proven = self.proven.min(bound);
@@ -109,7 +109,7 @@ impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
         let local = minimise(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance < self.best.distance {
             // Evaluated on the whole patch, because the part's control points are rounded.
-            let foot = Foot::at(self.patch, self.query, part.place(local.place));
+            let foot = Foot::from_place(self.patch, self.query, part.place(local.place));
             if foot.distance < self.best.distance {
                 self.best = foot;
             }

@@ -29,7 +29,7 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
         }
     }
     let mut walk = Walk::new(lattice)?;
-    walk.go(region, to, job, 0.0)?;
+    walk.find_chains(region, to, job, 0.0)?;
     let steps = |cell: [usize; 2]| walk.steps[lattice.index(cell)];
     if steps(from) == UNREACHED {
         return Ok(None);
@@ -68,23 +68,23 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
     }
     let mut walk = Walk::new(lattice)?;
     // The middle of the region: half way along a long shortest chain.
-    walk.go(region, first, job, 0.0)?;
+    walk.find_chains(region, first, job, 0.0)?;
     if walk.order.len() != count {
         return Ok(None);
     }
     let far = walk.order[count - 1];
-    walk.go(region, lattice.cell(far as usize), job, 0.0)?;
-    let mut longest = walk.most();
-    let middle = walk.halfway(longest / 2);
-    walk.go(region, middle, job, 0.0)?;
+    walk.find_chains(region, lattice.cell(far as usize), job, 0.0)?;
+    let mut longest = walk.max_steps();
+    let middle = walk.cell_at_steps(longest / 2);
+    walk.find_chains(region, middle, job, 0.0)?;
     let (steps, order) = (std::mem::take(&mut walk.steps), std::mem::take(&mut walk.order));
     walk = Walk::new(lattice)?;
     for (tried, &cell) in order.iter().rev().enumerate() {
         if longest >= 2 * steps[cell as usize] {
             break;
         }
-        walk.go(region, lattice.cell(cell as usize), job, tried as f64 / count as f64)?;
-        longest = longest.max(walk.most());
+        walk.find_chains(region, lattice.cell(cell as usize), job, tried as f64 / count as f64)?;
+        longest = longest.max(walk.max_steps());
     }
     Ok(Some(longest as usize + 1))
 }
@@ -129,7 +129,7 @@ impl Walk {
         Ok(Walk { lattice, steps: alloc::filled(UNREACHED, lattice.len())?, order: Vec::new() })
     }
 
-    fn go(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
+    fn find_chains(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
         let lattice = self.lattice;
         job.step(fraction, "chains")?;
         self.steps.fill(UNREACHED);
@@ -156,12 +156,12 @@ impl Walk {
     }
 
     /// The steps to the farthest cell.
-    fn most(&self) -> u32 {
+    fn max_steps(&self) -> u32 {
         self.order.last().map_or(0, |&cell| self.steps[cell as usize])
     }
 
     /// The cell `steps` steps from the start, on a shortest chain to the farthest cell.
-    fn halfway(&self, steps: u32) -> [usize; 2] {
+    fn cell_at_steps(&self, steps: u32) -> [usize; 2] {
         let mut at = self.order.last().map_or([0, 0], |&cell| self.lattice.cell(cell as usize));
         let of = |cell: [usize; 2]| self.steps[self.lattice.index(cell)];
         let nearer = |at: [usize; 2]| {

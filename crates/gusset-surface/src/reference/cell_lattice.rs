@@ -26,7 +26,7 @@ pub(crate) struct Span {
 
 impl Span {
     /// All intervals of a direction.
-    pub(crate) fn all(count: usize) -> Span {
+    pub(crate) fn full(count: usize) -> Span {
         Span { first: 0, len: count, count }
     }
 
@@ -59,7 +59,7 @@ impl Span {
 
 impl Lattice {
     /// Returns the lattice of a sheet.
-    pub fn of(sheet: &Sheet<'_>) -> Self {
+    pub fn new(sheet: &Sheet<'_>) -> Self {
         Lattice { cells: sheet.cells(), closed: sheet.is_closed() }
     }
 
@@ -102,7 +102,7 @@ impl Lattice {
             return Span { first, len: line.saturating_add(steps).min(count) - first, count };
         }
         if steps >= count.div_ceil(2) {
-            return Span::all(count);
+            return Span::full(count);
         }
         Span::new(line + count - steps, 2 * steps, count)
     }
@@ -114,7 +114,7 @@ impl Lattice {
     }
 
     /// The cells at a node: four, or fewer at the edge.
-    pub(crate) fn round(&self, node: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
+    pub(crate) fn cells_at_node(&self, node: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
         let [rows, columns] = self.block(node, 1);
         rows.indices().flat_map(move |i| columns.indices().map(move |j| [i, j]))
     }

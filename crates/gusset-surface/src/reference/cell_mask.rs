@@ -93,7 +93,7 @@ impl CellMask {
         let lattice = self.lattice;
         let [rows, columns] = lattice.lines();
         let all = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
-        all.filter(move |&node| lattice.round(node).any(|cell| self.get(cell)))
+        all.filter(move |&node| lattice.cells_at_node(node).any(|cell| self.get(cell)))
     }
 
     /// Clears the bits of a block.

@@ -35,16 +35,20 @@ impl Diameters {
     /// # Errors
     /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
-        let lattice = Lattice::of(sheet);
-        let both =
-            by_cell(lattice.cells, "cells", job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
+        let lattice = Lattice::new(sheet);
+        let both = by_cell(
+            lattice.cells,
+            "cells",
+            job,
+            |cell| each_sheet!(sheet, cells => cell_diameters(cells, lattice, cell)),
+        )?;
         let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
         Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
     }
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.
-fn of_cell<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
+fn cell_diameters<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
     let patch = cells.patch(i, j);
     let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner(i, j));
     let [[a, b], [c, d]] = patch.corners();

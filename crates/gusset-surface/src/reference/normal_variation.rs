@@ -30,7 +30,7 @@ const ANGLE_ROUNDING: f64 = 1e-13;
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
-    let lattice = Lattice::of(sheet);
+    let lattice = Lattice::new(sheet);
     let cone = |cell: [usize; 2]| {
         let (axis, half) = each_sheet!(sheet, cells => cone(cells, cell))?;
         let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle(axis, node) };
@@ -58,7 +58,7 @@ pub fn normal_variation_by_curvature(
     job: &Job<'_>,
 ) -> Result<Sizes> {
     Error::require(curvature >= 0.0, "curvature", curvature)?;
-    let lattice = Lattice::of(sheet);
+    let lattice = Lattice::new(sheet);
     let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
         let seen = lattice.corners(cell).map(|node| normal(sheet, node));

@@ -86,7 +86,7 @@ pub(super) fn search_at_cost(
         Error::require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
-    let mut window = Window { lattice, spans: lattice.cells.map(Span::all), rings: lattice.closed };
+    let mut window = RemainingCells { lattice, spans: lattice.cells.map(Span::full), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
     let mut found = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
@@ -114,7 +114,7 @@ pub(super) fn search_at_cost(
                     && stride < widest
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
-                if !seen && lattice.round([i, j]).any(|cell| found.mask.get(cell)) {
+                if !seen && lattice.cells_at_node([i, j]).any(|cell| found.mask.get(cell)) {
                     let cleared = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
                     ticker.spend(cleared + cost, 0.0)?;
                 }
@@ -129,7 +129,7 @@ pub(super) fn search_at_cost(
 /// Excludes the cells that a node at distance `r` proves to be too far. Returns the work done.
 fn visit(
     found: &mut SearchOutcome,
-    window: &mut Window,
+    window: &mut RemainingCells,
     sizes: &Sizes,
     node: [usize; 2],
     r: f64,
@@ -148,7 +148,7 @@ fn visit(
     let (steps, _) = sizes.steps(node, r - within, options.sum);
     let lattice = sizes.lattice();
     if steps == 0 {
-        for cell in lattice.round(node) {
+        for cell in lattice.cells_at_node(node) {
             if sizes.get(cell) < r - within {
                 found.mask.set(cell, false);
             }
@@ -178,14 +178,14 @@ fn is_quiet(mask: &CellMask, i: usize, j: usize) -> bool {
 }
 
 /// The part of the surface that remains after lines were dropped, which is again a surface.
-struct Window {
+struct RemainingCells {
     lattice: Lattice,
     spans: [Span; 2],
     /// Closed directions without dropped lines, which do not have an edge yet.
     rings: [bool; 2],
 }
 
-impl Window {
+impl RemainingCells {
     fn is_empty(&self) -> bool {
         self.spans.iter().any(|span| span.len == 0)
     }

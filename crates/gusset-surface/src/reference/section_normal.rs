@@ -32,7 +32,7 @@ const MAX_HALVINGS: u32 = 60;
 /// # Errors
 /// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] if a parameter is outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
-    Lattice::of(sheet).check(cell)?;
+    Lattice::new(sheet).check(cell)?;
     [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
     let [i, j] = cell;
     let point = sheet.jet(i, j, u, v).point;
@@ -42,7 +42,7 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
     let frame = mean.try_normalize().and_then(|b| Some((b, (along_u - along_u.dot(b) * b).try_normalize()?)));
     let Some((b, first)) = frame else { return Ok(DVec3::ZERO) };
     let second = b.cross(first);
-    let lattice = Lattice::of(sheet);
+    let lattice = Lattice::new(sheet);
     // The plane along `first` crosses lines of constant u, the plane along `second` lines of
     // constant v.
     let slope = |direction: usize, along: DVec3, across: DVec3| {
@@ -104,7 +104,7 @@ impl Section {
         let within = |place: usize, range: [f64; 2]| {
             let edge = edge(cells, lattice, direction, line, place);
             let field = edge.map(|control| (control - self.point).dot(self.across));
-            let root = first_root(over(field, range), MAX_HALVINGS)?;
+            let root = first_root(restricted_polynomial(field, range), MAX_HALVINGS)?;
             Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
         };
         for offset in 0..=MAX_CELLS_AWAY {
@@ -148,7 +148,7 @@ fn edge<const N: usize>(
 }
 
 /// A polynomial in Bernstein form, reparametrised to another interval by its blossom.
-fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
+fn restricted_polynomial<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     std::array::from_fn(|ends| {
         let mut work = field;
         for (step, count) in (1..N).rev().enumerate() {

@@ -46,7 +46,7 @@ impl Sizes {
     }
 
     /// The bounds, row by row.
-    pub fn all(&self) -> &[f64] {
+    pub fn values(&self) -> &[f64] {
         &self.sizes
     }
 
@@ -115,7 +115,7 @@ impl Sizes {
     ///
     /// # Errors
     /// [`Error::SidesDiffer`] if the region belongs to another sheet.
-    pub fn of_region(&self, region: &CellMask, integer_diameter: usize) -> Result<f64> {
+    pub fn region_bound(&self, region: &CellMask, integer_diameter: usize) -> Result<f64> {
         if region.lattice() != self.lattice {
             let [a, b] = [self.lattice.len(), region.lattice().len()];
             return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });

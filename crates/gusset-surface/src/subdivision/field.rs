@@ -32,7 +32,7 @@ impl<const N: usize> Field<N> {
 
     /// a * self + b * other.
     #[inline]
-    pub(crate) fn combined(&self, a: f64, other: &Field<N>, b: f64) -> Field<N> {
+    pub(crate) fn linear_combination(&self, a: f64, other: &Field<N>, b: f64) -> Field<N> {
         let mut c = self.c;
         for (row, others) in c.iter_mut().zip(&other.c) {
             row.iter_mut().zip(others).for_each(|(x, &y)| *x = a * *x + b * y);
@@ -41,7 +41,7 @@ impl<const N: usize> Field<N> {
     }
 
     /// Evaluates the field and its derivatives at (u, v).
-    pub(crate) fn at(&self, u: f64, v: f64) -> Slope {
+    pub(crate) fn evaluate(&self, u: f64, v: f64) -> Slope {
         let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
         for (a, row) in self.c.iter().enumerate() {
             [values[a], slopes[a]] = value_and_slope_by_differences(row, v);
@@ -109,7 +109,7 @@ mod tests {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);
             for (q, part) in parts.iter().enumerate() {
                 let (from_u, from_v) = (0.5 * (q / 2) as f64, 0.5 * (q % 2) as f64);
-                let (there, whole) = (part.at(u, v), field.at(from_u + 0.5 * u, from_v + 0.5 * v));
+                let (there, whole) = (part.evaluate(u, v), field.evaluate(from_u + 0.5 * u, from_v + 0.5 * v));
                 assert!((there.value - whole.value).abs() < 1e-15);
                 assert!((there.u - 0.5 * whole.u).abs() < 1e-14 && (there.v - 0.5 * whole.v).abs() < 1e-14);
                 let [low, high] = part.range();

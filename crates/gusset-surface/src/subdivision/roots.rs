@@ -113,7 +113,7 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
 
     #[inline]
     fn classify(&mut self, part: &FieldPart<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimple> {
-        if part.fields.iter().any(|field| has_none(field, self.rounding_error)) {
+        if part.fields.iter().any(|field| is_nonzero(field, self.rounding_error)) {
             return Ok(BoxTest::Empty);
         }
         let test = classify(&part.fields, self.rounding_error);
@@ -140,7 +140,7 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
         if self.simple_only {
             return Err(NotSimple);
         }
-        let residual = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
+        let residual = part.fields.iter().map(|field| field.evaluate(0.5, 0.5).value.abs()).fold(0.0, f64::max);
         let half = DVec2::splat(0.5 * part.size).extend(0.0);
         self.boxes.push(UnresolvedBox { middle: part.from.extend(0.0) + half, half, residual });
         Ok(())
@@ -154,7 +154,7 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
     }
 }
 
-fn has_none<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
+fn is_nonzero<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
     let [low, high] = field.range();
     low > rounding_error || high < -rounding_error
 }
@@ -162,7 +162,7 @@ fn has_none<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
 /// Tests a pair of fields. A root comes with the distance outside the part that rounding allows,
 /// both in the part's parameters.
 fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxTest<[DVec2; 2], ()> {
-    let middle = fields.map(|field| field.at(0.5, 0.5));
+    let middle = fields.map(|field| field.evaluate(0.5, 0.5));
     let determinant = middle[0].u * middle[1].v - middle[0].v * middle[1].u;
     let square = |slope: &Slope| slope.u * slope.u + slope.v * slope.v;
     let scale = square(&middle[0]) * square(&middle[1]);
@@ -172,10 +172,10 @@ fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxT
     // The inverse of the Jacobian maps the fields to nearly u - u0 and v - v0.
     let [a, b] = [middle[1].v / determinant, -middle[0].v / determinant];
     let [c, d] = [-middle[1].u / determinant, middle[0].u / determinant];
-    let first = fields[0].combined(a, &fields[1], b);
-    let second = fields[0].combined(c, &fields[1], d);
+    let first = fields[0].linear_combination(a, &fields[1], b);
+    let second = fields[0].linear_combination(c, &fields[1], d);
     let slack = rounding_error * DVec2::new(a.abs() + b.abs(), c.abs() + d.abs());
-    if has_none(&first, slack.x) || has_none(&second, slack.y) {
+    if is_nonzero(&first, slack.x) || is_nonzero(&second, slack.y) {
         return BoxTest::Empty;
     }
     let [first_u, first_v] = first.slope_ranges();
@@ -188,7 +188,7 @@ fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxT
     // With the Jacobian at the current place they converge quadratically.
     let mut place = DVec2::splat(0.5);
     for _ in 0..32 {
-        let (f, g) = (first.at(place.x, place.y), second.at(place.x, place.y));
+        let (f, g) = (first.evaluate(place.x, place.y), second.evaluate(place.x, place.y));
         let determinant = f.u * g.v - f.v * g.u;
         let step = DVec2::new(f.value * g.v - g.value * f.v, g.value * f.u - f.value * g.u) / determinant;
         // A dominant diagonal keeps the determinant positive within the part.
@@ -216,7 +216,7 @@ mod tests {
     use glam::DVec3;
 
     /// A bicubic field from its values at the nodes of a regular 4 x 4 lattice.
-    fn of(f: impl Fn(f64, f64) -> f64) -> Field<4> {
+    fn field_from_function(f: impl Fn(f64, f64) -> f64) -> Field<4> {
         // Interpolation of bicubics: Bernstein coefficients from values at 0, 1/3, 2/3, 1.
         let invert = |y: [f64; 4]| {
             let [a, b, c, d] = y;
@@ -230,7 +230,7 @@ mod tests {
 
     fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots<4> {
         let mut found = Roots::default();
-        roots([of(f), of(g)], 1e-14, 1e-9, &mut found).unwrap();
+        roots([field_from_function(f), field_from_function(g)], 1e-14, 1e-9, &mut found).unwrap();
         found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
         found
     }

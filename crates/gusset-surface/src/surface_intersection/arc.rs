@@ -34,7 +34,7 @@ const MIN_LINE_SHARE: f64 = 1.0 / 64.0;
 
 /// An end of an arc, and the directions in which the arc continues, in parameters and in space.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End {
+pub(super) struct ArcEnd {
     pub(super) x: DVec4,
     pub(super) tangent: DVec4,
     pub(super) direction: DVec3,
@@ -56,7 +56,7 @@ struct Unclear;
 /// The arc in a box whose solutions form a graph. `Empty`: only runs that may be lost. `Unique`:
 /// one arc between two ends, by rising free parameter. `Undecided`: the parameter to halve the box
 /// by, if known.
-pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;
+pub(super) type ArcTest = BoxTest<[ArcEnd; 2], Option<usize>>;
 
 /// The search for the arc in a box.
 pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
@@ -91,43 +91,43 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
 
     /// Finds the arc if the line of the middle leads to its ends, which is the usual case. `middle`
     /// holds the derivatives in the middle of the box.
-    pub(super) fn along_line(&self, middle: &Frame) -> Option<ArcTest> {
+    pub(super) fn find_along_line(&self, middle: &Frame) -> Option<ArcTest> {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();
         if to - from < MIN_LINE_SHARE * (self.high[free] - self.low[free]) {
             return None;
         }
         let half = 0.5 * (from + to);
-        let first = self.exit(&LocalCurve { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
+        let first = self.find_exit(&LocalCurve { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
         // The parabola with the slopes at this end and in the middle.
         let rates = first.tangent / first.tangent[free];
         let bend = (line - rates) / (2.0 * (base[free] - first.x[free]));
         let step = base[free] + half - first.x[free];
         let x = first.x + step * (rates + step * bend);
-        let last = self.exit(&LocalCurve { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
-        Some(self.found(middle, first, last))
+        let last = self.find_exit(&LocalCurve { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
+        Some(self.classify_exits(middle, first, last))
     }
 
     /// Finds the arc from a solution inside the box.
-    pub(super) fn through_inside(&self, middle: &Frame) -> ArcTest {
-        let (x, frame) = match self.start() {
+    pub(super) fn find_from_inside(&self, middle: &Frame) -> ArcTest {
+        let (x, frame) = match self.find_start() {
             Ok(Some(start)) => start,
             Ok(None) => return BoxTest::Empty,
             Err(Unclear) => return BoxTest::Undecided(None),
         };
         let curve = LocalCurve { x, rates: self.rates(&frame), bend: DVec4::ZERO };
-        match (self.exit(&curve, -1.0), self.exit(&curve, 1.0)) {
-            (Some(first), Some(last)) => self.found(middle, first, last),
+        match (self.find_exit(&curve, -1.0), self.find_exit(&curve, 1.0)) {
+            (Some(first), Some(last)) => self.classify_exits(middle, first, last),
             _ => BoxTest::Undecided(None),
         }
     }
 
     /// Classifies a curve that leaves the box at two ends.
-    fn found(&self, middle: &Frame, first: End, last: End) -> ArcTest {
-        match self.stays(middle, &first, &last) {
-            Stay::Inside => BoxTest::Unique([first, last]),
-            Stay::Outside => BoxTest::Empty,
-            Stay::Unknown(k) => BoxTest::Undecided(k),
+    fn classify_exits(&self, middle: &Frame, first: ArcEnd, last: ArcEnd) -> ArcTest {
+        match self.classify_course(middle, &first, &last) {
+            Course::Inside => BoxTest::Unique([first, last]),
+            Course::Outside => BoxTest::Empty,
+            Course::Unknown(k) => BoxTest::Undecided(k),
         }
     }
 
@@ -145,15 +145,15 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
 
     /// [`ArcSearch::close`] as a distance in parameter k. Larger where the surfaces are nearly
     /// parallel, and rounding is larger.
-    fn close(&self, frame: &Frame, k: usize) -> f64 {
+    fn side_distance(&self, frame: &Frame, k: usize) -> f64 {
         let rounding = self.rounding_error * frame.sensitivity(self.chart.free, k);
         (self.close / frame.columns[k].length()).max(ROUNDINGS * rounding).min(1e-3)
     }
 
     /// A solution inside the box, if the box holds an arc longer than the shortest one.
-    fn start(&self) -> Result<Option<Start>, Unclear> {
+    fn find_start(&self) -> Result<Option<Start>, Unclear> {
         let free = self.chart.free;
-        let mut guess = self.on_line();
+        let mut guess = self.deepest_on_line();
         for _ in 0..4 {
             let Some((x, frame)) = self.equation.solve(guess, free) else {
                 return Err(Unclear);
@@ -162,13 +162,13 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 return Err(Unclear);
             }
             let slack = |k: usize| {
-                if self.is_monotone(k) { PARAMETER_ROUNDING } else { self.close(&frame, k) }
+                if self.is_monotone(k) { PARAMETER_ROUNDING } else { self.side_distance(&frame, k) }
             };
             if (0..4).all(|k| x[k] >= self.low[k] - slack(k) && x[k] <= self.high[k] + slack(k)) {
                 return Ok(Some((x, frame)));
             }
             // Bounds of slopes tell where else a solution may be.
-            let parts = [-1.0, 1.0].map(|way| (way, self.permitted(x, way)));
+            let parts = [-1.0, 1.0].map(|way| (way, self.feasible_range(x, way)));
             let longest = parts.into_iter().max_by(|a, b| (a.1[1] - a.1[0]).total_cmp(&(b.1[1] - b.1[0])));
             let Some((way, [from, to])) = longest else {
                 return Err(Unclear);
@@ -197,7 +197,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// The point of the line of the middle that is deepest inside the box, or nearest to it.
-    fn on_line(&self) -> DVec4 {
+    fn deepest_on_line(&self) -> DVec4 {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();
         let step = (0.5 * (from + to)).clamp(self.low[free] - base[free], self.high[free] - base[free]);
@@ -206,7 +206,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
 
     /// The distances from a solution, upwards or downwards (`way`) along the free parameter, at
     /// which other solutions may be in the box.
-    fn permitted(&self, x: DVec4, way: f64) -> [f64; 2] {
+    fn feasible_range(&self, x: DVec4, way: f64) -> [f64; 2] {
         let (mut from, mut to) = (0.0_f64, f64::INFINITY);
         // slope * d <= room for d >= 0.
         let mut restrict = |slope: f64, room: f64| {
@@ -227,7 +227,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// The exit of the curve from the box, upwards or downwards (`way`) along the free parameter.
-    fn exit(&self, curve: &LocalCurve, way: f64) -> Option<End> {
+    fn find_exit(&self, curve: &LocalCurve, way: f64) -> Option<ArcEnd> {
         let free = self.chart.free;
         // The side towards which a parameter moves.
         let rises = |k: usize| k == free && way > 0.0 || k != free && self.chart.slopes[k][0] * way > 0.0;
@@ -261,8 +261,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 .filter(|&k| k != through && leaves(k) && back(k) > 0.0)
                 .max_by(|&k, &n| back(k).total_cmp(&back(n)));
             let Some(earlier) = earlier else {
-                let end = End { x, tangent: frame.tangent(), direction: frame.direction() };
-                return self.sound(inside, x, way).then_some(end);
+                let end = ArcEnd { x, tangent: frame.tangent(), direction: frame.direction() };
+                return self.is_valid_exit(inside, x, way).then_some(end);
             };
             guess = x - back(earlier) * rate;
             through = earlier;
@@ -271,7 +271,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// Whether an exit is in the box, and in the right direction from the point inside.
-    fn sound(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
+    fn is_valid_exit(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
         let free = self.chart.free;
         let within = |k: usize| {
             let slack = if self.is_monotone(k) { 2.0 * PARAMETER_ROUNDING } else { self.margin[k] };
@@ -281,7 +281,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// Whether the parameters that are not monotone stay in the box between two solutions.
-    fn stays(&self, frame: &Frame, first: &End, last: &End) -> Stay {
+    fn classify_course(&self, frame: &Frame, first: &ArcEnd, last: &ArcEnd) -> Course {
         let free = self.chart.free;
         let length = (last.x[free] - first.x[free]).max(0.0);
         let mut samples = None;
@@ -299,45 +299,45 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
             let Some(samples) = samples else {
-                return Stay::Unknown(Some(k));
+                return Course::Unknown(Some(k));
             };
-            match self.beside(k, &samples, frame) {
-                Stay::Inside => {}
+            match self.classify_beside_side(k, &samples, frame) {
+                Course::Inside => {}
                 other => return other,
             }
         }
-        Stay::Inside
+        Course::Inside
     }
 
     /// Classifies a curve next to a side across parameter k. A curve that runs along the side
     /// within rounding belongs to the boxes on both sides. A curve that touches it belongs to the
     /// box it comes from. Smaller boxes cut a curve that crosses it. Beside poles, where parameter
     /// lines are close together, such a curve may be close to the side for several resolutions.
-    fn beside(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Stay {
-        let close = self.close(frame, k);
+    fn classify_beside_side(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Course {
+        let close = self.side_distance(frame, k);
         let [min, max] = range(samples.map(|x| x[k]));
         // Halving across k does not bring a curve in the middle that hardly moves in k closer to
         // the sides. Shorter pieces of it have narrower bounds.
         let room = (min - self.low[k]).min(self.high[k] - max);
         let is_central = room >= MIN_ROOM * (self.high[k] - self.low[k]);
-        let mut all = Stay::Unknown(if is_central { None } else { Some(k) });
+        let mut all = Course::Unknown(if is_central { None } else { Some(k) });
         for (side, is_high) in [(self.low[k], false), (self.high[k], true)] {
             if min < side - close || max > side + close {
                 continue;
             }
             let (below, above) = (max <= side + ALONG_SIDE_SHARE * close, min >= side - ALONG_SIDE_SHARE * close);
             if !below && !above {
-                return Stay::Unknown(Some(k));
+                return Course::Unknown(Some(k));
             }
             let stays = if is_high { below } else { above };
             let outwards = if is_high == stays { 1.0 } else { -1.0 };
             if self.crosses(k, samples, (side, outwards), frame) {
-                return Stay::Unknown(None);
+                return Course::Unknown(None);
             }
             if !stays {
-                return Stay::Outside;
+                return Course::Outside;
             }
-            all = Stay::Inside;
+            all = Course::Inside;
         }
         all
     }
@@ -367,7 +367,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// Solutions at both ends and at three parameters between them.
-    fn samples(&self, first: &End, last: &End) -> Option<[DVec4; 5]> {
+    fn samples(&self, first: &ArcEnd, last: &ArcEnd) -> Option<[DVec4; 5]> {
         let mut samples = [first.x; 5];
         for (sample, part) in samples.iter_mut().zip([0.0, 0.25, 0.5, 0.75, 1.0]) {
             (*sample, _) = self.equation.solve(first.x.lerp(last.x, part), self.chart.free)?;
@@ -377,7 +377,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
 }
 
 /// The course of the parameters that are not monotone.
-enum Stay {
+enum Course {
     /// All of them stay in the box.
     Inside,
     /// The curve belongs to another box, and touches a side from there.

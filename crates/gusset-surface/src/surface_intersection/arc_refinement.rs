@@ -8,7 +8,7 @@
 //! Invariant: every inserted point solves the equation. Cost: one or two Newton steps for each
 //! point.
 
-use super::arc::End;
+use super::arc::ArcEnd;
 use super::equation::Equation;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
@@ -45,12 +45,12 @@ pub(super) struct ArcRefinement<'a, const N: usize, const M: usize> {
 
 impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     /// Inserts the points strictly between the ends. `places` are the ends in space.
-    pub(super) fn between(&self, ends: [End; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
+    pub(super) fn insert_points(&self, ends: [ArcEnd; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
         if self.chord == f64::INFINITY {
             return Ok(());
         }
         let knots = [0, 1].map(|k| {
-            let End { x, tangent, direction } = ends[k];
+            let ArcEnd { x, tangent, direction } = ends[k];
             let rates = tangent / tangent[self.free];
             let speed = self.speed(tangent, direction);
             Knot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }

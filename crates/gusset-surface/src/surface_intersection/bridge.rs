@@ -8,7 +8,7 @@
 
 use super::contact::CriticalPoint;
 use super::links::{Chain, Links, NONE};
-use super::solve::{Arc, FoundArcs, UnresolvedBall};
+use super::solve::{FoundArcs, IntersectionArc, UnresolvedBall};
 use glam::DVec3;
 use glam::DVec4;
 use gusset_base::alloc;
@@ -38,7 +38,7 @@ pub(super) trait Surroundings {
     /// The point at parameters of a pair of cells.
     fn point(&self, pair: u32, x: DVec4) -> DVec3;
     /// Whether a chord is as close to both surfaces as the chords of the curves are.
-    fn contain(&self, chord: [DVec3; 2]) -> bool;
+    fn contains_chord(&self, chord: [DVec3; 2]) -> bool;
 }
 
 /// The end of a chain at which a bridge may begin or end. Chain k has the ends 2 k and 2 k + 1.
@@ -87,7 +87,7 @@ impl<S: Surroundings> Bridges<'_, S> {
 
     /// Pairs of a ball and a point of an arc in it, on the same sheets. `points` holds each point
     /// with the pair of cells of its arc.
-    fn members(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
+    fn points_in_balls(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
         let places = alloc::collect(points.iter().map(|&(point, _)| point))?;
         let tree = tree(&places)?;
         let mut found = Vec::new();
@@ -124,7 +124,7 @@ impl<S: Surroundings> Bridges<'_, S> {
             alloc::extend(&mut points, self.points(arc).map(|point| (point, arc.pair)))?;
         }
         let mut within = alloc::filled(false, points.len())?;
-        for (ball, point) in self.members(&points)? {
+        for (ball, point) in self.points_in_balls(&points)? {
             let [own, other] = [self.pieces.balls[ball as usize].pair, points[point as usize].1];
             within[point as usize] |= is_used(ball) && self.surroundings.cell(own) == self.surroundings.cell(other);
         }
@@ -149,7 +149,7 @@ impl<S: Surroundings> Bridges<'_, S> {
 
     /// The length of a chain: the sum of the chords of its arcs, or the length of a closed arc.
     fn length(&self, chain: &Chain) -> f64 {
-        let length = |arc: &Arc| match arc.is_closed {
+        let length = |arc: &IntersectionArc| match arc.is_closed {
             true => self.points(arc).zip(self.points(arc).skip(1)).map(|(p, q)| p.distance(q)).sum(),
             false => arc.ends[0].distance(arc.ends[1]),
         };
@@ -157,7 +157,7 @@ impl<S: Surroundings> Bridges<'_, S> {
     }
 
     /// The points of an arc.
-    fn points(&self, arc: &Arc) -> impl Iterator<Item = DVec3> {
+    fn points(&self, arc: &IntersectionArc) -> impl Iterator<Item = DVec3> {
         let all = &self.pieces.points[arc.from as usize..arc.to as usize];
         all.iter().map(|&x| self.surroundings.point(arc.pair, x))
     }
@@ -292,7 +292,9 @@ impl<S: Surroundings> Bridges<'_, S> {
         sort::stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
-            if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.contain([from.point, to.point])) {
+            if links.are_free(from.arc, to.arc)
+                && (is_point || self.surroundings.contains_chord([from.point, to.point]))
+            {
                 links.join(from.arc, to.arc);
             }
         }
@@ -315,7 +317,7 @@ impl<S: Surroundings> Bridges<'_, S> {
     /// Pairs of an end and a start of chains in one ball, or in two that touch.
     fn pairs(&self, ends: &[LooseEnd], is_used: &dyn Fn(u32) -> bool) -> Result<Vec<[u32; 2]>> {
         let points = alloc::collect(ends.iter().map(|end| (end.point, self.pieces.arcs[end.arc as usize].pair)))?;
-        let mut members = self.members(&points)?;
+        let mut members = self.points_in_balls(&points)?;
         members.retain(|&(ball, _)| is_used(ball));
         let groups: Vec<&[(u32, u32)]> =
             alloc::gather(members.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() <= MAX_ENDS))?;
@@ -341,7 +343,7 @@ impl<S: Surroundings> Bridges<'_, S> {
 
     /// For each ball, whether a joint explains it. An explained ball is hardly larger than the
     /// resolution, and a chain passes through it, as at poles.
-    pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
+    pub(super) fn explained_by_joints(&self, links: &Links) -> Result<Vec<bool>> {
         let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);
         let limit = POINT_RESOLUTIONS * self.resolution;
         let is_small = |ball: &UnresolvedBall| ball.radius <= limit;

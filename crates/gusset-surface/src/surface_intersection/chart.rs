@@ -18,7 +18,7 @@
 //! diagonal (Krawczyk 1969; Hanniel and Elber 2007). Cost: O(N^2 + M^2) for a test, O(N^3 + M^3)
 //! for a split.
 
-use super::coordinate_net::Net;
+use super::coordinate_net::CoordinateNet;
 use super::equation::{Equation, Frame, OTHERS};
 use crate::Patch;
 use crate::subdivision::Field;
@@ -72,14 +72,17 @@ fn gap<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>) -> f64 {
 }
 
 /// The index of the component with the largest absolute value.
-fn max(tangent: DVec4) -> usize {
+fn largest_component(tangent: DVec4) -> usize {
     (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best })
 }
 
 impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// The whole of two patches, whose nets are not yet set.
-    pub(super) const WHOLE: Self =
-        ParameterBox { nets: Equation { a: Net::ZERO, b: Net::ZERO }, low: DVec4::ZERO, size: DVec4::ONE };
+    pub(super) const WHOLE: Self = ParameterBox {
+        nets: Equation { a: CoordinateNet::ZERO, b: CoordinateNet::ZERO },
+        low: DVec4::ZERO,
+        size: DVec4::ONE,
+    };
 
     pub(super) fn middle(&self) -> DVec4 {
         self.low + 0.5 * self.size
@@ -92,7 +95,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = max(tangent);
+        let free = largest_component(tangent);
         let others = OTHERS[free];
         let [x, y, z] = others.map(|k| columns[k]);
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
@@ -101,7 +104,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let regular = determinant.abs() > 1e-10 * lengths;
         let rows = normals.map(|normal| if regular { normal / determinant } else { normal });
 
-        let (a, b) = (rows.map(|row| self.nets.a.along(row)), rows.map(|row| self.nets.b.along(row)));
+        let (a, b) = (rows.map(|row| self.nets.a.project(row)), rows.map(|row| self.nets.b.project(row)));
         let mut is_apart = false;
         for k in 0..3 {
             let (gap, length) = (gap(&a[k], &b[k]), rows[k].length());
@@ -140,7 +143,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     pub(super) fn is_apart(&self, frame: &Frame, rounding_error: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = max(tangent);
+        let free = largest_component(tangent);
         OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), rounding_error))
             || self.is_beside(frame, rounding_error)
     }
@@ -153,7 +156,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     }
 
     fn separated(&self, axis: DVec3, rounding_error: f64) -> bool {
-        gap(&self.nets.a.along(axis), &self.nets.b.along(axis)) > rounding_error * axis.length()
+        gap(&self.nets.a.project(axis), &self.nets.b.project(axis)) > rounding_error * axis.length()
     }
 
     /// True if the pieces are flat and close, so that details of their intersection are below the
@@ -161,7 +164,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// the pieces are within `tolerance` of each other.
     pub(super) fn is_within(&self, frame: &Frame, thickness: f64, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
-            let (a, b) = (self.nets.a.along(normal).range(), self.nets.b.along(normal).range());
+            let (a, b) = (self.nets.a.project(normal).range(), self.nets.b.project(normal).range());
             let thickest = (a[1] - a[0]).max(b[1] - b[0]);
             thickest <= thickness && a[1].max(b[1]) - a[0].min(b[0]) <= tolerance + 2.0 * thickness
         };
@@ -176,7 +179,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     }
 
     /// Whether all points are on one side of the box, within `slack`.
-    pub(super) fn has_on_side(&self, points: [DVec4; 2], slack: f64) -> bool {
+    pub(super) fn has_side_through(&self, points: [DVec4; 2], slack: f64) -> bool {
         let on = |side: DVec4| points.map(|x| (x - side).abs().cmple(DVec4::splat(slack)));
         [self.low, self.low + self.size].map(on).into_iter().any(|[first, last]| (first & last).any())
     }

@@ -18,7 +18,7 @@
 //!
 //! Cost: O(n log n) for n balls, O(N^3) for each ball, and a few evaluations for each cluster.
 
-use super::graph::{Form, Graph, Interval};
+use super::graph::{Form, HeightGraph, Interval};
 use super::pairs::CellPair;
 use super::solve::UnresolvedBall;
 use crate::{Place, Surface, each_sheet};
@@ -81,7 +81,7 @@ impl CriticalPoint {
 pub(super) struct CriticalPoints {
     pub(super) points: Vec<CriticalPoint>,
     /// For each ball, the index of the point that explains it, [`APART`] or [`UNRESOLVED`].
-    pub(super) of_ball: Vec<u32>,
+    pub(super) explanations: Vec<u32>,
 }
 
 /// Marks balls in which the surfaces are farther apart than the tolerance.
@@ -90,7 +90,7 @@ pub(super) const APART: u32 = u32::MAX - 1;
 pub(super) const UNRESOLVED: u32 = u32::MAX;
 
 /// The result of Newton's method from a ball.
-enum Search {
+enum NewtonOutcome {
     Found(CriticalPoint),
     /// The iteration left the ball's cells, towards about this point.
     Beyond(DVec3),
@@ -109,7 +109,7 @@ pub(super) struct ContactSearch<'a> {
 }
 
 /// Returns an orthonormal frame whose third axis is `normal`.
-fn frame_of(normal: DVec3) -> DMat3 {
+fn frame_with_normal(normal: DVec3) -> DMat3 {
     let (x, y) = normal.any_orthonormal_pair();
     DMat3::from_cols(x, y, normal)
 }
@@ -117,7 +117,8 @@ fn frame_of(normal: DVec3) -> DMat3 {
 impl ContactSearch<'_> {
     /// Resolves all clusters that can be resolved.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<CriticalPoints> {
-        let mut found = CriticalPoints { points: Vec::new(), of_ball: alloc::filled(UNRESOLVED, self.balls.len())? };
+        let mut found =
+            CriticalPoints { points: Vec::new(), explanations: alloc::filled(UNRESOLVED, self.balls.len())? };
         if self.balls.is_empty() {
             return Ok(found);
         }
@@ -128,7 +129,7 @@ impl ContactSearch<'_> {
             let Some(point) = self.resolve(cluster) else { continue };
             let is_apart = !point.is_saddle && point.gap.abs() > self.tolerance;
             let number = if is_apart { APART } else { found.points.len() as u32 };
-            cluster.iter().for_each(|&ball| found.of_ball[ball as usize] = number);
+            cluster.iter().for_each(|&ball| found.explanations[ball as usize] = number);
             if !is_apart {
                 alloc::push(&mut found.points, point)?;
             }
@@ -140,7 +141,9 @@ impl ContactSearch<'_> {
     /// Assigns remaining balls within a contact to it. They lie on the rim of a lens thinner than
     /// the tolerance. Arcs on the rim are removed too.
     fn explain_rims(&self, found: &mut CriticalPoints) {
-        for (ball, number) in self.balls.iter().zip(&mut found.of_ball).filter(|(_, number)| **number == UNRESOLVED) {
+        for (ball, number) in
+            self.balls.iter().zip(&mut found.explanations).filter(|(_, number)| **number == UNRESOLVED)
+        {
             let is_of = |point: &CriticalPoint| {
                 let sheets = [ball.pair, point.pair].map(|pair| self.pairs[pair as usize].sheets);
                 let is_near = ball.centre.distance(point.point) + ball.radius <= point.radius;
@@ -201,7 +204,7 @@ impl ContactSearch<'_> {
         let mut order: Vec<&UnresolvedBall> = alloc::collect(cluster.iter().map(ball)).ok()?;
         order.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.pair.cmp(&b.pair)));
         let found = self.critical_point_among(&order)?;
-        let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_of(found.normal)));
+        let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_with_normal(found.normal)));
         let form = forms.next()??;
         if form == Form::Unknown || forms.any(|other| other != Some(form)) {
             return None;
@@ -228,8 +231,8 @@ impl ContactSearch<'_> {
                 left.iter().enumerate().min_by(|a, b| far(a.1).total_cmp(&far(b.1)).then(a.1.cmp(b.1)))?;
             left.swap_remove(at);
             match self.critical_point(balls[ball], balls) {
-                Some(Search::Found(point)) => return Some(point),
-                Some(Search::Beyond(point)) => towards = Some(point),
+                Some(NewtonOutcome::Found(point)) => return Some(point),
+                Some(NewtonOutcome::Beyond(point)) => towards = Some(point),
                 None => {}
             }
         }
@@ -244,23 +247,24 @@ impl ContactSearch<'_> {
     /// and H the second derivatives. If the first point moves by d and the second by d + p - q, the
     /// points coincide in the plane. The slopes become g + G d and h + H (d + p - q), which must be
     /// equal.
-    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<Search> {
+    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<NewtonOutcome> {
         let (mut x, mut last) = (ball.x, f64::INFINITY);
         for _ in 0..NEWTON_STEPS {
             let [a, b] = self.places(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
-            let frame = frame_of(normal.try_normalize()?);
-            let [one, other] = [Graph::at(&jets[0], &frame)?, Graph::at(&jets[1], &frame)?];
+            let frame = frame_with_normal(normal.try_normalize()?);
+            let [one, other] = [HeightGraph::from_jet(&jets[0], &frame)?, HeightGraph::from_jet(&jets[1], &frame)?];
             let away = (frame.transpose() * (jets[0].point - jets[1].point)).truncate();
-            let second = |graph: &Graph| {
+            let second = |graph: &HeightGraph| {
                 let [xx, xy, yy] = graph.second.map(Interval::middle);
                 DMat2::from_cols(DVec2::new(xx, xy), DVec2::new(xy, yy))
             };
-            let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(Interval::middle));
+            let slopes = |graph: &HeightGraph| DVec2::from_array(graph.slopes.map(Interval::middle));
             let (g, h) = (second(&one), second(&other));
             let in_plane = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
-            let by_parameters =
-                |graph: &Graph, step: DVec2| graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y);
+            let by_parameters = |graph: &HeightGraph, step: DVec2| {
+                graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y)
+            };
             let ([s, t], [u, v]) = (by_parameters(&one, in_plane), by_parameters(&other, in_plane + away));
             let step = DVec4::new(s, t, u, v);
             if !step.is_finite() {
@@ -268,7 +272,7 @@ impl ContactSearch<'_> {
             }
             // A polynomial says little beyond its cell.
             if step.abs().max_element() > 1.0 {
-                return Some(Search::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
+                return Some(NewtonOutcome::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
             }
             x += step;
             let length = step.abs().max_element();
@@ -299,12 +303,12 @@ impl ContactSearch<'_> {
                 }
                 let radius = if rim.is_finite() && determinant > 0.0 { radius.max(1.1 * rim) } else { radius };
                 if !(inside && balls.iter().any(within)) {
-                    return Some(Search::Beyond(point));
+                    return Some(NewtonOutcome::Beyond(point));
                 }
                 let is_opposed = jets[1].normal().dot(normal) < 0.0;
                 let found =
                     CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
-                return Some(Search::Found(found));
+                return Some(NewtonOutcome::Found(found));
             }
         }
         None
@@ -318,9 +322,9 @@ impl ContactSearch<'_> {
             let Place { sheet, cell: [i, j], u, v } = places[k];
             let part = [[u, u + size[0]], [v, v + size[1]]].map(|[from, to]| [from, to.min(1.0)]);
             each_sheet!(self.surfaces[k].sheet(sheet as usize), cells => {
-                Graph::over(&crate::cells::Cells::patch(cells, i as usize, j as usize), part, frame)
+                HeightGraph::from_patch(&crate::cells::Cells::patch(cells, i as usize, j as usize), part, frame)
             })
         };
-        Some(Form::of_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
+        Some(Form::from_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
     }
 }

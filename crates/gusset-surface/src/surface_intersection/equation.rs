@@ -2,14 +2,14 @@
 //!
 //! Cost: O(N^2 + M^2) for an evaluation.
 
-use super::coordinate_net::Net;
+use super::coordinate_net::CoordinateNet;
 use glam::{DVec2, DVec3, DVec4};
 
 /// Two patches. The parameters are (s, t) of A, then (u, v) of B, in their cells.
 #[derive(Clone)]
 pub(super) struct Equation<const N: usize, const M: usize> {
-    pub(super) a: Net<N>,
-    pub(super) b: Net<M>,
+    pub(super) a: CoordinateNet<N>,
+    pub(super) b: CoordinateNet<M>,
 }
 
 /// A - B at given parameters, and its derivatives.

@@ -26,7 +26,7 @@ impl Interval {
         Interval { low: x, high: x }
     }
 
-    pub(super) fn with(self, x: f64) -> Self {
+    pub(super) fn including(self, x: f64) -> Self {
         Interval { low: self.low.min(x), high: self.high.max(x) }
     }
 
@@ -62,13 +62,13 @@ impl Mul for Interval {
 
     fn mul(self, other: Interval) -> Interval {
         let first = Interval::point(self.low * other.low);
-        first.with(self.low * other.high).with(self.high * other.low).with(self.high * other.high)
+        first.including(self.low * other.high).including(self.high * other.low).including(self.high * other.high)
     }
 }
 
 /// The height of a piece of a surface over the plane of a frame's first two axes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Graph {
+pub(super) struct HeightGraph {
     /// The derivatives of u and of v with respect to x and y.
     pub(super) inverse: [[Interval; 2]; 2],
     /// h_x and h_y.
@@ -77,10 +77,10 @@ pub(super) struct Graph {
     pub(super) second: [Interval; 3],
 }
 
-impl Graph {
+impl HeightGraph {
     /// Creates the graph from S_u and S_v, and from S_uu, S_uv and S_vv, in coordinates of the
     /// frame. Returns `None` if the piece may not be a graph.
-    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<Graph> {
+    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<HeightGraph> {
         let [[xu, yu, zu], [xv, yv, zv]] = first;
         let factor = (xu * yv - xv * yu).inverse()?;
         let minus = Interval::point(-1.0) * factor;
@@ -91,17 +91,21 @@ impl Graph {
             let ([uk, un], [vk, vn]) = ([inverse[0][k], inverse[0][n]], [inverse[1][k], inverse[1][n]]);
             uu * uk * un + uv * (uk * vn + vk * un) + vv * vk * vn
         };
-        Some(Graph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
+        Some(HeightGraph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
     }
 
     /// The graph at a point.
-    pub(super) fn at(jet: &Jet, frame: &DMat3) -> Option<Graph> {
+    pub(super) fn from_jet(jet: &Jet, frame: &DMat3) -> Option<HeightGraph> {
         let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::point);
-        Graph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
+        HeightGraph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
     }
 
     /// The graph over a part of a patch. Control points give the bounds.
-    pub(super) fn over<const N: usize>(patch: &Patch<N>, part: [[f64; 2]; 2], frame: &DMat3) -> Option<Graph> {
+    pub(super) fn from_patch<const N: usize>(
+        patch: &Patch<N>,
+        part: [[f64; 2]; 2],
+        frame: &DMat3,
+    ) -> Option<HeightGraph> {
         let mut points = patch.points.map(|row| row.map(|point| frame.transpose() * point));
         restrict_rows(&mut points, part[0]);
         let mut turned = Patch { points }.transposed();
@@ -135,7 +139,7 @@ impl Graph {
         }
         // The second derivatives of degree 1 vanish.
         let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::point(0.0)));
-        Graph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
+        HeightGraph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
     }
 }
 
@@ -150,7 +154,7 @@ fn restrict_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64; 2]) 
 /// Adds a vector to the ranges of its components.
 fn add(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
     for (range, x) in ranges.iter_mut().zip(vector.to_array()) {
-        *range = Some(range.map_or(Interval::point(x), |range| range.with(x)));
+        *range = Some(range.map_or(Interval::point(x), |range| range.including(x)));
     }
 }
 
@@ -169,7 +173,7 @@ pub(super) enum Form {
 
 impl Form {
     /// The definiteness of the second derivatives of the difference of two graphs.
-    pub(super) fn of_difference(one: &Graph, other: &Graph) -> Form {
+    pub(super) fn from_difference(one: &HeightGraph, other: &HeightGraph) -> Form {
         let [xx, xy, yy] = [0, 1, 2].map(|k| one.second[k] - other.second[k]);
         let Interval { low, high } = xx * yy;
         let square = xy.low.abs().max(xy.high.abs()).powi(2);

@@ -5,7 +5,7 @@
 use super::bridge::{Bridges, JoinedCrossings, Surroundings};
 use super::contact::{APART, CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
-use super::solve::{Arc, FoundArcs};
+use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -102,7 +102,7 @@ pub(super) struct Chained {
 /// Joins the arcs to chains. `critical` holds the points where the surfaces touch within
 /// `tolerance`. `resolution` is the accuracy of ends, and the length of arcs that may be lost
 /// between them.
-pub(super) fn chains(
+pub(super) fn chain_arcs(
     pieces: &FoundArcs,
     critical: &CriticalPoints,
     surroundings: &impl Surroundings,
@@ -113,7 +113,7 @@ pub(super) fn chains(
     // The start and the end of each arc.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
     let near = near_pairs(&ends, REACH * resolution, job)?;
-    let mut dropped = repeated(arcs, &near, false, resolution)?;
+    let mut dropped = find_repeated(arcs, &near, false, resolution)?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
@@ -125,31 +125,36 @@ pub(super) fn chains(
     // The closest pairs first.
     sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let bridges = Bridges { pieces, surroundings, tolerance, resolution };
-    let mut links = Links::of(&joints, &dropped)?;
+    let mut links = Links::from_joints(&joints, &dropped)?;
     let mut chains = links.chains(&dropped)?;
     // An arc that was removed may have taken the place of another one.
     if bridges.drop_short(&chains, &mut dropped) | bridges.drop_repeated(&chains, &mut dropped)? {
-        links = Links::of(&joints, &dropped)?;
+        links = Links::from_joints(&joints, &dropped)?;
         chains = links.chains(&dropped)?;
     }
     if pieces.balls.is_empty() {
         return Ok(Chained { chains: links.chains(&dropped)?, ..Chained::default() });
     }
-    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.of_ball[ball as usize] != APART)?;
+    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.explanations[ball as usize] != APART)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
     // Branches that cross are joined after each of them is complete elsewhere.
-    let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;
+    let elsewhere = |ball: u32| critical.explanations[ball as usize] == UNRESOLVED;
     bridges.join(&links.chains(&dropped)?, &mut links, &elsewhere)?;
     let crossings = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
     bridges.join(&links.chains(&dropped)?, &mut links, &|_| true)?;
-    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.passed(&links)? })
+    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.explained_by_joints(&links)? })
 }
 
 /// Finds duplicates: arcs that were found from both sides of a side of cells or boxes. `near` holds
 /// pairs of ends that are close to each other. Sheets may have opposite orientations, so a
 /// duplicate in other cells may run in the opposite direction. If `either_way`, it may do so in the
 /// same cells too, because neither piece is the first.
-pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, resolution: f64) -> Result<Vec<bool>> {
+pub(super) fn find_repeated(
+    arcs: &[IntersectionArc],
+    near: &[(f64, u32, u32)],
+    either_way: bool,
+    resolution: f64,
+) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);

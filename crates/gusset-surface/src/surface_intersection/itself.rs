@@ -6,7 +6,7 @@
 
 use super::bridge::Bridges;
 use super::chart::ParameterBox;
-use super::coordinate_net::Net;
+use super::coordinate_net::CoordinateNet;
 use super::joints::Joints;
 use super::links::Chain;
 use super::near::NearPair;
@@ -166,7 +166,7 @@ impl Intersection<'_> {
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
-            cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.places.origin));
+            cells.map(|[i, j]| CoordinateNet::new(&sheet.patch(i as usize, j as usize), self.places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);

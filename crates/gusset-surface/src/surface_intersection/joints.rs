@@ -64,7 +64,7 @@ impl Part {
 
 /// The control points along a border of cell `k`, of rows (`direction` 0) or columns.
 fn side<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> [DVec3; N] {
-    poles::outwards(cells, direction, side, k).points[0]
+    poles::patch_from_border(cells, direction, side, k).points[0]
 }
 
 impl Joints {
@@ -109,7 +109,7 @@ impl Joints {
     /// Whether two cells have points in common.
     pub(super) fn are_joined(&self, [p, q]: [[u32; 2]; 2]) -> bool {
         let [p, q] = [p, q].map(Part::whole);
-        self.between(p.cell, q.cell).next().is_some() || self.common_poles(p, q).next().is_some()
+        self.joints_between(p.cell, q.cell).next().is_some() || self.common_poles(p, q).next().is_some()
     }
 
     /// Whether two cells are proven to have only the declared points in common.
@@ -119,7 +119,7 @@ impl Joints {
     }
 
     /// The ways in which two cells have points in common, except at poles.
-    fn between(&self, p: [i64; 2], q: [i64; 2]) -> impl Iterator<Item = Joint> + '_ {
+    fn joints_between(&self, p: [i64; 2], q: [i64; 2]) -> impl Iterator<Item = Joint> + '_ {
         let steps = (0..9).map(|k| [k / 3 - 1, k % 3 - 1]);
         steps.filter_map(move |offset| {
             let (cell, flips) = self.neighbour(p, offset)?;
@@ -180,12 +180,16 @@ impl Joints {
     }
 
     /// The relation of two parts of cells, of equal size.
-    pub(super) fn meeting<const N: usize>(&self, cells: [[u32; 2]; 2], part: &ParameterBox<N, N>) -> Meeting {
+    pub(super) fn part_relation<const N: usize>(
+        &self,
+        cells: [[u32; 2]; 2],
+        part: &ParameterBox<N, N>,
+    ) -> PartRelation {
         let count = (1.0 / part.size.x) as i64;
         let at = (part.low / part.size).to_array().map(|x| x as i64);
         let [p, q] = [0, 1].map(|k| Part { cell: cells[k].map(i64::from), at: [at[2 * k], at[2 * k + 1]], count });
         if self.within_band(p, q) {
-            return Meeting::Injective;
+            return PartRelation::Injective;
         }
         let touches = |joint: &Joint| {
             (0..2).all(|d| {
@@ -193,16 +197,16 @@ impl Joints {
                 (own + joint.offset[d] * count - p.at[d]).abs() <= 1
             })
         };
-        if let Some(joint) = self.between(p.cell, q.cell).find(touches) {
-            return Meeting::Joined(joint);
+        if let Some(joint) = self.joints_between(p.cell, q.cell).find(touches) {
+            return PartRelation::Joined(joint);
         }
-        if self.common_poles(p, q).next().is_some() { Meeting::AtPole } else { Meeting::Apart }
+        if self.common_poles(p, q).next().is_some() { PartRelation::AtPole } else { PartRelation::Apart }
     }
 }
 
 /// The relation of two parts of cells.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Meeting {
+pub(super) enum PartRelation {
     /// They do not have points in common by declaration.
     Apart,
     /// They are equal, or share a side or a corner.

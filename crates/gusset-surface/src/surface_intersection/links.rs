@@ -26,7 +26,7 @@ impl Links {
 
     /// Joins arcs that are not dropped. `joints` holds (distance, end, start), the closest pairs
     /// first.
-    pub(super) fn of(joints: &[(f64, u32, u32)], dropped: &[bool]) -> Result<Self> {
+    pub(super) fn from_joints(joints: &[(f64, u32, u32)], dropped: &[bool]) -> Result<Self> {
         let mut links = Self::new(dropped.len())?;
         let is_kept = |arc: u32| !dropped[arc as usize];
         let kept = joints.iter().filter(|&&(_, end, start)| is_kept(end) && is_kept(start));

@@ -54,12 +54,12 @@ use super::{Paths, Place, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
-use coordinate_net::Net;
+use coordinate_net::CoordinateNet;
 use glam::{DVec3, DVec4};
-use intersection_chain::{Chained, chains};
+use intersection_chain::{Chained, chain_arcs};
 use overlap::Overlaps;
 use places::PairPlaces;
-use solve::{Arc, FoundArcs, PairTask};
+use solve::{FoundArcs, IntersectionArc, PairTask};
 use std::ops::Range;
 
 /// Number of pairs of cells that a thread solves in one task.
@@ -159,11 +159,11 @@ impl Surface<'_> {
         };
         let critical = search.run(&job.part(0.9, 0.92))?;
         let chained =
-            chains(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
+            chain_arcs(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
         let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
             let is_explained = chained.passed[k]
-                || match critical.of_ball[k] {
+                || match critical.explanations[k] {
                     UNRESOLVED => false,
                     APART => true,
                     n => chained.crossings.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
@@ -224,7 +224,7 @@ impl Surroundings for Intersection<'_> {
         self.places.point(pair, x)
     }
 
-    fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
+    fn contains_chord(&self, [from, to]: [DVec3; 2]) -> bool {
         let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
         let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
@@ -315,11 +315,11 @@ impl Intersection<'_> {
             let [p, q] = self.places.pairs[k as usize].cells;
             // Pairs with the same cell of A are successive.
             if last != Some(p) {
-                (whole.nets.a, size_a) = Net::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
+                (whole.nets.a, size_a) = CoordinateNet::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
                 last = Some(p);
             }
             let size_b;
-            (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
+            (whole.nets.b, size_b) = CoordinateNet::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
             task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces, job)?;
         }
         Ok(())
@@ -337,7 +337,7 @@ impl Intersection<'_> {
         let open = chained.chains.iter().filter(|chain| !chain.closed);
         let ends = open.flat_map(|chain| [(chain.arcs[0], 0), (chain.arcs[chain.arcs.len() - 1], 1)]);
         ends.filter_map(|(arc, k)| {
-            let Arc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
+            let IntersectionArc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
             let x = pieces.points[[from, to - 1][k] as usize];
             (!at_border[k] && !self.is_near_border(pair, x)).then(|| self.places.places(pair, x)[0])
         })

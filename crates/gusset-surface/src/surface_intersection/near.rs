@@ -18,8 +18,8 @@
 //! point.
 
 use super::chart::ParameterBox;
-use super::coordinate_net::Net;
-use super::joints::{Joint, Joints, Meeting};
+use super::coordinate_net::CoordinateNet;
+use super::joints::{Joint, Joints, PartRelation};
 use super::solve::{FoundArcs, PairSearch, PairTask, Stop};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -68,14 +68,14 @@ impl NearPair<'_> {
                 if (k + 1).is_multiple_of(PARTS_PER_STEP) {
                     search.step()?;
                 }
-                let joint = match self.joints.meeting(self.cells, &part) {
-                    Meeting::Injective => continue,
-                    Meeting::Apart => {
+                let joint = match self.joints.part_relation(self.cells, &part) {
+                    PartRelation::Injective => continue,
+                    PartRelation::Apart => {
                         search.run_near(&part)?;
                         continue;
                     }
-                    Meeting::Joined(joint) => Some(joint),
-                    Meeting::AtPole => None,
+                    PartRelation::Joined(joint) => Some(joint),
+                    PartRelation::AtPole => None,
                 };
                 if !joint.is_some_and(|joint| self.is_injective(&part, joint)) {
                     alloc::push(&mut left, part)?;
@@ -101,7 +101,7 @@ impl NearPair<'_> {
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };
         let axis = longer.normalize_or_zero();
         let far = |p: &DVec3| (p - centre - axis * axis.dot(p - centre)).length();
-        let nets = [&part.nets.a, &part.nets.b].map(Net::patch);
+        let nets = [&part.nets.a, &part.nets.b].map(CoordinateNet::patch);
         nets.iter().flat_map(|net| net.points.as_flattened()).all(|p| far(p) <= 0.5 * self.task.resolution)
     }
 
@@ -149,9 +149,9 @@ impl NearPair<'_> {
 }
 
 /// Bounds of the derivatives of a net along two rows. A negative sign reverses a parameter.
-fn bounds<const N: usize>(net: &Net<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
+fn bounds<const N: usize>(net: &CoordinateNet<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
     rows.map(|row| {
-        let ranges = net.along(row).slope_ranges();
+        let ranges = net.project(row).slope_ranges();
         [0, 1].map(|k| {
             let [low, high] = ranges[k];
             if signs[k] < 0.0 { [-high, -low] } else { [low, high] }

@@ -8,7 +8,7 @@
 //! Cost: O(log n) for each arc along a side, and a few evaluations for each close end.
 
 use super::places::{CurvePoint, PairPlaces};
-use super::solve::{Arc, FoundArcs};
+use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -63,13 +63,20 @@ impl Overlaps<'_> {
 
     /// The distance up to which an end of another arc counts as one of this arc's ends. For short
     /// arcs, as beside poles, it is a fraction of their length.
-    fn reach(&self, arc: &Arc) -> f64 {
+    fn reach(&self, arc: &IntersectionArc) -> f64 {
         let length = arc.ends[0].distance(arc.ends[1]);
         self.resolution * (OWN_SHARE * length / self.resolution).clamp(OWN_RESOLUTIONS[0], OWN_RESOLUTIONS[1])
     }
 
     /// Adds the cuts of one arc: at ends of other arcs that lie on it.
-    fn add_cuts(&self, k: u32, arc: &Arc, ends: &[DVec3], tree: &KdTree<'_>, cuts: &mut Vec<Cut>) -> Result<()> {
+    fn add_cuts(
+        &self,
+        k: u32,
+        arc: &IntersectionArc,
+        ends: &[DVec3],
+        tree: &KdTree<'_>,
+        cuts: &mut Vec<Cut>,
+    ) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
         let within = self.reach(arc);
         let mut from = self.places.point(arc.pair, points[0]);
@@ -125,10 +132,10 @@ impl Overlaps<'_> {
     }
 
     /// Adds the part of an arc between two cuts. `None` means the arc's own end.
-    fn add_part(&self, arc: &Arc, cuts: [Option<&Cut>; 2], made: &mut FoundArcs) -> Result<()> {
+    fn add_part(&self, arc: &IntersectionArc, cuts: [Option<&Cut>; 2], made: &mut FoundArcs) -> Result<()> {
         let [from, to] = cuts.map(|cut| cut.map(|cut| arc.from + cut.behind + 1));
         let inner = from.unwrap_or(arc.from) as usize..to.unwrap_or(arc.to) as usize;
-        let mut part = Arc { from: made.points.len() as u32, ..*arc };
+        let mut part = IntersectionArc { from: made.points.len() as u32, ..*arc };
         let [first, last] = cuts.map(|cut| cut.map(|cut| cut.at.x));
         alloc::extend(&mut made.points, first)?;
         alloc::append(&mut made.points, &self.pieces.points[inner])?;

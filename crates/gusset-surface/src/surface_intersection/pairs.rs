@@ -64,7 +64,7 @@ impl Parallelepiped {
         Parallelepiped { centre, half, lengths: half.map(DVec3::length), normals, volume: x.dot(normals[0]).abs() }
     }
 
-    fn of(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
+    fn from_oriented_box(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
         let (centre, half) = oriented.edges();
         Parallelepiped::new(centre + shift, half)
     }
@@ -105,7 +105,7 @@ impl Parallelepiped {
 
 impl Node {
     fn root(index: &Pyramid, shift: DVec3) -> Node {
-        let bounds = shifted(index.bounds(), shift - index.origin());
+        let bounds = translated(index.bounds(), shift - index.origin());
         Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
@@ -113,12 +113,12 @@ impl Node {
     fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
         let level = &index.levels()[self.level - 1];
         // The boxes of blocks that do not exist are empty.
-        let bounds = shifted(level.child_boxes(self.row, self.column).get(k), shift);
-        if !overlap(&bounds, &near.bounds, by) {
+        let bounds = translated(level.child_boxes(self.row, self.column).get(k), shift);
+        if !boxes_overlap(&bounds, &near.bounds, by) {
             return None;
         }
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
-        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::of(oriented, shift));
+        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
         (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
     }
@@ -128,11 +128,11 @@ impl Node {
     }
 }
 
-fn shifted(bounds: Aabb, by: DVec3) -> Aabb {
+fn translated(bounds: Aabb, by: DVec3) -> Aabb {
     Aabb { low: bounds.low + by, high: bounds.high + by }
 }
 
-fn overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
+fn boxes_overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
     (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
 }
 
@@ -170,7 +170,7 @@ impl Quadrilateral {
     /// False if a separating axis of the two parallelograms, with their twists added, proves that
     /// the quadrilaterals are farther apart than `by`.
     fn meets(&self, other: &Quadrilateral, by: f64) -> bool {
-        if !overlap(&self.bounds, &other.bounds, by) {
+        if !boxes_overlap(&self.bounds, &other.bounds, by) {
             return false;
         }
         let between = other.centre - self.centre;
@@ -197,7 +197,7 @@ impl Quadrilateral {
 }
 
 /// The corners of the cells of a block, and the cells that may meet another block.
-struct Block {
+struct BlockCells {
     at: [usize; 2],
     corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
     /// Bound of the distance between the surface and the cells' quadrilaterals.
@@ -205,8 +205,8 @@ struct Block {
     quads: Vec<Quadrilateral>,
 }
 
-impl Block {
-    const NONE: Block = Block {
+impl BlockCells {
+    const NONE: BlockCells = BlockCells {
         at: [usize::MAX; 2],
         corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
         deviation: 0.0,
@@ -232,14 +232,14 @@ impl Block {
     }
 
     /// Selects the cells that may be within `by` of a box.
-    fn choose(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
+    fn select_cells(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
         self.quads.clear();
         for [i, j] in cells_of_block(self.at, sheet.cells()) {
             let (r, c) = (i % BLOCK, j % BLOCK);
             let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
             let [[p, q], [s, t]] = corners;
             let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
-            if overlap(&bounds, near, by) {
+            if boxes_overlap(&bounds, near, by) {
                 self.quads.push(Quadrilateral::new([i as u32, j as u32], corners, bounds));
             }
         }
@@ -316,7 +316,7 @@ fn pairs(
     });
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
-    let blocks = [Block::NONE; 2];
+    let blocks = [BlockCells::NONE; 2];
     let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
     descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
     let key = |pair: &CellPair| {
@@ -337,7 +337,7 @@ struct Descent<'a> {
     /// Tells which pairs of cells are wanted.
     wanted: &'a dyn Fn(&CellPair) -> bool,
     /// The most recent blocks of A and of B.
-    blocks: [Block; 2],
+    blocks: [BlockCells; 2],
     /// Number of pairs since the last progress report.
     unheard: usize,
     found: &'a mut Vec<CellPair>,
@@ -346,7 +346,7 @@ struct Descent<'a> {
 
 impl Descent<'_> {
     /// Counts examined pairs, and reports progress.
-    fn count(&mut self, pairs: usize) -> Result<()> {
+    fn count_pairs(&mut self, pairs: usize) -> Result<()> {
         self.unheard += pairs;
         if self.unheard >= PAIRS_PER_STEP {
             self.unheard = 0;
@@ -357,7 +357,7 @@ impl Descent<'_> {
 
     /// Adds the pairs of cells of two blocks of any level.
     fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
-        self.count(1)?;
+        self.count_pairs(1)?;
         if one.level == 0 && other.level == 0 {
             return self.cells(one, other);
         }
@@ -382,8 +382,8 @@ impl Descent<'_> {
         left.read(a, one, self.origin);
         right.read(b, other, self.origin);
         let by = self.by + left.deviation + right.deviation;
-        left.choose(a.sheet, &other.bounds, by);
-        right.choose(b.sheet, &one.bounds, by);
+        left.select_cells(a.sheet, &other.bounds, by);
+        right.select_cells(b.sheet, &one.bounds, by);
         for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
             let pair = CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] };
             if wanted(&pair) && p.meets(q, by) {
@@ -392,7 +392,7 @@ impl Descent<'_> {
         }
         Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)?;
         let looked_at = left.quads.len() * right.quads.len();
-        self.count(looked_at)
+        self.count_pairs(looked_at)
     }
 }
 

@@ -31,7 +31,12 @@ const CELLS_PER_STEP: usize = 1 << 8;
 const PIECES: usize = 8;
 
 /// The patch of cell k along a border, with u running inwards from the border.
-pub(super) fn outwards<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> Patch<N> {
+pub(super) fn patch_from_border<const N: usize>(
+    cells: &impl Cells<N>,
+    direction: usize,
+    side: usize,
+    k: usize,
+) -> Patch<N> {
     let last = cells.counts()[direction] - 1;
     let at = if side == 0 { 0 } else { last };
     let mut patch = match direction {
@@ -79,21 +84,21 @@ impl Bounds {
         let mut value = flat[0][0].map(Interval::point);
         let (mut by_u, mut by_v) = ([Interval::point(0.0); 2], [const { None }; 2]);
         for (a, b, k) in (0..N * N * 2).map(|n| (n / 2 / N, n / 2 % N, n % 2)) {
-            value[k] = value[k].with(flat[a][b][k]);
+            value[k] = value[k].including(flat[a][b][k]);
             if a + 1 < N {
                 // u T_u, with u from 0 to 1 in the piece's own parameters.
-                by_u[k] = by_u[k].with(degree * (flat[a + 1][b][k] - flat[a][b][k]));
+                by_u[k] = by_u[k].including(degree * (flat[a + 1][b][k] - flat[a][b][k]));
             }
             if b + 1 < N {
                 let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES as f64;
-                by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.with(slope)));
+                by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.including(slope)));
             }
         }
         let by_v = [by_v[0]?, by_v[1]?];
         if value[0].low <= 0.0 {
             return None;
         }
-        let square = Interval::point(0.0).with((value[1].low.abs()).max(value[1].high.abs()).powi(2));
+        let square = Interval::point(0.0).including((value[1].low.abs()).max(value[1].high.abs()).powi(2));
         let inverse = (value[0] * value[0] + square).inverse()?;
         let along = |slope: [Interval; 2]| (value[0] * slope[0] + value[1] * slope[1]) * inverse;
         let across = |slope: [Interval; 2]| (value[0] * slope[1] - value[1] * slope[0]) * inverse;
@@ -129,7 +134,7 @@ pub(super) fn injective_band<const N: usize>(
     job: &Job<'_>,
 ) -> Result<Option<i32>> {
     let count = cells.counts()[1 - direction];
-    let mut quotients = alloc::collect((0..count).map(|k| quotient(&outwards(cells, direction, side, k))))?;
+    let mut quotients = alloc::collect((0..count).map(|k| quotient(&patch_from_border(cells, direction, side, k))))?;
     for band in 0..=MAX_BAND {
         if are_injective(&quotients, is_ring, job)? {
             return Ok(Some(band));

@@ -6,7 +6,7 @@
 //! within the tolerance of each other everywhere: the surfaces touch there, or coincide. Cost:
 //! O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
 
-use super::arc::{ArcSearch, End, PARAMETER_ROUNDING};
+use super::arc::{ArcEnd, ArcSearch, PARAMETER_ROUNDING};
 use super::arc_refinement::ArcRefinement;
 use super::chart::ParameterBox;
 use super::equation::Equation;
@@ -47,7 +47,7 @@ const MAX_BALLS: usize = 64;
 
 /// An arc of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
+pub(super) struct IntersectionArc {
     /// The index of the pair.
     pub(super) pair: u32,
     /// The range of its points in [`FoundArcs`].
@@ -66,7 +66,7 @@ pub(super) struct Arc {
     pub(super) is_along_side: bool,
 }
 
-impl Arc {
+impl IntersectionArc {
     /// The number of points.
     pub(super) fn point_count(&self) -> usize {
         (self.to - self.from) as usize
@@ -93,7 +93,7 @@ pub(super) struct UnresolvedBall {
 #[derive(Debug, Default)]
 pub(super) struct FoundArcs {
     pub(super) points: Vec<DVec4>,
-    pub(super) arcs: Vec<Arc>,
+    pub(super) arcs: Vec<IntersectionArc>,
     pub(super) balls: Vec<UnresolvedBall>,
     /// Pairs that need more boxes than permitted.
     pub(super) exhausted: Vec<u32>,
@@ -116,7 +116,7 @@ impl FoundArcs {
     pub(super) fn append(&mut self, other: &FoundArcs) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
-        let moved = |arc: &Arc| Arc { from: arc.from + before, to: arc.to + before, ..*arc };
+        let moved = |arc: &IntersectionArc| IntersectionArc { from: arc.from + before, to: arc.to + before, ..*arc };
         alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))?;
         alloc::append(&mut self.balls, &other.balls)?;
         alloc::append(&mut self.exhausted, &other.exhausted)
@@ -220,12 +220,12 @@ impl From<Error> for Stop {
 
 impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>, 2> for PairSearch<'_, N, M> {
     /// The ends of an arc, and its free parameter.
-    type Solution = ([End; 2], usize);
+    type Solution = ([ArcEnd; 2], usize);
     /// The parameter to halve.
     type Split = usize;
     type Stop = Stop;
 
-    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
+    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, Stop> {
         let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
         if self.examined.is_multiple_of(BOXES_PER_STEP) {
@@ -254,10 +254,10 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             }
             BoxTest::Unique(chart) => {
                 let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
-                let found = match search.along_line(&frame) {
+                let found = match search.find_along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
-                    None => search.through_inside(&frame),
+                    None => search.find_from_inside(&frame),
                 };
                 match found {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
@@ -291,7 +291,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     }
 
     /// Adds an arc, unless it is short enough to be dropped.
-    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
+    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([ArcEnd; 2], usize)) -> Result<(), Stop> {
         // The ends come by rising free parameter, but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
@@ -309,21 +309,31 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         let from = points.len() as u32;
         alloc::push(points, ends[0].x)?;
-        ArcRefinement { equation, free, chord: self.task.chord }.between(ends, places, points)?;
+        ArcRefinement { equation, free, chord: self.task.chord }.insert_points(ends, places, points)?;
         if let Some(away) = away.filter(|_| points.len() as u32 == from + 1) {
             alloc::push(points, away)?;
         }
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
         let pair = self.task.pair;
-        let is_along_side = !is_closed && part.has_on_side(ends.map(|end| end.x), SIDE_SLACK);
+        let is_along_side = !is_closed && part.has_side_through(ends.map(|end| end.x), SIDE_SLACK);
         let at_border = self.task.are_at_border(ends.map(|end| end.x), is_along_side);
         // Directions from the last Newton iterate are off by the last step divided by the distance
         // from a crossing.
-        let exact = |end: End| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
+        let exact = |end: ArcEnd| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
         let directions = ends.map(|end| exact(end).normalize_or_zero());
         let ends = places;
-        let arc = Arc { pair, from, to, ends, directions, at_border, is_cut: [false; 2], is_closed, is_along_side };
+        let arc = IntersectionArc {
+            pair,
+            from,
+            to,
+            ends,
+            directions,
+            at_border,
+            is_cut: [false; 2],
+            is_closed,
+            is_along_side,
+        };
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 

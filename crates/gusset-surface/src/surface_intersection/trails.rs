@@ -6,9 +6,9 @@
 //!
 //! Invariant: an end is joined to at most one other end. Cost: O(n log n) for n arcs.
 
-use super::intersection_chain::{REACH, near_pairs, repeated};
+use super::intersection_chain::{REACH, find_repeated, near_pairs};
 use super::links::NONE;
-use super::solve::Arc;
+use super::solve::IntersectionArc;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -39,7 +39,7 @@ pub(super) struct Trail {
 
 /// The difference of the tangent planes of two ends, and whether the first plane of one corresponds
 /// to the second of the other.
-fn unlike(a: &[DVec3; 2], b: &[DVec3; 2]) -> (f64, bool) {
+fn plane_difference(a: &[DVec3; 2], b: &[DVec3; 2]) -> (f64, bool) {
     let cost = |p: usize, q: usize| 2.0 - a[0].dot(b[p]).abs() - a[1].dot(b[q]).abs();
     let (same, swapped) = (cost(0, 1), cost(1, 0));
     if same <= swapped { (same, false) } else { (swapped, true) }
@@ -47,7 +47,7 @@ fn unlike(a: &[DVec3; 2], b: &[DVec3; 2]) -> (f64, bool) {
 
 /// Arcs, and the normals of both pieces at their ends. Arc k has the ends 2 k and 2 k + 1.
 pub(super) struct Trails<'a> {
-    pub(super) arcs: &'a [Arc],
+    pub(super) arcs: &'a [IntersectionArc],
     pub(super) normals: &'a [[DVec3; 2]],
     /// Accuracy of ends.
     pub(super) resolution: f64,
@@ -86,7 +86,7 @@ impl Trails<'_> {
                 trail.closed = next == first;
                 return Ok(trail);
             }
-            swapped ^= unlike(&self.normals[last as usize], &self.normals[next as usize]).1;
+            swapped ^= plane_difference(&self.normals[last as usize], &self.normals[next as usize]).1;
             at = next;
         }
     }
@@ -96,9 +96,9 @@ impl Trails<'_> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
         let near = near_pairs(&ends, REACH * self.resolution, job)?;
-        let alike = |p: u32, q: u32| unlike(&self.normals[p as usize], &self.normals[q as usize]).0;
+        let alike = |p: u32, q: u32| plane_difference(&self.normals[p as usize], &self.normals[q as usize]).0;
         let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= REPEATED_COST))?;
-        let dropped = repeated(arcs, &same, true, self.resolution)?;
+        let dropped = find_repeated(arcs, &same, true, self.resolution)?;
         let mut joints = Vec::new();
         // The directions in which arcs continue beyond their ends.
         let outwards = |end: u32| {

@@ -10,7 +10,7 @@
 //! This is an average of N_ij / W_ij, so |A - S| is at most the largest |N_ij| / W_ij. Halves give
 //! a closer bound, because de Casteljau's algorithm averages their control values.
 
-use super::super::spline::Net;
+use super::super::spline::PieceNet;
 use crate::MAX_DEGREE;
 use glam::{DVec3, DVec4};
 use gusset_base::geom::bernstein::{binomial_row, halve};
@@ -35,7 +35,7 @@ impl Difference {
     /// Computes N from the control points of A and the homogeneous control points of S, which has
     /// the given degrees. The error of N_ij, relative to W_ij (|A| + |S|), is at most 2^-53 times
     /// (p + 1) (q + 1) + 5.
-    pub(super) fn new(own: &Net<DVec3>, homogeneous: &Net<DVec4>, [p, q]: [usize; 2]) -> Self {
+    pub(super) fn new(own: &PieceNet<DVec3>, homogeneous: &PieceNet<DVec4>, [p, q]: [usize; 2]) -> Self {
         let [sevenths, ps, qs] = [MAX_DEGREE, p, q].map(binomial_row::<{ MAX_DEGREE + 1 }>);
         let counts = [p + MAX_DEGREE + 1, q + MAX_DEGREE + 1];
         let mut net = [[DVec4::ZERO; SIZE]; SIZE];
@@ -61,7 +61,7 @@ impl Difference {
     pub(super) fn bound(&self, target: f64) -> f64 {
         let rough = self.greatest();
         // Rounding in quarters and divisions is far below this relative margin.
-        (1.0 + 1e-12) * if rough > HOPELESS * target { rough } else { self.refined(rough, target, DEPTH) }
+        (1.0 + 1e-12) * if rough > HOPELESS * target { rough } else { self.refined_bound(rough, target, DEPTH) }
     }
 
     /// The largest |N_ij| / W_ij.
@@ -72,13 +72,17 @@ impl Difference {
         ratios.map(|ratio| if ratio.is_nan() { f64::INFINITY } else { ratio }).fold(0.0, f64::max)
     }
 
-    fn refined(&self, bound: f64, target: f64, depth: usize) -> f64 {
+    fn refined_bound(&self, bound: f64, target: f64, depth: usize) -> f64 {
         if bound <= target || depth == 0 {
             return bound;
         }
         let [low, high] = self.halves();
-        let quarters = [low, high].map(|half| half.turned().halves());
-        quarters.as_flattened().iter().map(|part| part.refined(part.greatest(), target, depth - 1)).fold(0.0, f64::max)
+        let quarters = [low, high].map(|half| half.transposed().halves());
+        quarters
+            .as_flattened()
+            .iter()
+            .map(|part| part.refined_bound(part.greatest(), target, depth - 1))
+            .fold(0.0, f64::max)
     }
 
     fn halves(&self) -> [Self; 2] {
@@ -88,7 +92,7 @@ impl Difference {
     }
 
     /// The difference with u and v exchanged.
-    fn turned(&self) -> Self {
+    fn transposed(&self) -> Self {
         let net = std::array::from_fn(|i| std::array::from_fn(|j| self.net[j][i]));
         Difference { net, counts: [self.counts[1], self.counts[0]] }
     }

@@ -10,7 +10,7 @@
 //! derivatives only on the rational ones there. Adjacent pieces therefore share their sides. Their
 //! tangents are continuous wherever the tangents of the rational surface are.
 
-use super::super::spline::Net;
+use super::super::spline::PieceNet;
 use crate::MAX_DEGREE;
 use glam::DVec3;
 use glam::DVec4;
@@ -41,7 +41,7 @@ type Matrix<const ROWS: usize> = [[f64; DATA]; ROWS];
 
 /// Points of a piece that are known exactly, at its corners and along its sides.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Known {
+pub(super) struct ExactPoints {
     /// The sides at u = 0 and u = 1, then at v = 0 and v = 1. Contains the point if the side is a
     /// single point.
     pub(super) sides: [[Option<DVec3>; 2]; 2],
@@ -49,14 +49,14 @@ pub(super) struct Known {
     pub(super) corners: [[Option<DVec3>; 2]; 2],
 }
 
-impl Known {
+impl ExactPoints {
     pub(super) fn map(self, to: impl Fn(DVec3) -> DVec3) -> Self {
         let all = |points: [[Option<DVec3>; 2]; 2]| points.map(|pair| pair.map(|point| point.map(&to)));
-        Known { sides: all(self.sides), corners: all(self.corners) }
+        ExactPoints { sides: all(self.sides), corners: all(self.corners) }
     }
 
     /// Overwrites the control points that are known exactly.
-    pub(super) fn restore(&self, points: &mut Net<DVec3>) {
+    pub(super) fn restore(&self, points: &mut PieceNet<DVec3>) {
         for (end, k) in [(0, 0), (1, MAX_DEGREE)] {
             for (other, l) in [(0, 0), (1, MAX_DEGREE)] {
                 points[k][l] = self.corners[end][other].unwrap_or(points[k][l]);
@@ -83,10 +83,10 @@ pub(super) struct Fit {
 }
 
 /// A piece: its data, which neighbours share at sides, and its control points.
-pub(super) struct Piece {
-    data: Net<DVec3>,
+pub(super) struct FittedPiece {
+    data: PieceNet<DVec3>,
     /// The control points.
-    pub(super) points: Net<DVec3>,
+    pub(super) points: PieceNet<DVec3>,
 }
 
 /// The factors that compute data from control points.
@@ -103,7 +103,7 @@ fn functionals(degree: usize) -> Matrix<DATA> {
 }
 
 /// The weighted sum of values.
-fn sum<T: Default + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>>(
+fn weighted_sum<T: Default + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>>(
     factors: &[f64],
     value: impl Fn(usize) -> T,
 ) -> T {
@@ -134,26 +134,26 @@ impl Fit {
     }
 
     /// Fits a rational piece with the given homogeneous control points: w x, w y, w z and w.
-    pub(super) fn piece(&self, homogeneous: &Net<DVec4>, known: &Known) -> Piece {
+    pub(super) fn piece(&self, homogeneous: &PieceNet<DVec4>, known: &ExactPoints) -> FittedPiece {
         let data = self.project(&self.homogeneous_data(homogeneous), known);
         // First along the rows, then across them, so that sides depend on data at the sides only.
-        let along = data.map(|row| self.through(&row));
-        let columns: Net<DVec3> = std::array::from_fn(|b| self.through(&along.map(|row| row[b])));
-        let mut points: Net<DVec3> = std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a]));
+        let along = data.map(|row| self.interpolate(&row));
+        let columns: PieceNet<DVec3> = std::array::from_fn(|b| self.interpolate(&along.map(|row| row[b])));
+        let mut points: PieceNet<DVec3> = std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a]));
         known.restore(&mut points);
-        Piece { data, points }
+        FittedPiece { data, points }
     }
 
-    fn homogeneous_data(&self, net: &Net<DVec4>) -> Net<DVec4> {
+    fn homogeneous_data(&self, net: &PieceNet<DVec4>) -> PieceNet<DVec4> {
         let [p, q] = self.degrees;
-        let along = net.map(|points| self.data[1].map(|row| sum(&row[..=q], |b| points[b])));
-        self.data[0].map(|row| std::array::from_fn(|l| sum(&row[..=p], |a| along[a][l])))
+        let along = net.map(|points| self.data[1].map(|row| weighted_sum(&row[..=q], |b| points[b])));
+        self.data[0].map(|row| std::array::from_fn(|l| weighted_sum(&row[..=p], |a| along[a][l])))
     }
 
     /// Values and derivatives of S = P / w from those of P and w. They follow from P = w S, P_u =
     /// w_u S + w S_u and P_uv = w_uv S + w_u S_v + w_v S_u + w S_uv.
-    fn project(&self, data: &Net<DVec4>, known: &Known) -> Net<DVec3> {
-        let mut out = Net::<DVec3>::default();
+    fn project(&self, data: &PieceNet<DVec4>, known: &ExactPoints) -> PieceNet<DVec3> {
+        let mut out = PieceNet::<DVec3>::default();
         for (k, l) in VALUES.into_iter().flat_map(|k| VALUES.map(|l| (k, l))) {
             out[k][l] = data[k][l].truncate() / data[k][l].w;
         }
@@ -184,27 +184,28 @@ impl Fit {
     }
 
     /// The control points of a curve of degree 7 with the given data.
-    fn through(&self, data: &[DVec3; DATA]) -> [DVec3; DATA] {
+    fn interpolate(&self, data: &[DVec3; DATA]) -> [DVec3; DATA] {
         // Relative to the first value, so that rounding is proportional to the size of the piece.
         let from = data[0];
         let steps: [DVec3; DATA] = std::array::from_fn(|k| if VALUES.contains(&k) { data[k] - from } else { data[k] });
-        let mut points = self.control.map(|row| from + sum(&row, |k| steps[k]));
+        let mut points = self.control.map(|row| from + weighted_sum(&row, |k| steps[k]));
         (points[0], points[DATA - 1]) = (from, data[DATA - 1]);
         points
     }
 
     /// The largest errors in u alone and in v alone, sampled where the error is largest. The error
     /// in one direction is visible where the data of the other direction are values.
-    pub(super) fn errors(&self, piece: &Piece, homogeneous: &Net<DVec4>) -> [f64; 2] {
+    pub(super) fn errors(&self, piece: &FittedPiece, homogeneous: &PieceNet<DVec4>) -> [f64; 2] {
         [0, 1].map(|d| {
             let mut worst = 0.0_f64;
             for l in VALUES {
-                let curve =
-                    self.through(&std::array::from_fn(|k| if d == 0 { piece.data[k][l] } else { piece.data[l][k] }));
+                let curve = self
+                    .interpolate(&std::array::from_fn(|k| if d == 0 { piece.data[k][l] } else { piece.data[l][k] }));
                 let row = &self.data[1 - d][l][..=self.degrees[1 - d]];
                 for (t, between) in BETWEEN.into_iter().zip(&self.between[d]) {
-                    let at = |k: usize| sum(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] });
-                    let point = sum(&between[..=self.degrees[d]], at);
+                    let at =
+                        |k: usize| weighted_sum(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] });
+                    let point = weighted_sum(&between[..=self.degrees[d]], at);
                     worst = worst.max(evaluate(&curve, t).distance(point.truncate() / point.w));
                 }
             }

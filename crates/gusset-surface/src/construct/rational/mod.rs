@@ -9,8 +9,8 @@ mod bound;
 mod fit;
 
 use self::bound::Difference;
-use self::fit::{Fit, Known};
-use super::spline::{Interval, Net, Piece, Spline, SplineOptions, knots_of};
+use self::fit::{ExactPoints, Fit};
+use super::spline::{Interval, PieceNet, Spline, SplineOptions, SplinePiece, border_knots};
 use crate::patches::Origin;
 use crate::{Patch, Patches};
 use glam::DVec3;
@@ -140,7 +140,7 @@ pub(super) fn patches(
         let mut parts = [alloc::filled(1_u8, counts[0])?, alloc::filled(1_u8, counts[1])?];
         for (k, &cell) in grid.iter().enumerate() {
             for (parts, (place, wanted)) in
-                parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell_of(&tasks, cell).parts))
+                parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell_by_index(&tasks, cell).parts))
             {
                 parts[place] = parts[place].max(wanted);
             }
@@ -156,16 +156,17 @@ pub(super) fn patches(
     let mut deviation = 0.0_f64;
     for (k, &cell) in grid.iter().enumerate() {
         job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), STAGE)?;
-        let cell = cell_of(&tasks, cell);
+        let cell = cell_by_index(&tasks, cell);
         deviation = deviation.max(cell.bound);
         patches.push(cell.patch);
     }
-    let origin = Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: knots_of(&intervals)? };
-    Ok(Patches::of(patches, intervals[0].len(), intervals[1].len()).with(origin))
+    let origin =
+        Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: border_knots(&intervals)? };
+    Ok(Patches::from_patches(patches, intervals[0].len(), intervals[1].len()).with_origin(origin))
 }
 
 /// The cell with the given index.
-fn cell_of(tasks: &[Vec<Cell>], number: usize) -> &Cell {
+fn cell_by_index(tasks: &[Vec<Cell>], number: usize) -> &Cell {
     &tasks[number / CELLS_PER_TASK][number % CELLS_PER_TASK]
 }
 
@@ -224,8 +225,8 @@ impl<'a> Rational<'a> {
         Ok(Rational { spline, unit, middle, homogeneous, fit: Fit::new(degrees)?, target, rounding, radius })
     }
 
-    fn cell(&self, rows: &Piece, columns: &Piece) -> Cell {
-        let homogeneous: Net<DVec4> = self.spline.net(&self.homogeneous, rows, columns);
+    fn cell(&self, rows: &SplinePiece, columns: &SplinePiece) -> Cell {
+        let homogeneous: PieceNet<DVec4> = self.spline.net(&self.homogeneous, rows, columns);
         let exact = self.exact_points(rows, columns);
         let known = exact.map(|point| point / self.unit - self.middle);
         let piece = self.fit.piece(&homogeneous, &known);
@@ -258,11 +259,12 @@ impl<'a> Rational<'a> {
 
     /// Points that are known exactly, because all control points that they depend on are equal:
     /// corners of clamped splines, and sides that are poles.
-    fn exact_points(&self, rows: &Piece, columns: &Piece) -> Known {
+    fn exact_points(&self, rows: &SplinePiece, columns: &SplinePiece) -> ExactPoints {
         let [p, q] = [0, 1].map(|d| self.spline.axes[d].degree);
         let one = |in_u: Option<usize>, in_v: Option<usize>| {
-            let counts =
-                |piece: &Piece, point: Option<usize>, k: usize| point.is_none_or(|at| piece.weights[at][k] != 0.0);
+            let counts = |piece: &SplinePiece, point: Option<usize>, k: usize| {
+                point.is_none_or(|at| piece.weights[at][k] != 0.0)
+            };
             let places = (0..=p)
                 .filter(|&a| counts(rows, in_u, a))
                 .flat_map(|a| (0..=q).filter(|&b| counts(columns, in_v, b)).map(move |b| (a, b)));
@@ -271,7 +273,7 @@ impl<'a> Rational<'a> {
             points.all(|point| point == first).then_some(first)
         };
         let (us, vs) = ([Some(0), Some(p)], [Some(0), Some(q)]);
-        Known {
+        ExactPoints {
             sides: [us.map(|u| one(u, None)), vs.map(|v| one(None, v))],
             corners: us.map(|u| vs.map(|v| one(u, v))),
         }
