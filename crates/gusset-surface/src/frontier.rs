@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_bounds_lead_straight_to_the_least() {
+    fn exact_bounds_lead_straight_to_the_smallest_number() {
         let numbers: Vec<f64> = (0..64).map(|k| f64::from(k * 37 % 64)).collect();
         let mut search =
             LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_bounds_come_by_their_keys() {
+    fn equal_bounds_are_ordered_by_key() {
         let mut frontier = Frontier::default();
         for key in [3, 1, 2] {
             frontier.push(0.5, key, ()).unwrap();

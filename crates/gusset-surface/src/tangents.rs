@@ -77,7 +77,7 @@ mod tests {
     /// Random nodes: tangents lie in their boxes for all weights, and come close to a side of them,
     /// so that the boxes are not too large.
     #[test]
-    fn tangents_are_in_their_boxes() {
+    fn tangents_lie_in_tight_boxes() {
         let mut random = fastrand::Rng::with_seed(7);
         let mut nearest = f64::INFINITY;
         for round in 0..cases(400) as usize {

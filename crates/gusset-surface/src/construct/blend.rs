@@ -126,7 +126,7 @@ mod tests {
 
     /// A quartic sampled at uneven lines has its own slopes at them, and a constant stays constant.
     #[test]
-    fn slopes_of_quartics() {
+    fn quartics_keep_their_slopes_at_uneven_lines() {
         let lengths = [1.0, 0.7, 1.9, 1.2, 0.6, 1.4, 1.0];
         let at: Vec<f64> = (0..=lengths.len()).map(|k| lengths[..k].iter().sum()).collect();
         let f = |x: f64| 2.0 - x + 0.3 * x * x - 0.1 * x.powi(3) + 0.01 * x.powi(4);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn few_lines_and_closed_ones() {
+    fn cardinal_functions_sum_to_one_for_few_and_closed_lines() {
         for (count, closed) in [(1, false), (2, false), (3, false), (3, true), (4, true), (5, true), (9, true)] {
             let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * f64::from(k % 3)).collect();
             for piece in blend(&lengths, closed).unwrap() {

@@ -131,7 +131,7 @@ mod tests {
     /// Blocks that cones exclude do not contribute to a result: it has the same bits with cones
     /// that exclude nothing.
     #[test]
-    fn answers_are_the_same_without_cones() {
+    fn results_are_equal_without_cones() {
         let (job, mut random) = (Job::default(), fastrand::Rng::with_seed(5));
         for (number, sheet) in sheets().into_iter().enumerate().step_by(if cfg!(debug_assertions) { 5 } else { 1 }) {
             let sharp = Surface::new(vec![sheet.clone()], None, &job).unwrap();

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn all_roots_of_a_product() {
+    fn all_roots_of_a_product_are_found() {
         // (t - 0.2) (t - 0.5) (t - 0.9) as a cubic, from its blossom at 0 and 1.
         let (a, b, d) = (0.2, 0.5, 0.9);
         let blossom = |x: f64, y: f64, z: f64| {

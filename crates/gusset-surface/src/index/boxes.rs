@@ -231,7 +231,7 @@ mod tests {
     /// The results are the largest number not above, and the smallest not below, rather than merely
     /// close.
     #[test]
-    fn rounding_is_directed() {
+    fn rounding_is_directed_and_sharp() {
         let check = |value: f64| {
             let (low, high) = (round_down(value), round_up(value));
             assert!(f64::from(low) <= value && f64::from(low.next_up()) > value, "{value:e}: {low:e}");
@@ -249,7 +249,7 @@ mod tests {
     /// A box in single precision contains the box in double precision, so no distance from it is
     /// larger.
     #[test]
-    fn child_boxes_hold_their_boxes() {
+    fn child_boxes_contain_the_exact_boxes() {
         let mut boxes = ChildBoxes::EMPTY;
         let each: [Aabb; 3] = std::array::from_fn(|k| {
             let low = DVec3::new(0.1, -0.7, 1.3) * (k + 1) as f64;
@@ -269,7 +269,7 @@ mod tests {
     /// However thin the box is, the points that it was computed for are within the parallelepiped
     /// of its edges.
     #[test]
-    fn edges_hold_the_box() {
+    fn edges_span_a_parallelepiped_around_the_points() {
         let mut random = fastrand::Rng::with_seed(1);
         for k in 0..3000 {
             let mut direction = || DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0)).normalize();
@@ -291,7 +291,7 @@ mod tests {
     /// For any directions, including zero and nearly parallel ones, the axes are perpendicular, and
     /// the box contains the points.
     #[test]
-    fn boxes_hold_their_points() {
+    fn oriented_boxes_contain_their_points() {
         let points: Vec<DVec3> =
             (0..20).map(|k| DVec3::new(f64::from(k * 7 % 20), f64::from(k * 11 % 20), f64::from(k))).collect();
         let u = DVec3::new(1e-17, 0.3e-17, -2e-17);

@@ -278,7 +278,7 @@ mod tests {
     /// Sides are rounded outwards by less than a unit, and no vector of the box is longer than
     /// `max_length`.
     #[test]
-    fn packed_boxes_hold_their_boxes() {
+    fn packed_boxes_contain_the_exact_boxes() {
         for k in 0..4000_u32 {
             let part = |by: u32| f64::from(k.wrapping_mul(by) >> 8) / f64::from(1 << 23) - 1.0;
             let (a, b) = (

@@ -322,7 +322,7 @@ mod tests {
 
     /// Quadrilaterals in projection along the line, just within the bound and just beyond it.
     #[test]
-    fn the_bound_of_a_quadrilateral_is_the_whole_one() {
+    fn quadrilateral_test_is_sharp_at_the_bound() {
         let mut random = fastrand::Rng::with_seed(7);
         for _ in 0..10_000 {
             let by = 0.01 + random.f64();

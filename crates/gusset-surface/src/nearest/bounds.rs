@@ -189,7 +189,7 @@ mod tests {
     /// Compares with points of the patch: no point is closer than a lower bound, or farther than
     /// the upper one.
     #[test]
-    fn bounds_hold() {
+    fn bounds_contain_sampled_distances() {
         for (seed, query) in (0..cases(20) as usize).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let patch = rough(seed);
             let distances = || places().map(|place| patch.point(place.x, place.y).distance(query));
@@ -241,7 +241,7 @@ mod tests {
     /// Waves seen from the side: the Hessian is indefinite, and only the half-space bound proves
     /// the minimum.
     #[test]
-    fn the_half_space_proves_where_convexity_does_not() {
+    fn half_space_proves_where_convexity_fails() {
         let patch = graph(|a, _| [0.0, 9.0, -9.0, 9.0][a]);
         let query = DVec3::new(-10.0, 0.5, 0.0);
         let foot = Foot::from_place(&patch, query, DVec2::new(0.0, 0.5));
@@ -252,7 +252,7 @@ mod tests {
     /// Away from the nearest point, where the second derivatives are 1 and 100. The smaller one
     /// determines the bound.
     #[test]
-    fn the_remaining_gain_is_bounded() {
+    fn remaining_gain_is_bounded() {
         let mut patch = graph(|_, _| 0.0);
         patch.points.as_flattened_mut().iter_mut().for_each(|point| point.y *= 10.0);
         let query = DVec3::new(0.9, 5.0, 0.3);
@@ -264,7 +264,7 @@ mod tests {
     /// The ranges of second derivatives contain the values at all points. Where one term dominates,
     /// they are hardly wider, so that an omitted term would be noticed.
     #[test]
-    fn ranges_of_second_derivatives_hold_and_are_tight() {
+    fn second_derivative_ranges_hold_and_are_tight() {
         const STEEP: f64 = 40.0;
         // z = STEEP u^2, STEEP v^2 and STEEP u v as Bezier patches.
         let square = |k: usize| [0.0, 0.0, 1.0 / 3.0, 1.0][k];

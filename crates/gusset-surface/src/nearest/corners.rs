@@ -165,7 +165,7 @@ mod tests {
 
     /// The extent of a displacement box equals the extent of its farthest corner, in any direction.
     #[test]
-    fn the_reach_of_displacements_is_exact() {
+    fn displacement_extents_are_exact() {
         let bounds = Aabb { low: DVec3::new(-1.0, 0.25, -3.0), high: DVec3::new(0.5, 2.0, -1.0) };
         let displacement = DisplacementBox::new(bounds);
         let corner = |k: usize| {

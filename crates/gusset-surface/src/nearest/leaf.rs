@@ -199,7 +199,7 @@ mod tests {
     /// Compares with points of all cells. Bounds of candidates hold, excluded cells are beyond the
     /// prune bound, and the upper bound is at least the smallest distance.
     #[test]
-    fn no_cell_is_excluded_wrongly() {
+    fn cells_with_nearer_points_are_never_excluded() {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
         for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let grid = rough(seed);

@@ -357,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn three_of_a_cubic() {
+    fn all_three_crossings_of_a_cubic_are_found() {
         let patch = sum(cubic([0.2, 0.5, 0.9]), [0.0; 4]);
         let line = straight(DVec3::new(0.0, 0.3, 0.0), DVec3::new(1.0, 0.7, 0.0));
         let found = solve(&line, &patch);
@@ -380,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_of_parts_are_found_once() {
+    fn crossings_at_corners_of_parts_are_found_once() {
         let patch = sum([0.0; 4], [0.0; 4]);
         let line = straight(DVec3::new(0.4, 0.6, -0.5), DVec3::new(0.6, 0.4, 0.5));
         let found = solve(&line, &patch);
@@ -427,7 +427,7 @@ mod tests {
     }
 
     #[test]
-    fn any_degree() {
+    fn raised_degrees_give_equal_crossings() {
         // The same cubic, raised to degree 7.
         let patch = sum(cubic([0.2, 0.5, 0.9]), cubic([0.1, 0.2, 0.3]));
         let curve = [DVec3::new(0.1, 0.9, -0.3), DVec3::new(0.5, 0.2, 0.6), DVec3::new(0.4, 0.8, -0.8), DVec3::ONE];

@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_are_the_whole() {
+    fn parts_equal_the_whole_field() {
         let mut random = fastrand::Rng::with_seed(1);
         let field = Field::<4> { c: [[0.0; 4]; 4].map(|row| row.map(|_| random.f64() - 0.5)) };
         let parts = field.quarters();

@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn none_one_and_many() {
+    fn all_roots_are_found_whether_none_one_or_nine() {
         assert!(solve(|u, v| u + v + 0.1, |u, v| u - v).simple.is_empty());
         let one = solve(|u, _| u - 0.3, |_, v| v - 0.7);
         assert!(one.simple.len() == 1 && one.simple[0].distance(DVec2::new(0.3, 0.7)) < 1e-14);

@@ -263,7 +263,7 @@ mod tests {
     /// A ball with few rows of many cells. The pairs around its poles are proven, and as many as
     /// the square of the columns, so none of them is stored. All other pairs are stored once.
     #[test]
-    fn pairs_round_poles_are_not_held() {
+    fn pairs_around_poles_are_not_stored() {
         let columns = 64;
         let point = |k: usize| {
             let (u, v) = ((k / (columns + 1)) as f64 / 4.0, (k % (columns + 1) % columns) as f64 / columns as f64);

@@ -403,7 +403,7 @@ mod tests {
     /// Randomly rotated boxes, a gap apart along an axis through a face, or through an edge of
     /// each.
     #[test]
-    fn the_bound_of_boxes_is_the_whole_one() {
+    fn boxes_a_gap_apart_meet_exactly_within_the_gap() {
         let mut random = fastrand::Rng::with_seed(3);
         for k in 0..10_000 {
             let mut turned = || {
