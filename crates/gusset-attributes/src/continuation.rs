@@ -17,10 +17,10 @@
 //! far off extends the chart of its base.
 //!
 //! **Extension.** The base's old face is unfolded about the base into the plane of the new face.
-//! Let a corner have the position x along the base and the distance y from its line. Its value is
-//! the value of the old face's affine map at (x, -y), where the old face has its third corner at y
-//! > 0. This gives affine weights of the three corners of the old face, which are equal for all
-//! channels.
+//! Let a corner have the position x along the base and the distance y from its line. The third
+//! corner of the old face has a positive y. The new corner's value is the value of the old face's
+//! affine map at (x, -y). This gives affine weights of the three corners of the old face, which are
+//! equal for all channels.
 
 use super::rims::{RimEnd, Rims};
 use super::table::{FACES_PER_REPORT, STAGE, Table};

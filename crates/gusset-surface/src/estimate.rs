@@ -58,8 +58,8 @@ impl Sheet<'_> {
         })
     }
 
-    /// Whether each side of the whole sheet is a single point: u = 0 and u = 1, then v = 0 and v =
-    /// 1. O(cells at the sides).
+    /// Whether each side of the whole sheet is a single point, in O(cells at the sides). The sides
+    /// are u = 0 and u = 1, then v = 0 and v = 1.
     pub fn poles(&self) -> [[bool; 2]; 2] {
         let last = self.cells().map(|count| count - 1);
         [0, 1].map(|k| [self.line_is_point(k, 0, false), self.line_is_point(k, last[k], true)])
