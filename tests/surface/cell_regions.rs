@@ -109,6 +109,6 @@ fn regions_are_no_wider_than_their_bounds() {
         assert!(width(&points) <= of_chain * (1.0 + 1e-14));
         let all: Vec<_> = whole.cells().map(|cell| samples(&sheet, cell)[12]).collect();
         let integer = integer_diameter(&whole, &Job::default()).unwrap().unwrap();
-        assert!(width(&all) <= sizes.of_region(&whole, integer).unwrap());
+        assert!(width(&all) <= sizes.region_bound(&whole, integer).unwrap());
     }
 }

@@ -169,7 +169,7 @@ fn parameters_there_and_back() {
         (1, [40.0, 51.999], [40.0, 51.999]),
     ] {
         let place = surface.place(sheet, [u, v]).unwrap();
-        assert!(surface.has(&place));
+        assert!(surface.has_place(&place));
         let [a, b] = place.parameters();
         assert!((a - expected[0]).abs() < 1e-12 && (b - expected[1]).abs() < 1e-12, "{place:?}");
     }
@@ -177,7 +177,7 @@ fn parameters_there_and_back() {
     assert!(surface.place(0, [f64::NAN, 0.0]).is_err() && surface.place(1, [0.0, f64::INFINITY]).is_err());
     // Tiny below 0 of a closed direction: the end of the last cell, or the start of the first.
     let place = surface.place(0, [-1e-18, 0.0]).unwrap();
-    assert!(surface.has(&place));
+    assert!(surface.has_place(&place));
 }
 
 #[test]

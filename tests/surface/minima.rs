@@ -140,7 +140,7 @@ fn regions_by_force() {
                 let [least, most] = distances.fold([f64::INFINITY, 0.0_f64], |[a, b], x| [a.min(x), b.max(x)]);
                 let cell = [0, i as u32, j as u32];
                 let at = region.cells.binary_search(&cell);
-                assert_eq!(at.is_ok(), region.has((i * w + j) as u64));
+                assert_eq!(at.is_ok(), region.contains((i * w + j) as u64));
                 if least <= radius {
                     assert!(at.is_ok(), "{}: {query} {radius}: {i} {j} {least}", shape.name);
                 }

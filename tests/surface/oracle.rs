@@ -29,7 +29,7 @@ impl Case {
     }
 
     fn lattice(&self) -> Lattice {
-        Lattice::of(&self.sheet)
+        Lattice::new(&self.sheet)
     }
 
     fn centre(&self) -> (DVec3, f64) {
@@ -157,7 +157,7 @@ fn regions_of_cells() {
             let region = case.surface.region(query, radius, &Job::default()).unwrap();
             let (least, most) = (within(radius - 4.0 * case.tolerance), within(radius + 4.0 * case.tolerance));
             for k in 0..case.lattice().len() {
-                let (cell, has) = (case.lattice().cell(k), region.has(k as u64));
+                let (cell, has) = (case.lattice().cell(k), region.contains(k as u64));
                 assert!(has || !least.get(cell), "{}: {query} {radius} lacks {cell:?}", case.name);
                 assert!(!has || most.get(cell), "{}: {query} {radius} has {cell:?}", case.name);
                 count += usize::from(has);

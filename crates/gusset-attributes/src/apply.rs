@@ -1,4 +1,4 @@
-//! A channel carried over to a result.
+//! Transfers a channel to a result.
 
 use super::channel::{Channel, Rule};
 use super::domain::Domain;
@@ -15,26 +15,26 @@ use gusset_base::sort::select;
 use std::ops::Range;
 
 const STAGE: &str = "carrying values over";
-/// Elements that one thread does at a time.
+/// Number of elements that a thread processes in one task.
 const CHUNK: usize = 1 << 14;
-/// Steps towards the mean of directions, of which each squares the error.
+/// Largest number of steps towards the mean of directions. Each step squares the error.
 const MAX_STEPS: usize = 16;
 const ROUNDING: f64 = 1e-15;
 
-/// Carries a channel over: writes the values of each vertex, corner or face of the result.
+/// Transfers a channel: writes the values of each vertex, corner or face of the result.
 ///
-/// Elements of one source have its bits. What has no source, and what all sources of lack the
-/// channel, has the value 0. O(elements and sources), on the job's threads; memory for
-/// [`Rule::Texture`] alone, linear in the corners of new faces.
+/// An element with one source has the bits of its source. An element without sources, or whose
+/// sources all lack the channel, has the value 0. O(elements and sources), on the job's threads.
+/// Only [`Rule::Texture`] allocates memory, linear in the corners of new faces.
 ///
 /// # Errors
-/// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`],
-/// [`Error::ArrayTooShort`] if `out` has no room for all, [`Error::OptionOutOfRange`] if its
-/// values are of another type or number, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`], [`Error::ArrayTooShort`]
+/// if `out` is too small, [`Error::OptionOutOfRange`] if its values have another type or number of
+/// components, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
     channel.check(origins.inputs(), &job.part(0.0, 0.2))?;
     let table = origins.table(channel.domain);
-    // Of the same values as the channel.
+    // The output must have the type and number of components of the channel.
     Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
     let needed = (table.len() * out.stride).saturating_sub(out.stride - channel.size().min(out.stride));
     if out.bytes.len() < needed {
@@ -54,12 +54,12 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
     Ok(())
 }
 
-/// What mixes the values of sources.
+/// Mixes the values of sources.
 struct Mixer<'a> {
     channel: &'a Channel<'a>,
     table: &'a Table,
     turned: Option<&'a BitSet>,
-    /// The first source of each input, and the number of all.
+    /// The first source of each input, then the number of all sources.
     starts: &'a [u32],
 }
 
@@ -83,22 +83,22 @@ impl<'a> Mixer<'a> {
     }
 
     fn rows(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
-        // Copies of a size that the compiler knows.
+        // Copies of constant size are faster.
         match self.channel.size() {
-            1 => self.rows_of::<1>(rows, out, stride),
-            2 => self.rows_of::<2>(rows, out, stride),
-            3 => self.rows_of::<3>(rows, out, stride),
-            4 => self.rows_of::<4>(rows, out, stride),
-            8 => self.rows_of::<8>(rows, out, stride),
-            12 => self.rows_of::<12>(rows, out, stride),
-            16 => self.rows_of::<16>(rows, out, stride),
-            24 => self.rows_of::<24>(rows, out, stride),
-            _ => self.rows_of::<0>(rows, out, stride),
+            1 => self.mix_rows::<1>(rows, out, stride),
+            2 => self.mix_rows::<2>(rows, out, stride),
+            3 => self.mix_rows::<3>(rows, out, stride),
+            4 => self.mix_rows::<4>(rows, out, stride),
+            8 => self.mix_rows::<8>(rows, out, stride),
+            12 => self.mix_rows::<12>(rows, out, stride),
+            16 => self.mix_rows::<16>(rows, out, stride),
+            24 => self.mix_rows::<24>(rows, out, stride),
+            _ => self.mix_rows::<0>(rows, out, stride),
         }
     }
 
-    /// Rows whose values have `SIZE` bytes, or any number if that is 0.
-    fn rows_of<const SIZE: usize>(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
+    /// Mixes rows whose values have `SIZE` bytes, or any number if `SIZE` is 0.
+    fn mix_rows<const SIZE: usize>(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
         let size = if SIZE == 0 { self.channel.size() } else { SIZE };
         let components = self.channel.components;
         let mut mean = alloc::filled(0.0, components)?;
@@ -117,7 +117,7 @@ impl<'a> Mixer<'a> {
         Ok(())
     }
 
-    /// The values of an element of several sources.
+    /// Mixes the values of an element with several sources.
     fn mix(&self, (sources, weights): (&[u32], &[f64]), mean: &mut [f64], order: &mut [u32], out: &mut [u8]) {
         let entries = || sources.iter().zip(weights).filter_map(|(&s, &w)| Some((s, self.source(s)?, w)));
         let value_type = self.channel.value_type;
@@ -137,7 +137,7 @@ impl<'a> Mixer<'a> {
                 };
                 let mut all = entries();
                 if let (Some(only), None) = (all.next(), all.next()) {
-                    // As it is, but turned.
+                    // A single source keeps its values, apart from the turn.
                     normal(&only).0.to_array().iter().zip(mean.iter_mut()).for_each(|(x, mean)| *mean = *x);
                 } else {
                     let mean_normal = spherical_mean(|| entries().map(|entry| normal(&entry)));
@@ -146,7 +146,7 @@ impl<'a> Mixer<'a> {
             }
             Rule::Linear | Rule::SkinWeights | Rule::Texture => {
                 let total: f64 = entries().map(|(.., weight)| weight).sum();
-                // Relative to the first, so that equal values stay what they are.
+                // Relative to the first value, so that equal values stay unchanged.
                 let size = value_type.size();
                 for (c, mean) in mean.iter_mut().enumerate() {
                     let at = |values: &[u8]| value_type.read(&values[c * size..]);
@@ -154,7 +154,7 @@ impl<'a> Mixer<'a> {
                     let off: f64 = entries().map(|(_, values, weight)| weight / total * (at(values) - base)).sum();
                     *mean = if total > 0.0 { base + off } else { base };
                     if !mean.is_finite() {
-                        // Differences are beyond the range of numbers, but no mean is.
+                        // The differences overflow, but the mean does not.
                         *mean = entries().map(|(_, values, weight)| weight / total * at(values)).sum();
                     }
                 }
@@ -167,7 +167,8 @@ impl<'a> Mixer<'a> {
         mean.iter().zip(out.chunks_exact_mut(size)).for_each(|(&mean, out)| value_type.write(mean, out));
     }
 
-    /// Keeps the largest shares, the first of equal ones, and makes the sum that of the type.
+    /// Keeps the largest shares, the first of equal ones, and scales them to the sum that the type
+    /// requires.
     fn keep_largest(&self, shares: &mut [f64], order: &mut [u32]) {
         order.iter_mut().zip(0..).for_each(|(k, place)| *k = place);
         let most = self.channel.max_influences;
@@ -183,7 +184,7 @@ impl<'a> Mixer<'a> {
             return shares.iter_mut().for_each(|share| *share /= total);
         };
         shares.iter_mut().for_each(|share| *share *= whole / total);
-        // What rounding down leaves goes to those that lost most.
+        // The remainder of rounding down goes to the shares that lost most.
         let lost = whole - shares.iter().map(|share| share.floor()).sum::<f64>();
         let lost = (lost.max(0.0) as usize).min(shares.len());
         if lost > 0 && lost < shares.len() {
@@ -199,14 +200,13 @@ fn vector(value_type: ValueType, values: &[u8]) -> DVec3 {
     DVec3::new(value_type.read(values), value_type.read(&values[size..]), value_type.read(&values[2 * size..]))
 }
 
-/// A vector of length 1, whatever the length given; 0 for 0.
+/// Normalises a vector of any length; zero stays zero.
 fn unit(v: DVec3) -> DVec3 {
     let size = v.abs().max_element();
     if size > 0.0 { (v / size).normalize() } else { DVec3::ZERO }
 }
 
-/// The mean of directions on the sphere, by weights; of length 1, but for directions without
-/// length.
+/// The weighted mean of directions on the sphere. It has length 1, unless all directions are zero.
 fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> DVec3 {
     let units = || entries().map(|(direction, weight)| (unit(direction), weight));
     let heaviest = units().fold((DVec3::ZERO, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best });
@@ -216,7 +216,8 @@ fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> 
     }
     let total: f64 = units().map(|(_, weight)| weight).sum();
     for _ in 0..MAX_STEPS {
-        // To where the directions are on the plane that touches at the mean, by angles.
+        // Moves to the weighted mean of the directions in the tangent plane at the current mean, by
+        // angles.
         let step = units().map(|(direction, weight)| {
             let off = direction - mean * direction.dot(mean);
             off.normalize_or_zero() * (libm::atan2(off.length(), direction.dot(mean)) * weight / total)

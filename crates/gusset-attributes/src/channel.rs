@@ -1,5 +1,4 @@
-//! Channels: values of one kind for each element of the inputs, and the rule by which they are
-//! mixed.
+//! Channels: values of one kind for each element of the inputs, and the rule for mixing them.
 
 use super::domain::{Counts, Domain};
 use super::values::ValueType;
@@ -10,50 +9,51 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 const STAGE: &str = "checking values";
-/// Elements that one thread checks at a time.
+/// Number of elements that a thread checks in one task.
 const CHUNK: usize = 1 << 14;
-/// The largest number of components.
+/// Largest number of components.
 pub(crate) const MAX_COMPONENTS: u32 = 1 << 12;
 
-/// How the values of several sources become one. An element with one source has its value, bit for
-/// bit.
+/// How the values of several sources become one value. An element with one source has its value,
+/// bit for bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rule {
-    /// The weighted mean; of unsigned types rounded.
+    /// The weighted mean, rounded for unsigned types.
     #[default]
     Linear,
-    /// Directions of three components, of a floating type: the weighted mean on the sphere, of
-    /// length 1. Those of faces that were turned over are turned, too.
+    /// Directions with three components of a floating-point type: the weighted mean on the sphere,
+    /// with length 1. The directions of faces that were turned over are reversed.
     Normal,
-    /// Weights of bones, at least 0: the weighted mean, of which so many of the largest are kept
-    /// and made to have the sum 1, or in unsigned types the largest value of the type.
+    /// Weights of bones, at least 0: the weighted mean. Keeps a limited number of the largest
+    /// weights, and scales them to the sum 1, or in unsigned types to the largest value of the
+    /// type.
     SkinWeights,
-    /// The value of the source that counts most.
+    /// The value of the source with the largest weight.
     Nearest,
-    /// Texture coordinates: at the corners of new faces, as [`Rule::Linear`] where both sides are on
-    /// one chart; elsewhere each side's chart goes on to a seam in the middle.
+    /// Texture coordinates. At the corners of new faces they follow [`Rule::Linear`] where both
+    /// sides are on one chart. Elsewhere, each side's chart is extended up to a seam in the middle.
     Texture,
 }
 
-/// Values of the inputs' elements: so many components of one type for each.
+/// Values of the inputs' elements, with a fixed type and number of components.
 #[derive(Debug, Clone)]
 pub struct Channel<'a> {
     pub(super) domain: Domain,
     pub(super) value_type: ValueType,
     pub(super) components: usize,
     pub(super) rule: Rule,
-    /// Of [`Rule::SkinWeights`], how many are kept; 0 for all.
+    /// For [`Rule::SkinWeights`], the largest number of weights to keep; 0 for all.
     pub(super) max_influences: usize,
-    /// Of each input; `None` if it has no such values.
+    /// The values of each input; `None` if it lacks the channel.
     pub(super) inputs: Vec<Option<Strided<'a>>>,
 }
 
 impl<'a> Channel<'a> {
-    /// Without inputs.
+    /// Creates a channel without inputs.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for no components or more than 4096, and for [`Rule::Normal`]
-    /// with other than three or an unsigned type.
+    /// [`Error::OptionOutOfRange`] if `components` is 0 or above 4096, or if [`Rule::Normal`] is
+    /// used with an unsigned type or a number of components other than three.
     pub fn new(domain: Domain, value_type: ValueType, components: u32, rule: Rule) -> Result<Channel<'a>> {
         Error::require((1..=MAX_COMPONENTS).contains(&components), "components", components.into())?;
         if rule == Rule::Normal {
@@ -64,14 +64,14 @@ impl<'a> Channel<'a> {
         Ok(Channel { domain, value_type, components, rule, max_influences: 0, inputs: Vec::new() })
     }
 
-    /// Keeps so many of the skin weights of an element that has several sources; 0 for all.
+    /// Limits the number of skin weights kept for an element with several sources; 0 for all.
     #[must_use]
     pub fn with_max_influences(self, most: u32) -> Self {
         Channel { max_influences: most as usize, ..self }
     }
 
-    /// Adds the values of the next input: of each element at the start of every `stride` bytes, 0
-    /// for values without gaps; any alignment.
+    /// Adds the values of the next input. The values of an element begin every `stride` bytes, with
+    /// any alignment; 0 means contiguous values.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`],
@@ -81,8 +81,8 @@ impl<'a> Channel<'a> {
         alloc::push(&mut self.inputs, Some(values))
     }
 
-    /// Adds an input that has no such values: others count for its elements as far as they mix, and
-    /// the rest is 0.
+    /// Adds an input that lacks the channel. Elements that mix its sources with others take the
+    /// values of the others. All other elements become 0.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -95,19 +95,19 @@ impl<'a> Channel<'a> {
         (self.value_type, self.components as u32)
     }
 
-    /// Bytes of the values of one element.
+    /// Size of the values of one element in bytes.
     pub fn size(&self) -> usize {
         self.components * self.value_type.size()
     }
 
-    /// Holds the values to the rules: as many as the inputs have elements, all of them numbers, and
-    /// skin weights at least 0.
+    /// Checks that each input has values for all its elements, that all values are finite, and that
+    /// skin weights are at least 0.
     pub(super) fn check(&self, needed: &[Counts], job: &Job<'_>) -> Result<()> {
         if self.inputs.len() != needed.len() {
             return Err(Error::InputsDiffer { given: self.inputs.len() as u64, needed: needed.len() as u64 });
         }
         for ((values, counts), input) in self.inputs.iter().zip(needed).zip(0..) {
-            let (Some(values), needed) = (values, counts.of(self.domain)) else { continue };
+            let (Some(values), needed) = (values, counts.count(self.domain)) else { continue };
             if values.count() != needed {
                 return Err(Error::ValuesDiffer { input, given: values.count() as u64, needed: needed as u64 });
             }

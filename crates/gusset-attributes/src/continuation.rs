@@ -1,27 +1,28 @@
 //! Texture coordinates across new faces.
 //!
-//! Across a gap texture coordinates are interpolated as other values are, if both sides are on one
-//! chart, as on scans of one object, or where a surface was cut. Where they are not, values between
-//! them mean nothing: each new face then goes on with the chart of its base, and the charts meet in
-//! a seam in the middle.
+//! Texture coordinates are interpolated across a gap like other values if both sides are on one
+//! chart. Scans of one object are on one chart, and so are both sides of a cut. Between different
+//! charts, interpolated values are meaningless. Each new face then extends the chart of its base,
+//! and the charts meet in a seam in the middle.
 //!
-//! **Charts.** Rim edges with a vertex in common are on one chart if their faces have the same
-//! values there. Whether charts of two rims are one is put to the vote of the new faces between
-//! them: a face says yes if the interpolated value at its corners across is nearer to the place where
-//! the chart of its base would go on than half the way there, or half the base.
+//! **Charts.** Rim edges that share a vertex are on one chart if their faces have the same values
+//! there. The new faces between charts of two rims vote whether these are one chart. A face votes
+//! yes if the interpolated value at its opposite corners is close to the extended chart of its
+//! base. Close means within half of the way from the base, or half of the base.
 //!
-//! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old
-//! corners have different values. A new face between two rims has those on its own side of the cut:
-//! the ones nearest to where the chart of its base goes on, with the jump of a cut added where that
-//! is nearer: a texture that repeats is continuous so. A face whose values are far from there all the
-//! same goes on with the chart of its base.
+//! **Cuts.** A chart that closes around an object is cut somewhere. At a vertex of the cut, old
+//! corners have different values. A new face between two rims uses the values on its own side of
+//! the cut: the values nearest to the extended chart of its base. The jump of a cut is added where
+//! that is nearer, so that a texture that repeats stays continuous. A face whose values are still
+//! far off extends the chart of its base.
 //!
-//! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
-//! corner at x along the base and at the distance y from its line has the value that the old face's
-//! affine map has at (x, -y), where the old face itself has its third corner at y > 0. These are
-//! affine weights for the three corners of the old face: the same for all channels.
+//! **Extension.** The base's old face is unfolded about the base into the plane of the new face.
+//! Let a corner have the position x along the base and the distance y from its line. The third
+//! corner of the old face has a positive y. The new corner's value is the value of the old face's
+//! affine map at (x, -y). This gives affine weights of the three corners of the old face, which are
+//! equal for all channels.
 
-use super::rims::{End, Rims};
+use super::rims::{RimEnd, Rims};
 use super::table::{FACES_PER_REPORT, STAGE, Table};
 use super::values::Output;
 use glam::DVec3;
@@ -34,63 +35,65 @@ use gusset_base::sort::sort;
 use gusset_mesh::{Mesh, NONE};
 use std::ops::Range;
 
-/// Charts go on at most so many heights of the old face: needles lead nowhere.
+/// Charts are extended by at most this number of heights of the old face, because needles
+/// extrapolate badly.
 const MAX_HEIGHTS: f64 = 64.0;
-/// A face whose height over its base is a smaller part of the base has no direction.
+/// Smallest height of a face, relative to its base. Lower faces do not define a direction.
 const MIN_HEIGHT: f64 = 1e-6;
-/// Values on both sides agree if they differ by less than this part of the way from the base.
+/// Values on both sides agree if they differ by less than this fraction of the way from the base.
 const MAX_DEVIATION: f64 = 0.5;
-/// As many different jumps are told apart, there and back; those that differ by less than this part
-/// are the same.
+/// Largest number of different jumps, counting both directions. Jumps that differ by less than this
+/// fraction are the same.
 const MAX_JUMPS: usize = 32;
 const SAME_JUMP: f64 = 1e-3;
-/// Jumps, and values off where a chart would go on, are long if they are so many times the usual way
-/// along a base.
+/// Jumps, and deviations from an extended chart, are long if they exceed this multiple of the usual
+/// length of a base.
 const FAR: f64 = 4.0;
-/// Values at one vertex are the same if they differ by less than this part of the largest.
+/// Values at a vertex are the same if they differ by less than this fraction of the largest one.
 const SAME: f64 = 1e-6;
 
-/// The base of a new face, in corners of the result.
+/// The base of a new face, given by corners of the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Base {
-    /// The old face's corners at both ends, and one off the line between them.
+    /// The old face's corners at both ends of the base, and one corner off its line.
     corners: [u32; 3],
 }
 
-/// Where charts are cut: whether anywhere, the long jumps there and back, and the square of the usual
-/// way along a base, which they are long against.
+/// The cuts of charts: whether there are any, the long jumps in both directions, and the square of
+/// the usual length of a base.
 struct Cuts {
     any: bool,
     jumps: Vec<Vec<f64>>,
     usual_way: f64,
 }
 
-/// An old corner that a new one has its value from, beyond a cut if there is a jump.
+/// An old corner whose value a new corner uses, across a cut if there is a jump.
 struct Side<'a> {
     corner: u32,
     jump: Option<&'a [f64]>,
     weight: f64,
 }
 
-/// New faces, as texture coordinates need them.
+/// The data of new faces for texture coordinates.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Continuation {
-    /// Where the corners of each new face begin in the result, and where the last one ends.
+    /// The first corner of each new face in the result, then the end of the last one.
     offsets: Vec<u32>,
-    /// Per rim edge.
+    /// The base at each rim edge.
     bases: Vec<Base>,
-    /// Per new face its rim edge, or [`NONE`].
+    /// The rim edge of each new face, or [`NONE`].
     base_of: Vec<u32>,
-    /// Per new corner, how much it has of the three corners of its base where that goes on.
+    /// For each new corner, the weights of its base's three corners in the extended chart.
     weights: Vec<[f64; 3]>,
-    /// Per new corner, the old vertices whose values are interpolated there.
+    /// For each new corner, the old vertices whose values are interpolated.
     shares: Table,
-    /// Both ends of the rim edges, by vertex.
-    ends: Vec<End>,
+    /// Both ends of the rim edges, sorted by vertex.
+    ends: Vec<RimEnd>,
 }
 
 impl Continuation {
-    /// `spread`: the old vertices that a vertex has its values from.
+    /// Prepares the new faces, which begin at `first_face`. `spread` returns the old vertices whose
+    /// values a vertex uses.
     pub(super) fn new<I: Iterator<Item = (u32, f64)>>(
         mesh: &Mesh,
         first_face: usize,
@@ -125,16 +128,16 @@ impl Continuation {
         Ok(Continuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
     }
 
-    /// Replaces the interpolated values of new corners by those of their bases' charts where the
-    /// charts are not one. `values`: of all corners of the result.
+    /// Where charts differ, replaces the interpolated values of new corners by the extended charts
+    /// of their bases. `values` holds the values of all corners of the result.
     pub(super) fn apply(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
         if self.base_of.is_empty() {
             return Ok(());
         }
-        let mut charts = self.along_rims(values, job)?;
+        let mut charts = self.charts_along_rims(values, job)?;
         let cuts = self.cuts(&mut charts, values, job)?;
         let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
-        self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
+        self.merge_by_vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
         let job = job.part(0.7, 1.0);
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
@@ -148,7 +151,7 @@ impl Continuation {
             }
             for corner in corners {
                 for c in 0..values.components {
-                    let value = self.continued(values, corner, base, c);
+                    let value = self.extended_value(values, corner, base, c);
                     values.set(corner as usize, c, value);
                 }
             }
@@ -162,8 +165,8 @@ impl Continuation {
         own.iter().copied().filter(|&edge| edge != NONE)
     }
 
-    /// For each share the rim edge at whose end it takes its value, [`NONE`] if none ends at its
-    /// vertex. Where charts are cut, interpolates anew with the values on the base's side.
+    /// For each share, the rim edge at whose end it takes its value; [`NONE`] if its vertex is not
+    /// on a rim edge. Where charts are cut, interpolates again with the values on the base's side.
     fn choose_sides(&self, cuts: &Cuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
         let mut edges = alloc::filled(NONE, self.shares.sources().len())?;
         let mut chosen = Vec::new();
@@ -194,19 +197,20 @@ impl Continuation {
         Ok(edges)
     }
 
-    /// Of the ends at a vertex the one whose value is nearest to where the chart of a base goes on at
-    /// a new corner, and the jump that brings it there, if one does.
+    /// The end at a vertex that is nearest, by its value, to the extended chart of a base at a new
+    /// corner. Also returns the jump that leads there, if any.
     fn nearest_side<'a>(
         &self,
         values: &Output<'_>,
-        ends: &'a [End],
+        ends: &'a [RimEnd],
         (corner, base): (u32, u32),
         cuts: &'a Cuts,
-    ) -> (&'a End, Option<&'a [f64]>) {
+    ) -> (&'a RimEnd, Option<&'a [f64]>) {
         let mut best = (f64::INFINITY, &ends[0], None);
         for end in ends {
             for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
-                let off = |c| lifted(values, end.corner, jump, c) - self.continued(values, corner, base, c);
+                let off =
+                    |c| value_with_jump(values, end.corner, jump, c) - self.extended_value(values, corner, base, c);
                 let off: f64 = (0..values.components).map(|c| off(c).powi(2)).sum();
                 if off < best.0 {
                     best = (off, end, jump);
@@ -216,13 +220,13 @@ impl Continuation {
         (best.1, best.2)
     }
 
-    /// Where charts are cut along the rims.
+    /// Finds where charts are cut along the rims.
     fn cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<Cuts> {
         let mut cuts = Cuts { any: false, jumps: Vec::new(), usual_way: self.usual_way(values)? };
         for (k, ends) in self.ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
             job.step_within(k, STAGE)?;
             let &[a, b] = ends else { continue };
-            // Where different charts meet it is no cut.
+            // A vertex where different charts meet is not a cut.
             if are_same(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
                 continue;
             }
@@ -244,7 +248,7 @@ impl Continuation {
         Ok(cuts)
     }
 
-    /// The median of the squared lengths of bases, in values.
+    /// The median of the squared lengths of bases in values.
     fn usual_way(&self, values: &Output<'_>) -> Result<f64> {
         let way = |base: &Base| {
             let [from, to, _] = base.corners.map(|corner| corner as usize);
@@ -255,14 +259,14 @@ impl Continuation {
         Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
     }
 
-    fn ends_at(&self, vertex: u32) -> &[End] {
+    fn ends_at(&self, vertex: u32) -> &[RimEnd] {
         let start = self.ends.partition_point(|end| end.vertex < vertex);
         let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
         &self.ends[start..start + count]
     }
 
-    /// The charts of rim edges, as far as they can be told at their ends.
-    fn along_rims(&self, values: &Output<'_>, job: &Job<'_>) -> Result<DisjointSets> {
+    /// The charts of rim edges, as far as the values at their ends determine them.
+    fn charts_along_rims(&self, values: &Output<'_>, job: &Job<'_>) -> Result<DisjointSets> {
         let mut charts = DisjointSets::new(self.bases.len())?;
         let pairs = self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
         for (k, pair) in pairs.enumerate() {
@@ -274,8 +278,14 @@ impl Continuation {
         Ok(charts)
     }
 
-    /// Makes one of charts that most of the faces between them say are one.
-    fn vote(&self, charts: &mut DisjointSets, edges: &[u32], values: &Output<'_>, job: &Job<'_>) -> Result<()> {
+    /// Merges charts if most faces between them vote for it.
+    fn merge_by_vote(
+        &self,
+        charts: &mut DisjointSets,
+        edges: &[u32],
+        values: &Output<'_>,
+        job: &Job<'_>,
+    ) -> Result<()> {
         let mut votes = Vec::new();
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
@@ -305,48 +315,50 @@ impl Continuation {
         Ok(())
     }
 
-    /// True if the value at a new corner is about where the chart of its base goes on.
+    /// True if the value at a new corner is close to the extended chart of its base.
     fn agrees(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
-        let (off, way) = self.off_and_way(values, corner, base);
+        let (off, way) = self.deviation_and_distance(values, corner, base);
         off <= MAX_DEVIATION * MAX_DEVIATION * way
     }
 
-    /// True if the value at a corner of a new face is much farther from where the chart of its base
-    /// goes on than faces are large.
+    /// True if a value of a new face deviates from the extended chart of its base by much more than
+    /// the size of faces.
     fn is_across_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
         corners.any(|corner| {
-            let (off, way) = self.off_and_way(values, corner, base);
+            let (off, way) = self.deviation_and_distance(values, corner, base);
             off > FAR * FAR * way.max(usual)
         })
     }
 
-    /// Squared, how far the value at a new corner is from where the chart of its base goes on, and
-    /// how far that is from the base, or the base long.
-    fn off_and_way(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
+    /// Returns two squares: the deviation of the value at a new corner from the extended chart of
+    /// its base, and the size of the extension. The size combines the distance of the extended
+    /// value from the base with the length of the base.
+    fn deviation_and_distance(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
         let Base { corners: [start, end, _] } = self.bases[base as usize];
         let value = |corner: u32, c: usize| values.get(corner as usize, c);
         let (mut off, mut way) = (0.0, 0.0);
         for c in 0..values.components {
-            let (there, [from, to]) = (self.continued(values, corner, base, c), [start, end].map(|at| value(at, c)));
+            let (there, [from, to]) =
+                (self.extended_value(values, corner, base, c), [start, end].map(|at| value(at, c)));
             off += (value(corner, c) - there).powi(2);
-            // Values may change along the base alone.
+            // Values may change only along the base.
             way += (there - f64::midpoint(from, to)).powi(2) + (to - from).powi(2);
         }
         (off, way)
     }
 
-    /// A component of the value at a new corner where the chart of its base goes on.
-    fn continued(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
+    /// A component of the value at a new corner in the extended chart of its base.
+    fn extended_value(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
         let weights = self.weights[(corner - self.offsets[0]) as usize];
         let at = self.bases[base as usize].corners.map(|corner| values.get(corner as usize, c));
         let there: f64 = at.iter().zip(weights).map(|(value, weight)| weight * value).sum();
-        // Beyond the range of numbers it goes on no further.
+        // If the extension overflows, it stops at the base.
         if there.is_finite() { there } else { at[0] }
     }
 }
 
 impl Base {
-    /// With the corner of the face that is farthest from the line of the edge.
+    /// Creates the base, with the corner of the face farthest from the line of the edge.
     fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> Base {
         let f = mesh.face_of(start);
         let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
@@ -372,8 +384,8 @@ fn are_same(values: &Output<'_>, corners: [u32; 2]) -> bool {
     })
 }
 
-/// A component of the value at an old corner, beyond a cut if there is a jump.
-fn lifted(values: &Output<'_>, corner: u32, jump: Option<&[f64]>, c: usize) -> f64 {
+/// A component of the value at an old corner, plus the jump if there is one.
+fn value_with_jump(values: &Output<'_>, corner: u32, jump: Option<&[f64]>, c: usize) -> f64 {
     values.get(corner as usize, c) + jump.map_or(0.0, |jump| jump[c])
 }
 
@@ -381,15 +393,15 @@ fn lifted(values: &Output<'_>, corner: u32, jump: Option<&[f64]>, c: usize) -> f
 fn interpolate(values: &mut Output<'_>, corner: u32, of: &[Side<'_>]) {
     let total: f64 = of.iter().map(|side| side.weight).sum();
     for c in 0..values.components {
-        let at = |side: &Side<'_>| lifted(values, side.corner, side.jump, c);
-        // Relative to the first, so that equal values stay what they are.
+        let at = |side: &Side<'_>| value_with_jump(values, side.corner, side.jump, c);
+        // Relative to the first value, so that equal values stay unchanged.
         let first = at(&of[0]);
         let off: f64 = of.iter().map(|side| side.weight * (at(side) - first)).sum();
         values.set(corner as usize, c, first + off / total);
     }
 }
 
-/// How much a point beyond a base has of its corners, which are at `[p, q, r]`.
+/// The affine weights of the corners `[p, q, r]` of an old face at a point beyond its base.
 fn weights_beyond([p, q, r]: [DVec3; 3], at: DVec3) -> [f64; 3] {
     let unit = common_unit(&[p - r, q - r, at - r]);
     let [p, q, at] = [p, q, at].map(|point| (point - r) / unit);

@@ -1,20 +1,20 @@
-//! Kinds of elements, and how many of each an input has.
+//! Kinds of elements, and their numbers in an input.
 
 use gusset_mesh::MeshView;
 
-/// What elements are counted.
+/// A kind of elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Domain {
     /// Vertices; nodes of a net or a sheet.
     #[default]
     Vertices,
-    /// Corners of faces, face after face.
+    /// Corners of faces, face by face.
     Corners,
     /// Faces; cells of a net or a sheet.
     Faces,
 }
 
-/// How many elements an input has, by [`Domain`].
+/// The number of elements of each [`Domain`] in an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Vertices.
@@ -26,14 +26,14 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Those of a mesh.
-    pub(super) fn of_mesh(mesh: &MeshView<'_>) -> Self {
+    /// Counts the elements of a mesh.
+    pub(super) fn from_mesh(mesh: &MeshView<'_>) -> Self {
         let faces = mesh.faces();
         Counts { vertices: mesh.positions().len(), corners: faces.half_edge_count(), faces: faces.len() }
     }
 
-    /// Those of a domain.
-    pub fn of(&self, domain: Domain) -> usize {
+    /// The number of elements of a domain.
+    pub fn count(&self, domain: Domain) -> usize {
         match domain {
             Domain::Vertices => self.vertices,
             Domain::Corners => self.corners,

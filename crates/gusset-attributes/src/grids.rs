@@ -1,4 +1,4 @@
-//! Origins of the meshes of nets and of sheets, whose sources are nodes and cells.
+//! Origins of the meshes of nets and sheets, whose sources are nodes and cells.
 
 use super::domain::Counts;
 use super::origins::{Kept, Origins};
@@ -9,22 +9,23 @@ use gusset_mesh::MeshView;
 use gusset_net::convert::{GridNet, NetMesh};
 use gusset_surface::SurfaceMesh;
 
-/// Of a grid of nodes: they are its vertices and its corners.
+/// The counts of a grid of nodes, which are both its vertices and its corners.
 fn counts(rows: usize, columns: usize) -> Counts {
     let nodes = rows * columns;
     Counts { vertices: nodes, corners: nodes, faces: rows.saturating_sub(1) * columns.saturating_sub(1) }
 }
 
 impl Origins {
-    /// Those of the mesh of a net: a vertex has the first of its nodes, a corner the node of its own
-    /// face's cell, on either side of a seam another, and a face its cell.
+    /// The origins of the mesh of a net. The source of a vertex is the first of its nodes. The
+    /// source of a corner is the node of its face's cell, so both sides of a seam differ. The
+    /// source of a face is its cell.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
         let (mesh, columns) = (&net.mesh, net.columns);
-        let vertices = Table::of_single(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
-        let faces = Table::of_single(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
+        let vertices = Table::from_single(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
+        let faces = Table::from_single(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
         let mut corners = Table::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
         for (f, (&cell, face)) in net.cell_of_face.iter().zip(mesh.faces()).enumerate() {
             job.part(0.4, 1.0).step_within(f, STAGE)?;
@@ -37,17 +38,17 @@ impl Origins {
             }
         }
         let inputs = vec![counts(net.vertex_of_node.len() / columns, columns)];
-        Origins::of_kept(Kept { inputs, vertices, corners, faces })
+        Origins::from_kept(Kept { inputs, vertices, corners, faces })
     }
 
-    /// Those of the mesh of a net that has some of the rows and columns of nodes that a mesh in rows
-    /// and columns has, by its vertices, corners and faces. A cell between rows that are no
-    /// neighbours has the face of the old cell at its first node, and its corners are those of the
-    /// outermost old cells in it.
+    /// The origins of the mesh of a net that consists of some rows and columns of a mesh in rows
+    /// and columns. Sources are the vertices, corners and faces of that mesh. The source of a cell
+    /// between rows that were not adjacent is the old cell at its first node. Its corners come from
+    /// the outermost old cells in it.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_grid_mesh(
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_grid_mesh(
         input: &MeshView<'_>,
         grid: &GridNet,
         [rows, columns]: [&[usize]; 2],
@@ -63,7 +64,7 @@ impl Origins {
         let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
         let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
         let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
-        let vertices = Table::of_single(sources, &job.part(0.0, 0.2))?;
+        let vertices = Table::from_single(sources, &job.part(0.0, 0.2))?;
         let count = made.mesh.face_count();
         let mut corners = Table::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
         let mut of_faces = Table::with_capacity(count, count)?;
@@ -83,16 +84,17 @@ impl Origins {
                 corners.push(corner.map(|corner| (corner as u32, 1.0)))?;
             }
         }
-        let inputs = vec![Counts::of_mesh(input)];
-        Origins::of_kept(Kept { inputs, vertices, corners, faces: of_faces })
+        let inputs = vec![Counts::from_mesh(input)];
+        Origins::from_kept(Kept { inputs, vertices, corners, faces: of_faces })
     }
 
-    /// Those of the mesh of a sheet: a vertex and a corner have the nodes of their cell, by its
-    /// parameters; at a seam each corner has those of its own face's side. Faces have their cells.
+    /// The origins of the mesh of a sheet. The sources of a vertex or corner are the nodes of its
+    /// cell, weighted by its parameters. At a seam, each corner uses the side of its own face. The
+    /// source of a face is its cell.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_surface_mesh(sheet: &SurfaceMesh, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_surface_mesh(sheet: &SurfaceMesh, job: &Job<'_>) -> Result<Origins> {
         let (mesh, lines) = (&sheet.mesh, &sheet.lines);
         let [rows, columns] = lines.cells;
         let nodes = |[i, j]: [u32; 2], [u, v]: [f64; 2]| {
@@ -110,13 +112,13 @@ impl Origins {
         let mut faces = Table::with_capacity(mesh.face_count(), mesh.face_count())?;
         for (f, range) in mesh.face_offsets.windows(2).enumerate() {
             job.part(0.3, 1.0).step_within(f, STAGE)?;
-            let (cell, parameters) = lines.of_face(range[0] as usize..range[1] as usize);
+            let (cell, parameters) = lines.face_parameters(range[0] as usize..range[1] as usize);
             for place in parameters {
                 corners.push(nodes(cell, place))?;
             }
             faces.push([(cell[0] * columns as u32 + cell[1], 1.0)])?;
         }
         let inputs = vec![counts(rows + 1, columns + 1)];
-        Origins::of_kept(Kept { inputs, vertices, corners, faces })
+        Origins::from_kept(Kept { inputs, vertices, corners, faces })
     }
 }

@@ -1,5 +1,5 @@
 //! Origins of results that keep all faces of their inputs: stitched, filled and oriented meshes,
-//! meshes side by side; and of strips.
+//! and meshes side by side. Also of strips.
 
 use super::domain::Counts;
 use super::origins::{Kept, Origins};
@@ -15,13 +15,13 @@ use gusset_stitch::repair::orient::Oriented;
 use gusset_stitch::stitch::{Ruled, Stitch};
 
 impl Origins {
-    /// Those of a stitched mesh.
+    /// The origins of a stitched mesh.
     ///
     /// # Errors
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn of_stitch(stitch: &Stitch, job: &Job<'_>) -> Result<Origins> {
+    pub fn from_stitch(stitch: &Stitch, job: &Job<'_>) -> Result<Origins> {
         let mesh = &stitch.mesh;
         let (mut first_face, mut first_corner) = (0, 0);
         let mut inputs = Vec::new();
@@ -32,11 +32,11 @@ impl Origins {
             alloc::push(&mut inputs, Counts { vertices, corners, faces })?;
             first_corner = end;
         }
-        let mut turned = faces(mesh, &stitch.turned_outwards)?;
+        let mut turned = face_set(mesh, &stitch.turned_outwards)?;
         stitch.turned_faces.iter().for_each(|&f| turned.toggle(f));
         let is_turned = |f: usize| turned.contains(f as u32);
         let old = inputs.iter().map(|counts| counts.vertices).sum();
-        let kept = unchanged(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
+        let kept = kept_elements(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
         let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
         Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
             mesh,
@@ -45,19 +45,19 @@ impl Origins {
         )
     }
 
-    /// Those of a mesh whose holes were filled.
+    /// The origins of a mesh whose holes were filled.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_filled(filled: &Filled, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_filled(filled: &Filled, job: &Job<'_>) -> Result<Origins> {
         let mesh = &filled.mesh;
         let new_faces = filled.holes.iter().map(|hole| hole.faces.start as usize).min();
         let old_faces = new_faces.unwrap_or(mesh.face_count());
         let old = mesh.positions.len() - filled.parents.len();
-        let turned = faces(mesh, &filled.turned_outwards)?;
+        let turned = face_set(mesh, &filled.turned_outwards)?;
         let is_turned = |f: usize| turned.contains(f as u32);
         let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
-        let kept = unchanged(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
+        let kept = kept_elements(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
         let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
         Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
             mesh,
@@ -66,63 +66,64 @@ impl Origins {
         )
     }
 
-    /// Those of an oriented mesh.
+    /// The origins of an oriented mesh.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_oriented(oriented: &Oriented, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_oriented(oriented: &Oriented, job: &Job<'_>) -> Result<Origins> {
         let (mesh, is_turned) = (&oriented.mesh, |f: usize| oriented.turned[f]);
         let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
         let counts = Counts { vertices, corners, faces };
-        let kept = unchanged(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
-        Origins::of_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+        let kept = kept_elements(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
+        Origins::from_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
     }
 
-    /// Those of a development.
+    /// The origins of a developed mesh.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_developed(done: &Developed, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_developed(done: &Developed, job: &Job<'_>) -> Result<Origins> {
         let (corners, faces) = (done.mesh.face_corners.len(), done.mesh.face_count());
-        Origins::of_kept(Kept {
+        Origins::from_kept(Kept {
             inputs: vec![Counts { vertices: done.old_vertices, corners, faces }],
-            vertices: Table::of_single(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
-            corners: Table::of_single(0..corners as u32, &job.part(0.3, 0.7))?,
-            faces: Table::of_single(0..faces as u32, &job.part(0.7, 1.0))?,
+            vertices: Table::from_single(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
+            corners: Table::from_single(0..corners as u32, &job.part(0.3, 0.7))?,
+            faces: Table::from_single(0..faces as u32, &job.part(0.7, 1.0))?,
         })
     }
 
-    /// Those of a mesh with the vertices and faces of the first of some inputs, the vertices elsewhere.
+    /// The origins of a mesh with the vertices and faces of the first input, whose vertices were
+    /// moved.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_moved(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
-        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_moved(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let first = inputs.first().copied().unwrap_or_default();
-        first_of(inputs, first, job)
+        first_elements(inputs, first, job)
     }
 
-    /// Those of a mesh with the vertices and faces of all inputs side by side, the vertices elsewhere
-    /// or where they were.
+    /// The origins of a mesh with the vertices and faces of all inputs side by side, whose vertices
+    /// may have been moved.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_side_by_side(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
-        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_side_by_side(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let sum = |of: fn(&Counts) -> usize| inputs.iter().map(of).sum();
         let all = Counts { vertices: sum(|c| c.vertices), corners: sum(|c| c.corners), faces: sum(|c| c.faces) };
-        first_of(inputs, all, job)
+        first_elements(inputs, all, job)
     }
 
-    /// Those of a strip between two polylines: its inputs are these, of points alone.
+    /// The origins of a strip between two polylines. The inputs are the points of the polylines.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_ruled(ruled: &Ruled, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_ruled(ruled: &Ruled, job: &Job<'_>) -> Result<Origins> {
         let [n, m] = ruled.counts;
         let points = |count: u32| Counts { vertices: count as usize, ..Counts::default() };
         let inputs = vec![points(n), points(m)];
-        let vertices = Table::of_single(0..n + m, &job.part(0.0, 0.1))?;
+        let vertices = Table::from_single(0..n + m, &job.part(0.0, 0.1))?;
         let none = || Table::with_capacity(0, 0);
         let kept = Kept { inputs, vertices, corners: none()?, faces: none()? };
         let parents = ruled.parents.iter().zip(&ruled.weights);
@@ -131,25 +132,25 @@ impl Origins {
     }
 }
 
-/// Of a result whose elements are so many of the inputs', in their order.
-fn first_of(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
-    Origins::of_kept(Kept {
+/// The origins of a result whose elements are the first `count` elements of the inputs, in order.
+fn first_elements(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
+    Origins::from_kept(Kept {
         inputs,
-        vertices: Table::of_single(0..count.vertices as u32, &job.part(0.0, 0.2))?,
-        corners: Table::of_single(0..count.corners as u32, &job.part(0.2, 0.8))?,
-        faces: Table::of_single(0..count.faces as u32, &job.part(0.8, 1.0))?,
+        vertices: Table::from_single(0..count.vertices as u32, &job.part(0.0, 0.2))?,
+        corners: Table::from_single(0..count.corners as u32, &job.part(0.2, 0.8))?,
+        faces: Table::from_single(0..count.faces as u32, &job.part(0.8, 1.0))?,
     })
 }
 
-/// Faces of a mesh as a set.
-fn faces(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
+/// The set of the given faces of a mesh.
+fn face_set(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
     let mut set = BitSet::new(mesh.face_count())?;
     given.iter().for_each(|&f| set.insert(f));
     Ok(set)
 }
 
-/// What a result keeps whose first vertices and faces are those of the inputs in their order.
-fn unchanged(
+/// The old elements of a result that begins with the vertices and faces of its inputs, in order.
+fn kept_elements(
     mesh: &Mesh,
     inputs: Vec<Counts>,
     vertices: usize,
@@ -160,18 +161,19 @@ fn unchanged(
     let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
     for f in 0..faces {
         job.step_within(f, STAGE)?;
-        corners.extend(places(mesh, f, is_turned(f)));
+        corners.extend(corners_before_turning(mesh, f, is_turned(f)));
     }
     Ok(Kept {
         inputs,
-        vertices: Table::of_single(0..vertices as u32, &job.part(0.2, 0.4))?,
-        corners: Table::of_single(corners.into_iter(), &job.part(0.4, 0.8))?,
-        faces: Table::of_single(0..faces as u32, &job.part(0.8, 1.0))?,
+        vertices: Table::from_single(0..vertices as u32, &job.part(0.2, 0.4))?,
+        corners: Table::from_single(corners.into_iter(), &job.part(0.4, 0.8))?,
+        faces: Table::from_single(0..faces as u32, &job.part(0.8, 1.0))?,
     })
 }
 
-/// Where the corners of a face were before it was turned over, if it was: the first one stayed.
-pub(super) fn places(mesh: &Mesh, f: usize, turned: bool) -> impl Iterator<Item = u32> {
+/// The positions of a face's corners before it was turned over, if it was. The first corner keeps
+/// its position.
+pub(super) fn corners_before_turning(mesh: &Mesh, f: usize, turned: bool) -> impl Iterator<Item = u32> {
     let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k]);
     (first..end).map(move |corner| if turned && corner > first { end - (corner - first) } else { corner })
 }

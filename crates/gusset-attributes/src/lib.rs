@@ -1,23 +1,24 @@
-//! Attributes: what meshes carry beside positions, for the vertices, corners and faces of results.
+//! Attributes: values that meshes carry besides positions, for the vertices, corners and faces of
+//! results.
 //!
-//! An operation is asked where the elements of its result come from ([`Origins`]), once, and any
-//! number of [`Channel`]s is carried over by that ([`apply()`]): colours, normals, texture
-//! coordinates, skin weights, materials, numbers.
+//! [`Origins`] tells, once for an operation, which elements of the inputs each element of its
+//! result comes from. [`apply()`] uses it to transfer any number of [`Channel`]s: colours, normals,
+//! texture coordinates, skin weights, materials, numbers.
 //!
 //! | file | what it does |
 //! |---|---|
 //! | [`domain`](self) | vertices, corners, faces |
 //! | [`table`](self) | rows of sources with weights |
-//! | [`origins`](self) | the tables of a result; those of new vertices and faces |
-//! | [`rims`](self) | where new faces hang on old ones |
+//! | [`origins`](self) | the tables of a result, also of its new vertices and faces |
+//! | [`rims`](self) | where new faces adjoin old ones |
 //! | [`continuation`](self) | texture coordinates across new faces |
 //! | [`joined`](self) | results that keep all faces: stitched, filled, oriented, side by side |
 //! | [`repaired`](self) | results of welding, sewing, assembling, trimming |
 //! | [`grids`](self) | meshes of nets and sheets |
-//! | [`splits`](self) | vertices that are kept apart for their values |
-//! | [`values`](self) | types of values, and where those of a result go |
-//! | [`channel`](self) | values of one kind, and the rule by which they are mixed |
-//! | [`apply()`] | a channel carried over |
+//! | [`splits`](self) | vertices that stay split because of their values |
+//! | [`values`](self) | types of values, and the output of a result |
+//! | [`channel`](self) | values of one kind, and the rule for mixing them |
+//! | [`apply()`] | transfers a channel |
 
 mod apply;
 mod channel;

@@ -1,4 +1,4 @@
-//! Where the elements of a result come from.
+//! The sources of the elements of a result.
 
 use super::continuation::Continuation;
 use super::domain::{Counts, Domain};
@@ -10,68 +10,67 @@ use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, NONE};
 
-/// Of a vertex that very many old ones became, new vertices have no more sources than this.
+/// Largest number of sources of a new vertex at a vertex that very many old ones became.
 const MAX_SHARED: usize = 16;
 
-/// For each vertex, corner and face of a result the elements of the inputs that it has its values
-/// from.
+/// For each vertex, corner and face of a result, the elements of the inputs whose values it takes.
 ///
-/// Sources are numbered through all inputs: those of the first, then those of the second. What was
-/// there before has one source; a vertex that several became has all of them in equal parts. A new
-/// vertex has the vertices of the rims round it, by where it would be on plain triangles between
-/// them, without fairing. A new face has the face across the nearest edge of the rims, and at its
-/// corners what the old faces there have.
+/// Sources are numbered through all inputs, beginning with the elements of the first one. An old
+/// element has one source. A vertex that several vertices became has all of them as sources, with
+/// equal weights. The sources of a new vertex are the vertices of the surrounding rims, weighted by
+/// its position on plain triangles between them, before fairing. The source of a new face is the
+/// face across the nearest rim edge. Its corners take the values of the old faces there.
 #[derive(Debug, PartialEq)]
 pub struct Origins {
     inputs: Vec<Counts>,
-    /// By domain, the first source of each input, and the number of all.
+    /// For each domain, the first source of each input, then the number of all sources.
     starts: [Vec<u32>; 3],
     pub(super) tables: [Table; 3],
-    /// By domain, the sources whose faces were turned over; none of any if there is no set.
+    /// For each domain, the sources whose faces were turned over; `None` if no face was turned.
     pub(super) turned: Option<[BitSet; 3]>,
     pub(super) continuation: Continuation,
 }
 
-/// What a result has of old elements, which come before its new ones.
+/// The old elements of a result, which come before its new ones.
 pub(super) struct Kept {
     pub(super) inputs: Vec<Counts>,
     pub(super) vertices: Table,
-    /// Of the corners of old faces, as these run in the result.
+    /// The sources of the corners of old faces, in their order in the result.
     pub(super) corners: Table,
     pub(super) faces: Table,
 }
 
-/// Vertices of the result that a new one lies between, and how much it has of each.
+/// The vertices of the result between which a new vertex lies, and their weights.
 pub(super) type Parents = ([u32; 3], [f64; 3]);
 
 impl Origins {
-    /// The sources of the elements of a domain.
+    /// The table of sources of a domain.
     pub fn table(&self, domain: Domain) -> &Table {
         &self.tables[domain as usize]
     }
 
-    /// How many elements each input has.
+    /// The number of elements of each input.
     pub fn inputs(&self) -> &[Counts] {
         &self.inputs
     }
 
-    /// The first source of each input in a domain, and after them the number of all sources.
+    /// The first source of each input in a domain, then the number of all sources.
     pub fn starts(&self, domain: Domain) -> &[u32] {
         &self.starts[domain as usize]
     }
 
-    /// Of a result without new faces.
-    pub(super) fn of_kept(kept: Kept) -> Result<Origins> {
+    /// The origins of a result without new faces.
+    pub(super) fn from_kept(kept: Kept) -> Result<Origins> {
         let Kept { inputs, vertices, corners, faces } = kept;
-        Origins::of_tables(inputs, [vertices, corners, faces], Continuation::default())
+        Origins::from_tables(inputs, [vertices, corners, faces], Continuation::default())
     }
 
-    fn of_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: Continuation) -> Result<Origins> {
+    fn from_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: Continuation) -> Result<Origins> {
         let starts = |domain| {
             let mut starts = alloc::with_capacity(inputs.len() + 1)?;
             starts.push(0);
             for counts in &inputs {
-                let end = u64::from(starts[starts.len() - 1]) + counts.of(domain) as u64;
+                let end = u64::from(starts[starts.len() - 1]) + counts.count(domain) as u64;
                 Error::check_count("sources", end, u32::MAX.into())?;
                 starts.push(end as u32);
             }
@@ -81,8 +80,9 @@ impl Origins {
         Ok(Origins { inputs, starts, tables, turned: None, continuation })
     }
 
-    /// Of a result whose vertices after those kept have `parents`, which come before them, and whose
-    /// faces after those kept are new. O(H log n) for H corners, n of them of new faces.
+    /// The origins of a result. The vertices after the kept ones have `parents`, which precede
+    /// them; the faces after the kept ones are new. O(H log n) for H corners, n of which belong to
+    /// new faces.
     pub(super) fn new(
         mesh: &Mesh,
         kept: Kept,
@@ -90,8 +90,8 @@ impl Origins {
         job: &Job<'_>,
     ) -> Result<Origins> {
         let (old_vertices, old_faces) = (kept.vertices.len(), kept.faces.len());
-        // New vertices by those that old faces have, in which chains of parents end: old ones, and new ones
-        // on edges of old faces.
+        // Expresses new vertices by vertices of old faces, at which chains of parents end: old
+        // vertices, and new ones on edges of old faces.
         let mut is_end = BitSet::new(mesh.positions.len())?;
         (0..old_vertices as u32).for_each(|v| is_end.insert(v));
         job.part(0.0, 0.0).ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
@@ -157,10 +157,10 @@ impl Origins {
             |v| spread_of(&spread, &is_end, old_vertices, v),
             &job.part(0.8, 1.0),
         )?;
-        Origins::of_tables(inputs, [vertices, corners, faces], continuation)
+        Origins::from_tables(inputs, [vertices, corners, faces], continuation)
     }
 
-    /// The same of a result in which the faces `is_turned` run the other way than their sources do.
+    /// Records that the faces `is_turned` run in the opposite direction of their sources.
     pub(super) fn with_turned(mut self, mesh: &Mesh, is_turned: impl Fn(usize) -> bool, job: &Job<'_>) -> Result<Self> {
         let set = |domain| BitSet::new(self.starts(domain).last().map_or(0, |&count| count as usize));
         let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
@@ -171,7 +171,7 @@ impl Origins {
                 let insert =
                     |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
                 insert(&mut turned[2], &self.tables[2], f);
-                // Where pieces were welded, those of the face's own piece alone.
+                // If pieces were welded, only the vertices of the face's own piece are turned.
                 let face = self.tables[2].main_source(f);
                 let input = self.starts[2].partition_point(|&start| start <= face).saturating_sub(1);
                 let own = self.starts[0][input]..self.starts[0][(input + 1).min(self.inputs.len())];
@@ -188,8 +188,8 @@ impl Origins {
     }
 }
 
-/// The vertices of old faces that a vertex of the result has its values from: itself, or those that
-/// a new one is spread over.
+/// The vertices of old faces from which a vertex of the result takes its values: itself, or the
+/// vertices that a new one is spread over.
 fn spread_of(spread: &Table, is_end: &BitSet, old: usize, v: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
     let row = (!is_end.contains(v)).then(|| v as usize - old);
     let own = row.is_none().then_some((v, 1.0));

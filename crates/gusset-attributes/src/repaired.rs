@@ -1,8 +1,8 @@
-//! Origins of meshes some of whose vertices and faces are one now, or gone: welded, sewn, assembled
-//! and trimmed ones.
+//! Origins of meshes in which some vertices and faces were merged or removed: welded, sewn,
+//! assembled and trimmed meshes.
 
 use super::domain::Counts;
-use super::joined::places;
+use super::joined::corners_before_turning;
 use super::origins::{Kept, Origins};
 use super::table::{STAGE, Table};
 use gusset_base::alloc;
@@ -16,11 +16,11 @@ use gusset_stitch::repair::weld::Weld;
 use gusset_stitch::trim::Remains;
 
 impl Origins {
-    /// Those of a welded mesh.
+    /// The origins of a welded mesh.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_weld(weld: &Weld, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_weld(weld: &Weld, job: &Job<'_>) -> Result<Origins> {
         let (vertices, corners, faces) = (weld.vertex_map.len(), weld.old_corners, weld.face_map.len());
         let repaired = Repaired {
             mesh: &weld.mesh,
@@ -32,14 +32,14 @@ impl Origins {
             alloc::gather(weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE).map(|(_, old)| old))?;
         let counts = vec![Counts { vertices, corners, faces }];
         let kept = repaired.kept(counts, weld.vertex_map.iter().copied(), Some(&face_origin), |_| false, job)?;
-        Origins::of_kept(kept)
+        Origins::from_kept(kept)
     }
 
-    /// Those of a sewn mesh.
+    /// The origins of a sewn mesh.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_sew(sew: &Sew, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_sew(sew: &Sew, job: &Job<'_>) -> Result<Origins> {
         let repaired = Repaired {
             mesh: &sew.mesh,
             faces: sew.mesh.face_count(),
@@ -54,11 +54,11 @@ impl Origins {
         Origins::new(&sew.mesh, kept, new, &job.part(0.7, 1.0))
     }
 
-    /// Those of an assembly.
+    /// The origins of an assembly.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_assembly(assembly: &Assembly, job: &Job<'_>) -> Result<Origins> {
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_assembly(assembly: &Assembly, job: &Job<'_>) -> Result<Origins> {
         let (mesh, history) = (&assembly.mesh, &assembly.history);
         let repaired = Repaired {
             mesh,
@@ -81,43 +81,43 @@ impl Origins {
         Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned(mesh, is_turned, &job.part(0.9, 1.0))
     }
 
-    /// Those of what is left of trimmed pieces, which are the inputs.
+    /// The origins of the remains of trimmed pieces. The pieces are the inputs.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
-    pub fn of_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
-        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
-        Origins::of_kept(Kept {
+        Origins::from_kept(Kept {
             inputs,
-            vertices: Table::of_map(count, map, &job.part(0.0, 0.3))?,
-            corners: Table::of_single(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
-            faces: Table::of_single(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+            vertices: Table::from_map(count, map, &job.part(0.0, 0.3))?,
+            corners: Table::from_single(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: Table::from_single(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
         })
     }
 }
 
-/// Old corners, and those on edges.
+/// Old corners, and old corners on edges.
 type Corners<'a> = (&'a [u32], &'a [CornerOnEdge]);
 
 fn parts(origins: &CornerOrigins) -> Corners<'_> {
     (&origins.corners, &origins.on_edges)
 }
 
-/// A repaired mesh, before it got new faces.
+/// A repaired mesh, before it received new faces.
 struct Repaired<'a> {
     mesh: &'a Mesh,
-    /// How many of its faces are old ones, or parts of such.
+    /// The number of faces that are old ones, or parts of old ones.
     faces: usize,
-    /// How many of its vertices are no old ones; they are the last ones.
+    /// The number of new vertices, which are the last ones.
     new_vertices: usize,
-    /// `None` if all corners are left.
+    /// The origins of corners; `None` if all corners remain.
     corner_origins: Option<Corners<'a>>,
 }
 
 impl Repaired<'_> {
-    /// `map`: the vertex that each old one became; `face_origin`: the face that each was; faces
-    /// `is_turned` run the other way now.
+    /// The old elements. `map` holds the vertex that each old one became, `face_origin` the old
+    /// face of each face. Faces `is_turned` run in the opposite direction now.
     fn kept(
         &self,
         inputs: Vec<Counts>,
@@ -126,24 +126,24 @@ impl Repaired<'_> {
         is_turned: impl Fn(usize) -> bool,
         job: &Job<'_>,
     ) -> Result<Kept> {
-        let vertices = Table::of_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
+        let vertices = Table::from_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
         let count = self.mesh.face_offsets[self.faces] as usize;
         let mut corners = Table::with_capacity(count, count)?;
         for f in 0..self.faces {
             job.step_within(f, STAGE)?;
-            for corner in places(self.mesh, f, is_turned(f)) {
+            for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
                 corners.push(self.corner(corner))?;
             }
         }
         let faces = self.faces as u32;
         let faces = match face_origin {
-            Some(origin) => Table::of_single(origin.iter().copied(), &job.part(0.8, 1.0))?,
-            None => Table::of_single(0..faces, &job.part(0.8, 1.0))?,
+            Some(origin) => Table::from_single(origin.iter().copied(), &job.part(0.8, 1.0))?,
+            None => Table::from_single(0..faces, &job.part(0.8, 1.0))?,
         };
         Ok(Kept { inputs, vertices, corners, faces })
     }
 
-    /// The old corners that a corner has its values from.
+    /// The old corners whose values a corner takes.
     fn corner(&self, corner: u32) -> impl Iterator<Item = (u32, f64)> {
         let Some((corners, on_edges)) = self.corner_origins else {
             return [(corner, 1.0), (corner, 0.0)].into_iter();

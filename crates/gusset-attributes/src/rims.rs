@@ -1,8 +1,8 @@
-//! Where new faces hang on old ones.
+//! Where new faces adjoin old ones.
 //!
-//! A **rim edge** is an edge of an old face that a new face has too. The **base** of a new face is a
-//! rim edge of its own, or that of a neighbour which is nearer to the rims: a search in breadth from
-//! all rim edges at once, so that the bases of a strip's faces meet in the middle.
+//! A **rim edge** is an edge shared by an old face and a new one. The **base** of a new face is one
+//! of its own rim edges, or the base of a neighbour closer to the rims. A breadth-first search from
+//! all rim edges at once finds the bases, so that the bases of a strip's faces meet in the middle.
 
 use super::table::STAGE;
 use gusset_base::alloc;
@@ -14,35 +14,35 @@ use gusset_mesh::{Mesh, NONE};
 
 /// An end of a rim edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct End {
+pub(super) struct RimEnd {
     pub(super) vertex: u32,
     pub(super) edge: u32,
-    /// The corner of the old face there.
+    /// The corner of the old face at this end.
     pub(super) corner: u32,
 }
 
 /// The rim edges of a result, and the bases of its new faces.
 pub(super) struct Rims {
-    /// The corners of each rim edge's old face at its start and its end.
+    /// For each rim edge, the corners of its old face at the start and the end.
     pub(super) edges: Vec<[u32; 2]>,
-    /// Per new face, its base; [`NONE`] if it hangs on no old face.
+    /// The base of each new face; [`NONE`] if the face is not connected to an old one.
     pub(super) bases: Vec<u32>,
-    /// Both ends of all edges, by vertex and edge.
-    pub(super) ends: Vec<End>,
-    /// For other old vertices of new faces, by vertex: some corner of an old face.
+    /// Both ends of all edges, sorted by vertex and edge.
+    pub(super) ends: Vec<RimEnd>,
+    /// For other old vertices of new faces, sorted by vertex: a corner of an old face.
     loose: Vec<(u32, u32)>,
 }
 
 impl Rims {
-    /// Those of the faces from `first_face` on. O(H log n) for H corners of the mesh and n of new
-    /// faces.
+    /// Finds the rims of the faces from `first_face` onwards. O(H log n) for H corners of the mesh,
+    /// n of which belong to new faces.
     pub(super) fn find(mesh: &Mesh, first_face: usize, job: &Job<'_>) -> Result<Rims> {
         let first_corner = mesh.face_offsets[first_face];
         let new = alloc::collect((first_corner as usize..mesh.face_corners.len()).map(|corner| mesh.corner(corner)))?;
         let mut is_new = BitSet::new(mesh.positions.len())?;
         new.iter().for_each(|&v| is_new.insert(v));
 
-        // All edges of new faces, and those of old ones that may be the same.
+        // All edges of new faces, and the edges of old faces that may coincide with them.
         let mut sides = alloc::with_capacity(new.len())?;
         for f in first_face..mesh.face_count() {
             job.step_within(f, STAGE)?;
@@ -55,7 +55,7 @@ impl Rims {
             }
             Ok(())
         })?;
-        // All three lists here are sorted as numbers by threes: what sorts is compiled once.
+        // All three lists are sorted as triples of numbers, so that the sort is compiled once.
         let mut keyed = alloc::collect(sides.iter().map(|&([u, v], corner)| (u.min(v), u.max(v), corner)))?;
         sort(&mut keyed, Ord::cmp, &job.part(0.4, 0.6), STAGE)?;
         let count = mesh.face_count() - first_face;
@@ -75,9 +75,9 @@ impl Rims {
                 alloc::extend(&mut links, faces.clone().zip(faces.skip(1)))?;
             }
         }
-        // In the order of the faces' corners.
+        // Sorted in the order of the faces' corners.
         sort(&mut own, Ord::cmp, &job.part(0.6, 0.7), STAGE)?;
-        let bases = bases(count, &own, &links, &job.part(0.7, 0.8))?;
+        let bases = find_bases(count, &own, &links, &job.part(0.7, 0.8))?;
         job.step(0.8, STAGE)?;
         let after = |corner: u32| {
             let f = face_of(corner) as usize;
@@ -89,13 +89,13 @@ impl Rims {
             edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
-        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| End { vertex, edge, corner }))?;
+        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| RimEnd { vertex, edge, corner }))?;
         let mut rims = Rims { edges, bases, ends, loose: Vec::new() };
         rims.find_loose(mesh, &new, &job.part(0.9, 1.0))?;
         Ok(rims)
     }
 
-    /// Corners of old faces at the old vertices of new faces that no rim edge ends at.
+    /// Finds corners of old faces at the old vertices of new faces that are not on a rim edge.
     fn find_loose(&mut self, mesh: &Mesh, new: &[u32], job: &Job<'_>) -> Result<()> {
         let old = mesh.face_corners.len() - new.len();
         let mut wanted = BitSet::new(mesh.positions.len())?;
@@ -119,12 +119,12 @@ impl Rims {
         Ok(())
     }
 
-    fn first_end(&self, v: u32) -> Option<&End> {
+    fn first_end(&self, v: u32) -> Option<&RimEnd> {
         self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
     }
 
-    /// The old corner whose values a new face with this base has at an old vertex; [`NONE`] where
-    /// there is none.
+    /// The old corner whose values a new face with this base uses at an old vertex; [`NONE`] if it
+    /// does not exist.
     pub(super) fn corner_at(&self, v: u32, base: u32) -> u32 {
         let key = (v, base);
         let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
@@ -135,16 +135,16 @@ impl Rims {
     }
 }
 
-/// The sides of a face: both vertices, and the corner where each starts.
+/// The sides of a face: both vertices, and the corner where the side starts.
 fn sides_of(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + use<'_> {
     let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
     let after = move |corner: usize| if corner + 1 == end { first } else { corner + 1 };
     (first..end).map(move |corner| ([mesh.corner(corner), mesh.corner(after(corner))], corner as u32))
 }
 
-/// The bases of so many faces. `own`: faces with rim edges of their own, as (face, _, edge);
-/// `links`: neighbours.
-fn bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<u32>> {
+/// The bases of `count` faces. `own` lists faces with rim edges of their own, as (corner, face,
+/// edge). `links` lists neighbours.
+fn find_bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<u32>> {
     let both = links.iter().flat_map(|&(f, g)| [(f as usize, g), (g as usize, f)]);
     let neighbours = Buckets::new(count, 0u32, both)?;
     let mut bases = alloc::filled(NONE, count)?;

@@ -1,10 +1,11 @@
-//! Vertices that are kept apart for the values that they carry.
+//! Vertices that stay split because of the values they carry.
 //!
-//! Formats with one index for all that a vertex has split vertices where texture coordinates or
-//! normals jump. A merge map says which of them are one ([`MeshView::merged`]): operations see the
-//! surface, without borders at such seams. Afterwards the faces of the result get the split vertices
-//! back: old corners their own, and a new corner at an old vertex that of the old corner whose values
-//! it has ([`Origins`]). The result's own merge map says again which vertices are one.
+//! Formats with a single index for all data of a vertex split vertices where texture coordinates or
+//! normals jump. A merge map tells which vertices are the same ([`MeshView::merged`]), so that
+//! operations see a surface without borders at seams. Afterwards, the faces of the result get the
+//! split vertices back. An old corner gets its own vertex. A new corner at an old vertex gets the
+//! vertex of the old corner whose values it has ([`Origins`]). The merge map of the result again
+//! tells which vertices are the same.
 
 use super::domain::Domain;
 use super::origins::Origins;
@@ -22,20 +23,20 @@ use gusset_stitch::trim::Remains;
 
 const STAGE: &str = "keeping split vertices";
 
-/// A result whose inputs may have had vertices that are one with others.
+/// A result whose inputs may have split vertices.
 pub trait KeepSplits {
-    /// Gives the faces of the result the split vertices of its `inputs` back; nothing if they had
-    /// none. O(H log n) for H corners, n of them of new faces.
+    /// Restores the split vertices of `inputs` in the faces of the result. Does nothing if the
+    /// inputs have none. O(H log n) for H corners, n of which belong to new faces.
     ///
     /// # Errors
-    /// As [`Origins::of_stitch`].
+    /// The errors of [`Origins::from_stitch`].
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()>;
 }
 
 impl KeepSplits for Stitch {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
-        let origins = Origins::of_stitch(self, &job.part(0.0, 0.6))?;
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let origins = Origins::from_stitch(self, &job.part(0.0, 0.6))?;
         let [a, b] = &self.maps;
         let map = |input: usize, v: u32| if input == 0 { a.vertices[v as usize] } else { b.vertices[v as usize] };
         splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
@@ -44,16 +45,16 @@ impl KeepSplits for Stitch {
 
 impl KeepSplits for Filled {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
-        let origins = Origins::of_filled(self, &job.part(0.0, 0.6))?;
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let origins = Origins::from_filled(self, &job.part(0.0, 0.6))?;
         splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Assembly {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
-        let origins = Origins::of_assembly(self, &job.part(0.0, 0.6))?;
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let origins = Origins::from_assembly(self, &job.part(0.0, 0.6))?;
         let maps = &self.maps;
         let map = |input: usize, v: u32| maps[input].vertices[v as usize];
         splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
@@ -62,8 +63,8 @@ impl KeepSplits for Assembly {
 
 impl KeepSplits for Weld {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
-        let origins = Origins::of_weld(self, &job.part(0.0, 0.6))?;
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let origins = Origins::from_weld(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
         splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
@@ -71,8 +72,8 @@ impl KeepSplits for Weld {
 
 impl KeepSplits for Sew {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
-        let origins = Origins::of_sew(self, &job.part(0.0, 0.6))?;
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let origins = Origins::from_sew(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
         splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
@@ -80,18 +81,18 @@ impl KeepSplits for Sew {
 
 impl KeepSplits for Oriented {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
-        let origins = Origins::of_oriented(self, &job.part(0.0, 0.6))?;
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let origins = Origins::from_oriented(self, &job.part(0.0, 0.6))?;
         splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
 }
 
-/// The inputs side by side, and where each lies.
+/// The inputs side by side, and the position of each.
 impl KeepSplits for (Mesh, Vec<Piece>) {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
-        let origins = Origins::of_side_by_side(&views, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_side_by_side(&views, &job.part(0.0, 0.6))?;
         let (mesh, places) = self;
         splits.restore(mesh, &origins, |input, v| places[input].first_vertex + v, &job.part(0.6, 1.0))
     }
@@ -99,25 +100,26 @@ impl KeepSplits for (Mesh, Vec<Piece>) {
 
 impl KeepSplits for Remains {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
-        let origins = Origins::of_remains(&views, self, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_remains(&views, self, &job.part(0.0, 0.6))?;
         let (map, places) = (&self.vertex_map, &self.places);
         let map = |input: usize, v: u32| map[(places[input].first_vertex + v) as usize];
         splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 
-/// The inputs of a result, some of whose vertices are one with others.
+/// The inputs of a result, some of which have split vertices.
 struct Splits<'a>(&'a [&'a MeshView<'a>]);
 
 impl<'a> Splits<'a> {
-    /// `None` if no input has any.
-    fn of(inputs: &'a [&'a MeshView<'a>]) -> Option<Self> {
+    /// Returns `None` unless an input has split vertices.
+    fn from_inputs(inputs: &'a [&'a MeshView<'a>]) -> Option<Self> {
         inputs.iter().any(|mesh| mesh.faces().is_merged()).then_some(Splits(inputs))
     }
 
-    /// `map`: the vertex of the result that one of an input became.
+    /// Restores split vertices. `map` returns the vertex of the result that a vertex of an input
+    /// became.
     fn restore(
         &self,
         mesh: &mut Mesh,
@@ -138,11 +140,12 @@ impl<'a> Splits<'a> {
         let (starts, corners) = (origins.starts(Domain::Corners), origins.table(Domain::Corners));
         for (k, corner) in mesh.face_corners.iter_mut().enumerate() {
             job.part(0.3, 1.0).step_within(k, STAGE)?;
-            // A corner of several is between old ones, at a new vertex.
+            // A corner with several sources is at a new vertex between old ones.
             let &[source] = corners.row(k).0 else { continue };
             let input = starts.partition_point(|&start| start <= source) - 1;
             let own = map(input, self.0[input].faces().split_corner(source - starts[input]));
-            // What welding made one with others stays so, and what it dropped is gone.
+            // Vertices that welding merged with others stay merged, and dropped vertices stay
+            // dropped.
             if own != NONE && merge[own as usize] == *corner {
                 *corner = own;
             }

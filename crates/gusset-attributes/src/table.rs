@@ -7,15 +7,15 @@ use gusset_base::sort::Buckets;
 use gusset_mesh::NONE;
 use std::ops::Range;
 
-/// What hosts are told.
+/// The name of the stage in progress reports.
 pub(super) const STAGE: &str = "finding origins";
-/// New faces between two progress reports: each has many sources.
+/// Number of new faces between two progress reports. Each has many sources.
 pub(super) const FACES_PER_REPORT: usize = 1 << 12;
 
-/// For each element of a result its sources and how much it has of each.
+/// For each element of a result, its sources and their weights.
 ///
-/// Row k has the entries `offsets()[k]` to `offsets()[k + 1]`. A row without sources is an element
-/// that comes from nothing.
+/// Row k has the entries `offsets()[k]` to `offsets()[k + 1]`. An element without sources has an
+/// empty row.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     offsets: Vec<u32>,
@@ -24,15 +24,15 @@ pub struct Table {
 }
 
 impl Table {
-    /// No rows, with room for so many rows and sources.
+    /// Creates a table without rows, with memory for the given numbers of rows and sources.
     pub(crate) fn with_capacity(rows: usize, sources: usize) -> Result<Table> {
         let mut offsets = alloc::with_capacity(rows + 1)?;
         offsets.push(0);
         Ok(Table { offsets, sources: alloc::with_capacity(sources)?, weights: alloc::with_capacity(sources)? })
     }
 
-    /// Rows of one source each, or of none for [`NONE`].
-    pub(crate) fn of_single(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
+    /// Creates rows with one source each, or without sources for [`NONE`].
+    pub(crate) fn from_single(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
         let mut table = Table::with_capacity(sources.len(), sources.len())?;
         let (mut sources, count) = (sources, table.offsets.capacity() - 1);
         job.ranges(STAGE, count, |range| {
@@ -48,9 +48,13 @@ impl Table {
         Ok(table)
     }
 
-    /// So many rows, each of all sources that a map leads to it, ascending and in equal parts;
-    /// [`NONE`] leads nowhere.
-    pub(crate) fn of_map(rows: usize, map: impl ExactSizeIterator<Item = u32> + Clone, job: &Job<'_>) -> Result<Table> {
+    /// Creates `rows` rows. Row r has all sources that `map` maps to r, in ascending order and with
+    /// equal weights. Sources mapped to [`NONE`] are dropped.
+    pub(crate) fn from_map(
+        rows: usize,
+        map: impl ExactSizeIterator<Item = u32> + Clone,
+        job: &Job<'_>,
+    ) -> Result<Table> {
         job.step(0.0, STAGE)?;
         let pairs = map.zip(0..).filter(|&(row, _)| row != NONE).map(|(row, source)| (row as usize, source));
         let (offsets, sources) = Buckets::new(rows, 0u32, pairs)?.into_parts();
@@ -65,7 +69,7 @@ impl Table {
         Ok(Table { offsets, sources, weights })
     }
 
-    /// Adds a row of few sources: those that repeat become one, and those of weight 0 are left out.
+    /// Adds a row of few sources. Merges repeated sources, and drops sources of weight 0.
     pub(crate) fn push(&mut self, row: impl IntoIterator<Item = (u32, f64)>) -> Result<()> {
         let start = self.sources.len();
         for (source, weight) in row.into_iter().filter(|&(_, weight)| weight != 0.0) {
@@ -86,31 +90,31 @@ impl Table {
         self.offsets.len().saturating_sub(1)
     }
 
-    /// True if there are none.
+    /// True if the table lacks rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The sources of an element and their weights.
+    /// The sources of an element, and their weights.
     #[inline]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
         let range = self.range(k);
         (&self.sources[range.clone()], &self.weights[range])
     }
 
-    /// Where the sources of an element are among all.
+    /// The range of the sources of an element.
     #[inline]
     pub(crate) fn range(&self, k: usize) -> Range<usize> {
         self.offsets[k] as usize..self.offsets[k + 1] as usize
     }
 
-    /// The sources of an element with their weights.
+    /// The sources of an element, each with its weight.
     pub(crate) fn entries(&self, k: usize) -> impl Iterator<Item = (u32, f64)> + Clone {
         let (sources, weights) = self.row(k);
         sources.iter().copied().zip(weights.iter().copied())
     }
 
-    /// The source that counts most, the first of equal ones; [`NONE`] without any.
+    /// The source with the largest weight, the first of equal ones; [`NONE`] for an empty row.
     #[inline]
     pub(crate) fn main_source(&self, k: usize) -> u32 {
         let (sources, weights) = self.row(k);
@@ -123,17 +127,17 @@ impl Table {
         main.0
     }
 
-    /// Where the rows begin among sources and weights, and where the last one ends.
+    /// The start of each row among sources and weights, then the end of the last row.
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
 
-    /// All sources, row after row.
+    /// All sources, row by row.
     pub fn sources(&self) -> &[u32] {
         &self.sources
     }
 
-    /// How much each counts; those of a row have the sum 1.
+    /// The weight of each source. The weights of a row have the sum 1.
     pub fn weights(&self) -> &[f64] {
         &self.weights
     }

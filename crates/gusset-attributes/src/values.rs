@@ -1,4 +1,4 @@
-//! Types of values, and the memory that those of a result go to.
+//! Types of values, and the output of a result.
 
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::strided::Strided;
@@ -6,20 +6,20 @@ use gusset_base::geom::strided::Strided;
 /// The type of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ValueType {
-    /// 32-bit float.
+    /// 32-bit floating point.
     F32,
-    /// 64-bit float.
+    /// 64-bit floating point.
     F64,
-    /// 8-bit unsigned.
+    /// 8-bit unsigned integer.
     U8,
-    /// 16-bit unsigned.
+    /// 16-bit unsigned integer.
     U16,
-    /// 32-bit unsigned.
+    /// 32-bit unsigned integer.
     U32,
 }
 
 impl ValueType {
-    /// Bytes of one value.
+    /// Size of one value in bytes.
     pub fn size(self) -> usize {
         match self {
             ValueType::U8 => 1,
@@ -29,7 +29,7 @@ impl ValueType {
         }
     }
 
-    /// The largest value of an unsigned type.
+    /// The largest value of an unsigned type; `None` for floating-point types.
     pub(super) fn largest(self) -> Option<f64> {
         match self {
             ValueType::F32 | ValueType::F64 => None,
@@ -39,7 +39,7 @@ impl ValueType {
         }
     }
 
-    /// The first value in `bytes`, exactly.
+    /// Reads the first value in `bytes`, without rounding.
     #[inline]
     pub(super) fn read(self, bytes: &[u8]) -> f64 {
         fn first<T: bytemuck::AnyBitPattern>(bytes: &[u8]) -> T {
@@ -54,7 +54,7 @@ impl ValueType {
         }
     }
 
-    /// Writes a value; to an unsigned type the nearest one that it has.
+    /// Writes a value. Rounds to the nearest value that the type can represent.
     #[inline]
     pub(super) fn write(self, value: f64, bytes: &mut [u8]) {
         let mut put = |value: &[u8]| bytes[..value.len()].copy_from_slice(value);
@@ -69,7 +69,7 @@ impl ValueType {
     }
 }
 
-/// Where the values of a result go: those of each element at the start of every stride.
+/// Memory for the values of a result. The values of an element begin every `stride` bytes.
 #[derive(Debug)]
 pub struct Output<'a> {
     pub(super) bytes: &'a mut [u8],
@@ -79,7 +79,8 @@ pub struct Output<'a> {
 }
 
 impl<'a> Output<'a> {
-    /// Room for `count` elements of so many components; `stride` in bytes, 0 for values without gaps.
+    /// Prepares memory for `count` elements with the given type and number of components. `stride`
+    /// is in bytes; 0 means contiguous values.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].

@@ -56,7 +56,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let found = align(&pieces, &options, &job.part(0.0, 0.9))?;
     let mut moved = found.moved(&pieces, &job.part(0.9, 1.0))?;
     moved.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
-    let origins = values.origins(|| Origins::of_side_by_side(&pieces, &job.part(1.0, 1.0)))?;
+    let origins = values.origins(|| Origins::from_side_by_side(&pieces, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(moved.0, origins), Output::Text(report(&found))])
 }
 

@@ -136,7 +136,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = assemble(&placed, &options, job)?;
     done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&done, aligned.as_ref());
-    let origins = values.origins(|| Origins::of_assembly(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

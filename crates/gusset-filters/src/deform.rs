@@ -143,7 +143,7 @@ fn map<T: Copy + Into<f64>>(
 pub(super) fn moved_output(mesh: Mesh, inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Output> {
     let origins = values.origins(|| {
         let meshes = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
-        Origins::of_moved(&meshes, &job.part(1.0, 1.0))
+        Origins::from_moved(&meshes, &job.part(1.0, 1.0))
     })?;
     Ok(Output::Mesh(mesh, origins))
 }

@@ -39,7 +39,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     };
     let done = develop(inputs[0].mesh()?, &options, job)?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::of_developed(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.origins(|| Origins::from_developed(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

@@ -89,7 +89,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = fill_holes(old, Selection::All, &options, job)?;
     done.keep_splits(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
-    let origins = values.origins(|| Origins::of_filled(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

@@ -61,6 +61,6 @@ pub(super) fn output(
     job: &Job<'_>,
 ) -> Result<Output> {
     let made = net_mesh(net, values, &job.part(0.0, 0.5))?;
-    let origins = values.origins(|| Origins::of_grid_mesh(input, grid, lines, &made, &job.part(0.5, 1.0)))?;
+    let origins = values.origins(|| Origins::from_grid_mesh(input, grid, lines, &made, &job.part(0.5, 1.0)))?;
     Ok(Output::Mesh(made.mesh, origins))
 }

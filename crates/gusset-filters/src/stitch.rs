@@ -124,7 +124,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
     done.keep_splits(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::of_stitch(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.origins(|| Origins::from_stitch(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

@@ -1,12 +1,12 @@
-//! The structs, statuses and names of the standard that the effects use. Handles are blind pointers
-//! of the host's.
+//! The structs, statuses and names of the standard that the effects use. Handles are opaque
+//! pointers that the host owns.
 
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 
-/// Whatever the host wants to be handed back: property sets, effects, inputs, meshes, parameters.
+/// An opaque pointer of the host: a property set, effect, input, mesh or parameter.
 pub(crate) type Handle = *mut c_void;
 
-/// What an action and a suite function return.
+/// The status that an action or a suite function returns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Status(pub(super) c_int);
 
@@ -16,7 +16,7 @@ impl Status {
     pub(super) const MISSING_HOST_FEATURE: Status = Status(4);
     pub(super) const MEMORY: Status = Status(8);
     pub(super) const BAD_HANDLE: Status = Status(9);
-    /// The action was not trapped.
+    /// The effect does not implement the action.
     pub(super) const REPLY_DEFAULT: Status = Status(14);
 
     pub(super) fn check(status: c_int) -> Result<(), Status> {
@@ -62,16 +62,16 @@ pub(super) const PARAM_PROP_MAX: &CStr = c"OfxParamPropMax";
 pub(super) const PARAM_PROP_INCREMENT: &CStr = c"OfxParamPropIncrement";
 pub(super) const PARAM_PROP_CHOICE: &CStr = c"OfxParamPropChoiceOption";
 pub(super) const PARAM_PROP_DOUBLE_TYPE: &CStr = c"OfxParamPropDoubleType";
-/// In degrees.
+/// Marks a double that is an angle in degrees.
 pub(super) const PARAM_DOUBLE_ANGLE: &CStr = c"OfxParamDoubleTypeAngle";
 
 pub(super) const MESH_POINT_COUNT: &CStr = c"OfxMeshPropPointCount";
 pub(super) const MESH_CORNER_COUNT: &CStr = c"OfxMeshPropCornerCount";
 pub(super) const MESH_FACE_COUNT: &CStr = c"OfxMeshPropFaceCount";
 pub(super) const MESH_NO_LOOSE_EDGE: &CStr = c"OfxMeshPropNoLooseEdge";
-/// The number of corners of every face, or -1.
+/// The number of corners of every face, or -1 if it varies.
 pub(super) const MESH_CONSTANT_FACE_SIZE: &CStr = c"OfxMeshPropConstantFaceSize";
-/// 16 doubles, row after row, from the mesh's coordinates to the world's; NULL for the identity.
+/// 16 doubles, row by row, from the mesh's coordinates to world coordinates; NULL for the identity.
 pub(super) const MESH_TRANSFORM: &CStr = c"OfxMeshPropTransformMatrix";
 
 pub(super) const ATTRIB_POINT: &CStr = c"OfxMeshAttribPoint";
@@ -86,27 +86,27 @@ pub(super) const ATTRIB_TYPE: &CStr = c"OfxMeshAttribPropType";
 pub(super) const TYPE_FLOAT: &CStr = c"OfxMeshAttribTypeFloat";
 pub(super) const TYPE_INT: &CStr = c"OfxMeshAttribTypeInt";
 
-/// What a host hands to each effect first.
+/// The host, as it is passed to each effect first.
 #[repr(C)]
 pub struct OfxHost {
     /// The host's own properties.
     pub host: Handle,
-    /// A suite by name and version; NULL if the host has none.
+    /// Returns a suite by name and version; NULL if the host lacks it.
     pub fetch_suite: Option<unsafe extern "C" fn(host: Handle, name: *const c_char, version: c_int) -> *const c_void>,
 }
 
 /// An effect, as a host sees it.
 #[repr(C)]
 pub struct OfxPlugin {
-    /// The API that it implements.
+    /// The API that the effect implements.
     pub plugin_api: *const c_char,
     /// The version of the API.
     pub api_version: c_int,
-    /// Names it among all.
+    /// The unique identifier of the effect.
     pub plugin_identifier: *const c_char,
-    /// Grows when stored projects would no longer load.
+    /// Increases when stored projects can no longer be loaded.
     pub plugin_version_major: c_uint,
-    /// Grows otherwise.
+    /// Increases in all other cases.
     pub plugin_version_minor: c_uint,
     /// Called before anything else.
     pub set_host: unsafe extern "C" fn(host: *mut OfxHost),
@@ -115,9 +115,9 @@ pub struct OfxPlugin {
         unsafe extern "C" fn(action: *const c_char, handle: *const c_void, in_args: Handle, out_args: Handle) -> c_int,
 }
 
-/// A function of a suite; a host may leave out what it does not offer.
+/// A function of a suite. A host may leave out functions that it does not support.
 type Function<F> = Option<F>;
-/// A function that is never called here: only its place counts.
+/// A function that the effects never call. It only takes up space.
 type Unused = *const c_void;
 
 /// Properties: named values of four types.
@@ -136,13 +136,13 @@ pub(super) struct PropertySuite {
     pub(super) reset_and_dimension: [Unused; 2],
 }
 
-/// Parameters. More follows that effects do not need.
+/// Parameters. The standard has more functions, which effects do not need.
 #[repr(C)]
 pub(super) struct ParameterSuite {
     pub(super) define: Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *mut Handle) -> c_int>,
     pub(super) get_handle: Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
     pub(super) get_property_sets: [Unused; 2],
-    /// Pointers to as many variables as the parameter has components follow.
+    /// The arguments end with one pointer to a variable for each component of the parameter.
     pub(super) get_value: Function<unsafe extern "C" fn(Handle, ...) -> c_int>,
     pub(super) get_value_at_time: Function<unsafe extern "C" fn(Handle, f64, ...) -> c_int>,
 }
@@ -165,14 +165,14 @@ pub(super) struct MeshEffectSuite {
         Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *mut Handle) -> c_int>,
     pub(super) mesh_get_property_set: Unused,
     pub(super) mesh_alloc: Function<unsafe extern "C" fn(Handle) -> c_int>,
-    /// 1 if the effect should stop.
+    /// Returns 1 if the effect should stop.
     pub(super) abort: Function<unsafe extern "C" fn(Handle) -> c_int>,
 }
 
 /// Messages to the user.
 #[repr(C)]
 pub(super) struct MessageSuite {
-    /// A format of `printf` and its arguments follow the kind and the identifier.
+    /// A format as in `printf` and its arguments follow the kind and the identifier.
     pub(super) message:
         Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *const c_char, ...) -> c_int>,
 }

@@ -1,9 +1,9 @@
-//! An effect at work: meshes and parameters of the host go through a filter, and what comes out
-//! goes to the host.
+//! Cooks an effect: runs a filter on meshes and parameters of the host, and returns its output to
+//! the host.
 
 use super::abi::{Handle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, PROP_TIME, Status};
 use super::effects::{Effect, Knob, KnobKind, SUIT};
-use super::meshes::{self, Polygons, Read};
+use super::meshes::{self, HostMeshData, Polygons};
 use super::suites::{Fault, HostMesh, Parameters, Suites};
 use gusset::capi::guard::caught;
 use gusset::capi::status::{Failure, gusset_status};
@@ -14,7 +14,7 @@ use gusset_base::alloc;
 use std::ffi::c_int;
 use std::ops::ControlFlow;
 
-/// Asks the host whether to go on.
+/// Asks the host whether to continue.
 struct Watch<'a> {
     suites: &'a Suites,
     instance: Handle,
@@ -30,13 +30,13 @@ impl Progress for Watch<'_> {
     }
 }
 
-/// The action of this name.
+/// Runs the action `OfxMeshEffectActionCook`.
 pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: Handle) -> Result<(), Status> {
     let time = suites.properties(in_args).double(PROP_TIME).unwrap_or(0.0);
-    caught(|| work(effect, suites, instance, time)).map_err(|fault| match fault {
+    caught(|| run_filter(effect, suites, instance, time)).map_err(|fault| match fault {
         Fault::Host(status) => status,
         Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => Status::MEMORY,
-        // The host knows.
+        // The host itself asked to stop, so it gets no message.
         Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_CANCELLED, .. }) => Status::FAILED,
         Fault::Ours(failure) => {
             suites.message(instance, MESSAGE_ERROR, &failure.message);
@@ -45,22 +45,22 @@ pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: 
     })
 }
 
-/// An input with what it needs to own.
+/// An input, with the data that it must own.
 enum Given<'a> {
-    Mesh(&'a Read<'a>, Polygons),
+    Mesh(&'a HostMeshData<'a>, Polygons),
     Curves(Curves),
 }
 
-fn work(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result<(), Fault> {
+fn run_filter(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result<(), Fault> {
     let watch = Watch { suites, instance };
     let job = Job::new(0, &watch);
-    let hosts = open(effect, suites, instance, time)?;
-    let mut read: Vec<(InputKind, Read<'_>)> = Vec::new();
+    let hosts = open_inputs(effect, suites, instance, time)?;
+    let mut read: Vec<(InputKind, HostMeshData<'_>)> = Vec::new();
     for (number, (kind, mesh)) in hosts.iter().enumerate() {
-        match Read::new(mesh, &job.part(0.0, 0.0))? {
+        match HostMeshData::new(mesh, &job.part(0.0, 0.0))? {
             Some(mut mesh) => {
                 if let Some((_, first)) = read.first() {
-                    mesh.place_beside(first)?;
+                    mesh.transform_to(first)?;
                 }
                 read.push((*kind, mesh));
             }
@@ -94,8 +94,8 @@ fn work(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result
     }
 }
 
-/// The host's meshes. Of those that need not be there, what cannot be had is not.
-fn open<'a>(
+/// Opens the host's meshes. Optional inputs that are not available are skipped.
+fn open_inputs<'a>(
     effect: &Effect,
     suites: &'a Suites,
     instance: Handle,
@@ -113,11 +113,12 @@ fn open<'a>(
     Ok(hosts)
 }
 
-/// The host's values. Where the inputs say more than the defaults do, defaults give way to them.
+/// Reads the values of all parameters. If requested, values that equal their defaults are replaced
+/// by values suggested for the inputs.
 fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Input<'_>]) -> Result<Vec<f64>, Status> {
     let mut values = effect.filter.plain_defaults();
     for knob in &effect.knobs {
-        read(parameters, knob, time, &mut values[knob.first..])?;
+        read_parameter(parameters, knob, time, &mut values[knob.first..])?;
     }
     if effect.filter.has_suggestions() {
         let mut suit = 1;
@@ -135,8 +136,8 @@ fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Inp
     Ok(values)
 }
 
-/// The values of one parameter, over its defaults.
-fn read(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64]) -> Result<(), Status> {
+/// Reads the values of a parameter, starting from its defaults.
+fn read_parameter(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64]) -> Result<(), Status> {
     match knob.kind {
         KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => {
             let mut value = values[0] as c_int;
@@ -145,11 +146,11 @@ fn read(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64])
         }
         KnobKind::Double => parameters.value(&knob.name, time, &mut values[0])?,
         KnobKind::Angle => {
-            // Through degrees and back a default may not be quite the same.
+            // The conversion of a default to degrees and back may round.
             let shown = values[0].to_degrees();
             let mut value = shown;
             parameters.value(&knob.name, time, &mut value)?;
-            values[0] = if value == shown { values[0] } else { put_back(value.to_radians(), knob) };
+            values[0] = if value == shown { values[0] } else { clamp_rounding(value.to_radians(), knob) };
         }
         KnobKind::Vector => {
             let mut vector = [values[0], values[1], values[2]];
@@ -160,8 +161,8 @@ fn read(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64])
     Ok(())
 }
 
-/// What left its range by rounding alone is put back.
-fn put_back(value: f64, knob: &Knob) -> f64 {
+/// Clamps a value that left its range only by rounding.
+fn clamp_rounding(value: f64, knob: &Knob) -> f64 {
     let nearest = value.clamp(knob.param.min, knob.param.max);
     if (nearest - value).abs() <= 4.0 * f64::EPSILON * value.abs() { nearest } else { value }
 }

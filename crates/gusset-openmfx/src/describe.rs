@@ -1,5 +1,5 @@
-//! What a host is told of an effect. Labels, hints and ranges that a host has no place for are left
-//! out.
+//! Describes an effect to a host. Labels, hints and ranges that the host does not support are
+//! skipped.
 
 use super::abi::{
     CONTEXT_FILTER, CONTEXT_GENERAL, CONTEXT_GENERATOR, Handle, MAIN_OUTPUT, PARAM_BOOLEAN, PARAM_CHOICE, PARAM_DOUBLE,
@@ -11,7 +11,7 @@ use super::effects::{Effect, Knob, KnobKind, SUIT, SUIT_HINT, SUIT_LABEL};
 use super::suites::{Parameters, Properties, Suites};
 use std::ffi::c_int;
 
-/// The action of this name.
+/// Runs the action `OfxActionDescribe`.
 pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Handle) -> Result<(), Status> {
     if let Some(properties) = suites.effect_properties(descriptor) {
         let context = match effect.inputs.len() {
@@ -27,7 +27,8 @@ pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Han
         let input = suites.define_input(descriptor, &slot.name)?;
         let _ = input.set_text(PROP_LABEL, 0, &slot.label);
         if effect.inputs.len() > 1 {
-            // Meshes that lie in different places are brought together.
+            // With several inputs, meshes at different positions are transformed to a common
+            // system.
             let _ = input.set_int(PROP_REQUEST_TRANSFORM, 0, 1);
         }
     }
@@ -35,7 +36,7 @@ pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Han
     let _ = output.set_text(PROP_LABEL, 0, c"Output");
     let parameters = suites.parameters(descriptor)?;
     for knob in &effect.knobs {
-        define(&parameters, knob)?;
+        define_parameter(&parameters, knob)?;
     }
     if effect.filter.has_suggestions() {
         let properties = parameters.define(PARAM_BOOLEAN, SUIT)?;
@@ -46,7 +47,7 @@ pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Han
     Ok(())
 }
 
-fn define(parameters: &Parameters<'_>, knob: &'static Knob) -> Result<(), Status> {
+fn define_parameter(parameters: &Parameters<'_>, knob: &'static Knob) -> Result<(), Status> {
     let kind = match knob.kind {
         KnobKind::Boolean => PARAM_BOOLEAN,
         KnobKind::Integer => PARAM_INTEGER,
@@ -58,12 +59,12 @@ fn define(parameters: &Parameters<'_>, knob: &'static Knob) -> Result<(), Status
     let _ = properties.set_text(PROP_LABEL, 0, &knob.label);
     let _ = properties.set_text(PARAM_PROP_HINT, 0, &knob.hint);
     match knob.kind {
-        KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => whole(properties, knob),
-        KnobKind::Double | KnobKind::Angle | KnobKind::Vector => real(properties, knob),
+        KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => define_integer(properties, knob),
+        KnobKind::Double | KnobKind::Angle | KnobKind::Vector => define_double(properties, knob),
     }
 }
 
-fn whole(properties: Properties, knob: &'static Knob) -> Result<(), Status> {
+fn define_integer(properties: Properties, knob: &'static Knob) -> Result<(), Status> {
     for (place, choice) in knob.choices.iter().enumerate() {
         let _ = properties.set_text(PARAM_PROP_CHOICE, place, choice);
     }
@@ -74,7 +75,7 @@ fn whole(properties: Properties, knob: &'static Knob) -> Result<(), Status> {
     properties.set_int(PARAM_PROP_DEFAULT, 0, knob.default[0] as c_int)
 }
 
-fn real(properties: Properties, knob: &Knob) -> Result<(), Status> {
+fn define_double(properties: Properties, knob: &Knob) -> Result<(), Status> {
     let shown = |value: f64| if knob.kind == KnobKind::Angle { value.to_degrees() } else { value };
     if knob.kind == KnobKind::Angle {
         let _ = properties.set_text(PARAM_PROP_DOUBLE_TYPE, 0, PARAM_DOUBLE_ANGLE);

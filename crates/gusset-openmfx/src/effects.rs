@@ -1,5 +1,5 @@
-//! The effects and their texts, made once of [`FILTERS`] and never changed: hosts keep pointers to
-//! the texts.
+//! The effects and their texts, created once from [`FILTERS`] and never changed, because hosts keep
+//! pointers to the texts.
 
 use super::abi::MAIN_INPUT;
 use gusset::filters::data::{InputKind, OutputKind};
@@ -8,8 +8,9 @@ use gusset::filters::{FILTERS, Filter};
 use std::ffi::{CStr, CString};
 use std::sync::OnceLock;
 
-/// An effect has a fixed number of inputs; filters that take any number get so many.
-const MOST_INPUTS: usize = 8;
+/// Largest number of inputs of an effect, which is fixed. Filters with any number of inputs get
+/// this many.
+const MAX_INPUTS: usize = 8;
 
 /// A filter as an effect.
 pub(super) struct Effect {
@@ -18,8 +19,8 @@ pub(super) struct Effect {
     pub(super) help: CString,
     pub(super) inputs: Vec<Slot>,
     pub(super) knobs: Vec<Knob>,
-    /// The output that is a mesh or curves: an effect has one. Of filters that only tell something,
-    /// the first input is passed on.
+    /// The index of the output that is a mesh or curves; an effect has only one. If the filter only
+    /// outputs text, the effect returns its first input.
     pub(super) output: Option<usize>,
 }
 
@@ -30,7 +31,7 @@ pub(super) struct Slot {
     pub(super) kind: InputKind,
 }
 
-/// What kind of parameter a host sees.
+/// The kind of parameter that a host sees.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum KnobKind {
     Boolean,
@@ -43,28 +44,28 @@ pub(super) enum KnobKind {
     Vector,
 }
 
-/// A parameter as a host sees it: a filter's, or a part of one.
+/// A parameter as a host sees it: a filter's parameter, or a part of one.
 pub(super) struct Knob {
     pub(super) kind: KnobKind,
     pub(super) name: CString,
     pub(super) label: CString,
     pub(super) hint: CString,
     pub(super) choices: Vec<CString>,
-    /// Where its first value is among those of the filter.
+    /// The index of its first value among the filter's values.
     pub(super) first: usize,
     pub(super) param: &'static Param,
-    /// The values that it has if nobody says otherwise.
+    /// The default values.
     pub(super) default: &'static [f64],
 }
 
 /// All effects.
-pub(super) fn all() -> &'static [Effect] {
+pub(super) fn effects() -> &'static [Effect] {
     static EFFECTS: OnceLock<Vec<Effect>> = OnceLock::new();
-    EFFECTS.get_or_init(|| FILTERS.iter().filter(|filter| filter.min_inputs <= MOST_INPUTS).map(Effect::new).collect())
+    EFFECTS.get_or_init(|| FILTERS.iter().filter(|filter| filter.min_inputs <= MAX_INPUTS).map(Effect::new).collect())
 }
 
-pub(super) fn text(of: &str) -> CString {
-    CString::new(of.replace('\0', " ")).unwrap_or_default()
+pub(super) fn text(value: &str) -> CString {
+    CString::new(value.replace('\0', " ")).unwrap_or_default()
 }
 
 impl Effect {
@@ -73,7 +74,7 @@ impl Effect {
             filter,
             label: text(filter.name),
             help: text(&format!("{}\n\n{}", filter.help, filter.reference)),
-            inputs: (0..filter.max_inputs.min(MOST_INPUTS)).filter_map(|k| slot(filter, k)).collect(),
+            inputs: (0..filter.max_inputs.min(MAX_INPUTS)).filter_map(|k| slot(filter, k)).collect(),
             knobs: knobs(filter),
             output: filter.outputs.iter().position(|&kind| kind != OutputKind::Text),
         }
@@ -123,13 +124,13 @@ fn knobs(filter: &'static Filter) -> Vec<Knob> {
     knobs
 }
 
-/// The help, and what each choice does.
+/// The help text, followed by a description of each choice.
 fn hint(param: &Param) -> String {
     let choices = param.choices.iter().map(|choice| format!("\n{}: {}", choice.label, choice.help));
     param.help.to_owned() + &choices.collect::<String>()
 }
 
-/// The parameter that filters have whose defaults depend on the inputs.
+/// The additional parameter of filters whose defaults depend on the inputs.
 pub(super) const SUIT: &CStr = c"suit_inputs";
 pub(super) const SUIT_LABEL: &CStr = c"Suit the inputs";
 pub(super) const SUIT_HINT: &CStr =

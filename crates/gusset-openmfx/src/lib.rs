@@ -1,23 +1,23 @@
-//! The filters of `gusset` as OpenMfx effects: the entry points by which hosts of Open Mesh Effect
-//! load the library.
+//! The filters of `gusset` as OpenMfx effects: the entry points through which hosts of Open Mesh
+//! Effect load the library.
 //!
-//! OpenMfx is OpenFX, a plug-in standard for pictures, with meshes in the place of pictures. What
-//! is declared here follows version 1 of its mesh effect API and of its property, parameter and
-//! message suites, as its documentation of December 2022 describes them
-//! (<https://openmesheffect.org>); only what effects need of it is here.
+//! OpenMfx is OpenFX, a plug-in standard for images, with meshes in the place of images. The
+//! declarations follow version 1 of its mesh effect API and of its property, parameter and message
+//! suites, as documented in December 2022 (<https://openmesheffect.org>). They are limited to the
+//! parts that effects need.
 //!
-//! | file | what it owns |
+//! | file | contents |
 //! |---|---|
 //! | `abi` | structs, statuses, and the names of suites, actions and properties |
-//! | `suites` | what the host offers, behind types that check |
-//! | `effects` | the effects, made once of [`gusset::filters::FILTERS`], and their texts |
-//! | `describe` | what a host is told of an effect |
+//! | `suites` | the suites of the host, behind types that check statuses |
+//! | `effects` | the effects, created once from [`gusset::filters::FILTERS`], and their texts |
+//! | `describe` | describes an effect to a host |
 //! | `meshes` | meshes of the host, read and written |
-//! | `wires` | polylines, which are faces of two corners there |
-//! | `cook` | an effect at work |
+//! | `wires` | polylines, which the standard stores as faces of two corners |
+//! | `cook` | runs an effect |
 //!
-//! An effect keeps nothing between actions, and the library keeps one thing for each effect: the
-//! pointer that its host hands over before anything else, since later calls come without it.
+//! Effects keep no state between actions. The library keeps one pointer for each effect: the host
+//! passes it before any other call, and later calls lack it.
 
 #![allow(unsafe_code, reason = "the border to hosts in C")]
 
@@ -39,23 +39,24 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicPtr, Ordering};
 use suites::Suites;
 
-/// More effects than there are filters; each needs functions of its own, since no call says which
-/// effect is meant.
-const ROOM: usize = 64;
+/// Largest number of effects. Each effect needs its own functions, because calls do not identify
+/// the effect.
+const MAX_EFFECTS: usize = 64;
 
-const _: () = assert!(FILTERS.len() <= ROOM, "more filters than functions: enlarge the list of numbers");
+const _: () =
+    assert!(FILTERS.len() <= MAX_EFFECTS, "there are more filters than functions: extend FUNCTIONS and MAX_EFFECTS");
 
-/// What the host of each effect handed over.
-static HOSTS: [AtomicPtr<OfxHost>; ROOM] = [const { AtomicPtr::new(ptr::null_mut()) }; ROOM];
+/// The pointer that the host of each effect passed.
+static HOSTS: [AtomicPtr<OfxHost>; MAX_EFFECTS] = [const { AtomicPtr::new(ptr::null_mut()) }; MAX_EFFECTS];
 
-/// How many effects there are.
+/// Returns the number of effects.
 #[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "the standard names it")]
 pub extern "C" fn OfxGetNumberOfPlugins() -> c_int {
-    catch_unwind(|| effects::all().len() as c_int).unwrap_or(0)
+    catch_unwind(|| effects::effects().len() as c_int).unwrap_or(0)
 }
 
-/// An effect, from 0; NULL if there is none of this number. The struct is static.
+/// Returns effect `nth`, counted from 0; NULL if it does not exist. The struct is static.
 #[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "the standard names it")]
 pub extern "C" fn OfxGetPlugin(nth: c_int) -> *const OfxPlugin {
@@ -66,7 +67,7 @@ pub extern "C" fn OfxGetPlugin(nth: c_int) -> *const OfxPlugin {
 /// The effects as hosts see them.
 struct Plugins(Vec<OfxPlugin>);
 
-// SAFETY: its pointers are to texts and functions that live as long as the library is loaded, and
+// SAFETY: its pointers refer to texts and functions that live as long as the library is loaded, and
 // never change.
 unsafe impl Send for Plugins {}
 // SAFETY: as above.
@@ -79,18 +80,18 @@ impl Plugins {
         let plugin = |(effect, (set_host, main_entry)): (&Effect, Functions)| OfxPlugin {
             plugin_api: API.as_ptr(),
             api_version: API_VERSION,
-            // Never freed, as the effects are not.
+            // Never freed, because the effects are never freed.
             plugin_identifier: effects::text(&format!("gusset.{}", effect.filter.id)).into_raw(),
             plugin_version_major: version(env!("CARGO_PKG_VERSION_MAJOR")),
             plugin_version_minor: version(env!("CARGO_PKG_VERSION_MINOR")),
             set_host,
             main_entry,
         };
-        PLUGINS.get_or_init(|| Plugins(effects::all().iter().zip(FUNCTIONS).map(plugin).collect()))
+        PLUGINS.get_or_init(|| Plugins(effects::effects().iter().zip(FUNCTIONS).map(plugin).collect()))
     }
 }
 
-/// The functions of the effect of this number.
+/// The functions of one effect.
 type Functions =
     (unsafe extern "C" fn(*mut OfxHost), unsafe extern "C" fn(*const c_char, *const c_void, Handle, Handle) -> c_int);
 
@@ -98,7 +99,7 @@ macro_rules! functions {
     ($($number:literal)*) => { [$((set_host::<$number>, main_entry::<$number>)),*] };
 }
 
-const FUNCTIONS: [Functions; ROOM] = functions!(
+const FUNCTIONS: [Functions; MAX_EFFECTS] = functions!(
     0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31
     32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
 );
@@ -117,13 +118,13 @@ unsafe extern "C" fn main_entry<const NUMBER: usize>(
         if name.is_null() {
             return Err(Status::BAD_HANDLE);
         }
-        // SAFETY: not NULL; the host gives a text with a closing NUL.
+        // SAFETY: the pointer is not NULL, and the host passes a NUL-terminated text.
         let name = unsafe { CStr::from_ptr(name) };
-        let effect = effects::all().get(NUMBER).ok_or(Status::BAD_HANDLE)?;
+        let effect = effects::effects().get(NUMBER).ok_or(Status::BAD_HANDLE)?;
         act(effect, HOSTS[NUMBER].load(Ordering::Acquire), name, handle.cast_mut(), in_args)
     }));
     let status = done.unwrap_or_else(|panic| {
-        // As in `guard`: the payload's own destructor could panic.
+        // As in `guard`: the destructor of the payload could panic.
         std::mem::forget(panic);
         Err(Status::FAILED)
     });
@@ -138,8 +139,8 @@ fn act(
     in_args: Handle,
 ) -> Result<Status, Status> {
     match action.to_bytes() {
-        // Nothing is kept for the library or for an instance; what an effect needs of its host is
-        // seen when it is described.
+        // The library and its instances do not keep state. The suites of the host are checked when
+        // an effect is described.
         b"OfxActionLoad"
         | b"OfxActionUnload"
         | b"OfxActionCreateInstance"
@@ -147,8 +148,8 @@ fn act(
         | b"OfxMeshEffectActionDescribeInContext" => Ok(Status::OK),
         b"OfxActionDescribe" => describe::describe(effect, &Suites::fetch(host)?, handle).map(|()| Status::OK),
         b"OfxMeshEffectActionCook" => cook::cook(effect, &Suites::fetch(host)?, handle, in_args).map(|()| Status::OK),
-        // Whether an effect changes anything (`IsIdentity`) is found by cooking it, so that is left
-        // to the default too.
+        // Only cooking tells whether an effect changes anything (`IsIdentity`), so this action is
+        // left to the default too.
         _ => Ok(Status::REPLY_DEFAULT),
     }
 }

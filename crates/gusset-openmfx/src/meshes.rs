@@ -1,5 +1,5 @@
-//! Meshes of the host: three arrays of any stride, positions in single precision, and faces of two
-//! corners for edges that no face has.
+//! Meshes of the host: three arrays with any stride, positions in single precision, and faces of
+//! two corners for loose edges.
 
 use super::abi::{
     ATTRIB_CORNER, ATTRIB_FACE, ATTRIB_POINT, CORNER_POINT, FACE_SIZE, MESH_CONSTANT_FACE_SIZE, MESH_CORNER_COUNT,
@@ -17,23 +17,23 @@ use gusset::mesh::{Faces, Mesh, MeshView, Positions, Scalar};
 use gusset_base::alloc;
 use std::ffi::{CStr, c_int};
 
-/// A mesh of the host's. Positions stay where they are unless they must be moved.
-pub(super) struct Read<'a> {
+/// A mesh of the host. Its positions are copied only if they must be transformed.
+pub(super) struct HostMeshData<'a> {
     positions: Positions<'a>,
     moved: Option<Vec<[f32; 3]>>,
-    /// Corners of each face, face after face, those of two corners among them.
+    /// Corners of each face, face by face, including faces of two corners.
     corners: Vec<u32>,
     sizes: Vec<u32>,
     transform: Option<DMat4>,
 }
 
-/// The number of elements that a mesh says it has; 0 for what is none.
+/// The number of elements that a mesh reports; 0 if the number is missing or negative.
 fn count(mesh: &HostMesh<'_>, name: &CStr) -> usize {
     mesh.properties.int(name).and_then(|count| usize::try_from(count).ok()).unwrap_or(0)
 }
 
-impl<'a> Read<'a> {
-    /// `None` for a mesh without faces.
+impl<'a> HostMeshData<'a> {
+    /// Reads a mesh. Returns `None` if it lacks faces.
     pub(super) fn new(mesh: &'a HostMesh<'_>, job: &Job<'_>) -> Result<Option<Self>, Fault> {
         let points = count(mesh, MESH_POINT_COUNT);
         let (corners, faces) = (count(mesh, MESH_CORNER_COUNT), count(mesh, MESH_FACE_COUNT));
@@ -47,15 +47,15 @@ impl<'a> Read<'a> {
         let positions = Positions::strided(bytes, places.stride, points, Scalar::F32)?;
         let sizes = match mesh.properties.int(MESH_CONSTANT_FACE_SIZE).and_then(|size| u32::try_from(size).ok()) {
             Some(size) if size > 0 => alloc::filled(size, faces)?,
-            _ => numbers(&mesh.attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?, faces, "face sizes")?,
+            _ => read_integers(&mesh.attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?, faces, "face sizes")?,
         };
-        check(&sizes, corners)?;
-        let corners = numbers(&mesh.attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?, corners, "corners")?;
-        Ok(Some(Read { positions, moved: None, corners, sizes, transform: transform(mesh)? }))
+        check_sizes(&sizes, corners)?;
+        let corners = read_integers(&mesh.attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?, corners, "corners")?;
+        Ok(Some(HostMeshData { positions, moved: None, corners, sizes, transform: transform(mesh)? }))
     }
 
-    /// Moves the mesh to where it lies as seen from another one.
-    pub(super) fn place_beside(&mut self, first: &Read<'_>) -> Result<(), Error> {
+    /// Transforms the mesh to the coordinate system of another one.
+    pub(super) fn transform_to(&mut self, first: &HostMeshData<'_>) -> Result<(), Error> {
         let [here, there] = [self.transform, first.transform].map(Option::unwrap_or_default);
         if here != there {
             let map = there.inverse() * here;
@@ -69,7 +69,7 @@ impl<'a> Read<'a> {
         self.moved.as_deref().map_or(self.positions, Positions::from)
     }
 
-    /// Each face with its corners.
+    /// The corners of each face.
     fn faces(&self) -> impl Iterator<Item = &[u32]> {
         let mut end = 0;
         self.sizes.iter().map(move |&size| {
@@ -79,7 +79,7 @@ impl<'a> Read<'a> {
         })
     }
 
-    /// The faces, without edges by themselves.
+    /// The faces without loose edges.
     pub(super) fn polygons(&self) -> Result<Polygons, Error> {
         let mut found = Polygons { offsets: alloc::with_capacity(self.sizes.len() + 1)?, corners: Vec::new() };
         found.offsets.push(0);
@@ -91,7 +91,7 @@ impl<'a> Read<'a> {
         Ok(found)
     }
 
-    /// The mesh for a filter.
+    /// The mesh as input of a filter.
     pub(super) fn mesh<'b>(&'b self, polygons: &'b Polygons, job: &Job<'_>) -> Result<Input<'b>, Error> {
         let faces = Faces::polygons(&polygons.offsets, &polygons.corners)?;
         if faces.is_empty() {
@@ -100,7 +100,7 @@ impl<'a> Read<'a> {
         Ok(Input::Mesh(MeshView::new(self.positions(), faces, job)?))
     }
 
-    /// The edges by themselves, chained.
+    /// The loose edges, chained to curves.
     pub(super) fn curves(&self) -> Result<Curves, Error> {
         let mut edges = Vec::new();
         let positions = self.positions();
@@ -114,23 +114,23 @@ impl<'a> Read<'a> {
             }
             alloc::push(&mut edges, edge)?;
         }
-        wires::chained(&edges, positions.len(), |vertex| positions.get(vertex))
+        wires::chain_edges(&edges, positions.len(), |vertex| positions.get(vertex))
     }
 
-    /// All of it as it came.
+    /// Writes the mesh unchanged.
     pub(super) fn write(&self, to: &HostMesh<'_>) -> Result<(), Fault> {
         write(to, self.positions.len(), |v| self.positions.get(v), &self.corners, &self.sizes)
     }
 }
 
-/// Faces of at least three corners.
+/// Faces of three or more corners.
 pub(super) struct Polygons {
     offsets: Vec<u32>,
     corners: Vec<u32>,
 }
 
-/// Whether faces of these sizes have so many corners, and each at least two.
-fn check(sizes: &[u32], corners: usize) -> Result<(), Error> {
+/// Checks that faces of these sizes have `corners` corners in total, and at least two each.
+fn check_sizes(sizes: &[u32], corners: usize) -> Result<(), Error> {
     let mut sum = 0u64;
     for (face, &size) in sizes.iter().enumerate() {
         if size < 2 {
@@ -145,16 +145,16 @@ fn check(sizes: &[u32], corners: usize) -> Result<(), Error> {
     }
 }
 
-/// The elements of an array of 32-bit numbers. Negative ones become far too large, and are refused
-/// as such.
-fn numbers(of: &Attribute, count: usize, name: &'static str) -> Result<Vec<u32>, Fault> {
-    let size = span(of.stride, count, 4, name)?;
-    let bytes = input::bytes(of.data, size, 1, name)?;
-    let number = |k: usize| bytemuck::pod_read_unaligned::<u32>(&bytes[k * of.stride..][..4]);
+/// The elements of an array of 32-bit integers. Negative ones become very large, and are refused as
+/// out of range.
+fn read_integers(array: &Attribute, count: usize, name: &'static str) -> Result<Vec<u32>, Fault> {
+    let size = span(array.stride, count, 4, name)?;
+    let bytes = input::bytes(array.data, size, 1, name)?;
+    let number = |k: usize| bytemuck::pod_read_unaligned::<u32>(&bytes[k * array.stride..][..4]);
     Ok(alloc::collect((0..count).map(number))?)
 }
 
-/// The bytes from the first element to the last.
+/// Number of bytes from the first element to the end of the last.
 fn span(stride: usize, count: usize, size: usize, what: &'static str) -> Result<usize, Error> {
     let last = count.saturating_sub(1).checked_mul(stride).and_then(|bytes| bytes.checked_add(size));
     let bytes = if count == 0 { Some(0) } else { last };
@@ -169,13 +169,13 @@ fn transform(mesh: &HostMesh<'_>) -> Result<Option<DMat4>, Fault> {
     Ok(Some(DMat4::from_cols_array(&rows).transpose()))
 }
 
-/// A mesh, into the host's output.
+/// Writes a mesh to the host's output.
 pub(super) fn write_mesh(to: &HostMesh<'_>, mesh: &Mesh) -> Result<(), Fault> {
     let sizes = alloc::collect(mesh.face_offsets.windows(2).map(|ends| ends[1] - ends[0]))?;
     write(to, mesh.positions.len(), |v| mesh.positions.get(v), &mesh.face_corners, &sizes)
 }
 
-/// Curves, into the host's output.
+/// Writes curves to the host's output.
 pub(super) fn write_curves(to: &HostMesh<'_>, curves: &Curves) -> Result<(), Fault> {
     let edges = wires::edges(curves)?;
     let place = |v: u32| DVec3::from_array(curves.points[v as usize]);
@@ -201,22 +201,22 @@ fn write(
     to.properties.set_int(MESH_CONSTANT_FACE_SIZE, 0, same.map_or(-1, |&size| size as c_int))?;
     to.allocate()?;
     let positions = (0..points as u32).map(|v| bytemuck::cast(place(v).as_vec3().to_array()));
-    fill::<12>(&to.attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?, positions, "positions")?;
-    fill::<4>(
+    write_elements::<12>(&to.attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?, positions, "positions")?;
+    write_elements::<4>(
         &to.attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?,
         corners.iter().map(|n| n.to_ne_bytes()),
         "corners",
     )?;
-    let of_sizes = to.attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?;
-    // Where all faces have one size, a host need not have memory for each.
-    if same.is_none() || !of_sizes.data.is_null() {
-        fill::<4>(&of_sizes, sizes.iter().map(|n| n.to_ne_bytes()), "face sizes")?;
+    let size_array = to.attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?;
+    // If all faces have the same size, the host need not provide memory for sizes.
+    if same.is_none() || !size_array.data.is_null() {
+        write_elements::<4>(&size_array, sizes.iter().map(|n| n.to_ne_bytes()), "face sizes")?;
     }
     Ok(())
 }
 
-/// Writes elements of `N` bytes into an array of the host's.
-fn fill<const N: usize>(
+/// Writes elements of `N` bytes to an array of the host.
+fn write_elements<const N: usize>(
     to: &Attribute,
     elements: impl ExactSizeIterator<Item = [u8; N]>,
     name: &'static str,

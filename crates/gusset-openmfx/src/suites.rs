@@ -1,4 +1,4 @@
-//! What a host offers, behind types that check statuses and keep raw calls in one place.
+//! The suites of a host, behind types that check statuses and keep unsafe calls in one place.
 
 use super::abi::{
     ATTRIB_DATA, ATTRIB_STRIDE, ATTRIB_TYPE, Handle, MESH_EFFECT_SUITE, MESSAGE_SUITE, MeshEffectSuite, MessageSuite,
@@ -9,11 +9,11 @@ use gusset::capi::status::Failure;
 use std::ffi::{CStr, CString, c_int, c_void};
 use std::ptr;
 
-/// Why an effect gave nothing.
+/// The reason why an effect failed.
 pub(super) enum Fault {
-    /// The host failed, or lacks something.
+    /// The host failed, or lacks a feature.
     Host(Status),
-    /// The library refused.
+    /// The library reported an error.
     Ours(Failure),
 }
 
@@ -29,12 +29,13 @@ impl<F: Into<Failure>> From<F> for Fault {
     }
 }
 
-/// Calls a function of a suite: an error if the host lacks it or it says so.
+/// Calls a function of a suite. Returns an error if the host lacks the function, or the function
+/// fails.
 macro_rules! call {
     ($suite:expr, $function:ident($($argument:expr),*)) => {
         match $suite.$function {
-            // SAFETY: a function of the host's for this purpose; handles are those that it gave,
-            // texts end with NUL, and pointers are to live variables.
+            // SAFETY: the host provides the function for this purpose. Handles come from the host,
+            // texts end with NUL, and pointers refer to live variables.
             Some(function) => Status::check(unsafe { function($($argument),*) }),
             None => Err(Status::MISSING_HOST_FEATURE),
         }
@@ -50,7 +51,7 @@ pub(super) struct Suites {
 }
 
 impl Suites {
-    /// Those of this host; messages are not needed.
+    /// Fetches the suites of a host. The message suite is optional.
     pub(super) fn fetch(host: *const OfxHost) -> Result<Self, Status> {
         let host = input::reference(host, "host").map_err(|_| Status::MISSING_HOST_FEATURE)?;
         let needed = Status::MISSING_HOST_FEATURE;
@@ -58,26 +59,26 @@ impl Suites {
             properties: suite(host, PROPERTY_SUITE, 1).ok_or(needed)?,
             parameters: suite(host, PARAMETER_SUITE, 1).ok_or(needed)?,
             meshes: suite(host, MESH_EFFECT_SUITE, 1).ok_or(needed)?,
-            // Version 2 begins as version 1 does.
+            // Version 2 begins with the functions of version 1.
             messages: suite(host, MESSAGE_SUITE, 1).or_else(|| suite(host, MESSAGE_SUITE, 2)),
         })
     }
 
-    /// The properties of an effect, where what cannot be set is not missed.
+    /// The properties of an effect; `None` if the host does not provide them.
     pub(super) fn effect_properties(&self, effect: Handle) -> Option<Properties> {
         let mut handle = ptr::null_mut();
         call!(self.meshes, get_property_set(effect, &raw mut handle)).ok()?;
         Some(self.properties(handle))
     }
 
-    /// Properties by their handle.
+    /// The properties with the given handle.
     pub(super) fn properties(&self, handle: Handle) -> Properties {
         Properties { suite: self.properties, handle }
     }
 
-    /// Defines an input of an effect, or its output.
+    /// Defines an input or the output of an effect.
     pub(super) fn define_input(&self, effect: Handle, name: &CStr) -> Result<Properties, Status> {
-        // Some hosts write to both without looking.
+        // Some hosts write to both pointers without a test for NULL.
         let (mut input, mut handle) = (ptr::null_mut(), ptr::null_mut());
         call!(self.meshes, input_define(effect, name.as_ptr(), &raw mut input, &raw mut handle))?;
         Ok(self.properties(handle))
@@ -90,7 +91,7 @@ impl Suites {
         Ok(Parameters { suites: self, set })
     }
 
-    /// The mesh of an input or of the output; `None` if there is none.
+    /// The mesh of an input or of the output; `None` if it is not connected.
     pub(super) fn mesh(&self, effect: Handle, name: &CStr, time: f64) -> Result<Option<HostMesh<'_>>, Status> {
         let (mut input, mut unused) = (ptr::null_mut(), ptr::null_mut());
         call!(self.meshes, input_get_handle(effect, name.as_ptr(), &raw mut input, &raw mut unused))?;
@@ -105,29 +106,29 @@ impl Suites {
 
     /// Whether the host wants an effect to stop.
     pub(super) fn is_aborted(&self, effect: Handle) -> bool {
-        // SAFETY: a function of the host's for this purpose, and the handle that it gave.
+        // SAFETY: the host provides the function for this purpose, and the handle.
         self.meshes.abort.is_some_and(|abort| unsafe { abort(effect) } != 0)
     }
 
-    /// Tells the user. A host without messages is told by the status alone.
+    /// Shows a message to the user. A host without messages only sees the status.
     pub(super) fn message(&self, effect: Handle, kind: &CStr, text: &str) {
-        // The text is the format itself: nothing follows that could be taken wrongly.
+        // The text itself is the format, with `%` escaped, so that arguments are not needed.
         let format = CString::new(text.replace('%', "%%").replace('\0', " ")).unwrap_or_default();
         let Some(message) = self.messages.and_then(|suite| suite.message) else { return };
-        // SAFETY: a function of the host's for this purpose; the texts end with NUL, and the format
-        // takes no arguments.
+        // SAFETY: the host provides the function for this purpose. The texts end with NUL, and the
+        // format does not take arguments.
         unsafe { message(effect, kind.as_ptr(), c"".as_ptr(), format.as_ptr()) };
     }
 }
 
 fn suite<T>(host: &OfxHost, name: &CStr, version: c_int) -> Option<&'static T> {
-    // SAFETY: a function of the host's for this purpose, with its own handle and a text that ends
+    // SAFETY: the host provides the function for this purpose, with its own handle. The text ends
     // with NUL.
     let suite = unsafe { host.fetch_suite?(host.host, name.as_ptr(), version) };
     input::reference(suite.cast(), "suite").ok()
 }
 
-/// Named values of the host's. Texts are handed over for good: they are static.
+/// Named values of the host. Texts must be static, because the host keeps pointers to them.
 #[derive(Clone, Copy)]
 pub(super) struct Properties {
     suite: &'static PropertySuite,
@@ -168,7 +169,7 @@ impl Properties {
     fn is_text(&self, name: &CStr, wanted: &CStr) -> bool {
         let mut value = ptr::null_mut();
         let found = call!(self.suite, get_string(self.handle, name.as_ptr(), 0, &raw mut value));
-        // SAFETY: not NULL; the host gives a text with a closing NUL.
+        // SAFETY: the pointer is not NULL, and the host provides a NUL-terminated text.
         found.is_ok() && !value.is_null() && unsafe { CStr::from_ptr(value) } == wanted
     }
 }
@@ -180,22 +181,22 @@ pub(super) struct Parameters<'a> {
 }
 
 impl Parameters<'_> {
-    /// Defines one.
+    /// Defines a parameter.
     pub(super) fn define(&self, kind: &CStr, name: &CStr) -> Result<Properties, Status> {
         let mut handle = ptr::null_mut();
         call!(self.suites.parameters, define(self.set, kind.as_ptr(), name.as_ptr(), &raw mut handle))?;
         Ok(self.suites.properties(handle))
     }
 
-    /// The value of a double, or a `c_int` of an integer, of a choice, or of a boolean. What the
-    /// host leaves alone stays as it is.
+    /// Reads the value of a double, or the `c_int` of an integer, choice or boolean. `value`
+    /// remains unchanged if the host does not write to it.
     pub(super) fn value<T>(&self, name: &CStr, time: f64, value: &mut T) -> Result<(), Status> {
         let value: *mut T = value;
         let (suite, handle) = (self.suites.parameters, self.handle(name)?);
         call!(suite, get_value_at_time(handle, time, value)).or_else(|_| call!(suite, get_value(handle, value)))
     }
 
-    /// The value of a double of three components.
+    /// Reads the value of a double with three components.
     pub(super) fn double_3d(&self, name: &CStr, time: f64, value: &mut [f64; 3]) -> Result<(), Status> {
         let [x, y, z] = value.each_mut().map(ptr::from_mut);
         let (suite, handle) = (self.suites.parameters, self.handle(name)?);
@@ -209,7 +210,7 @@ impl Parameters<'_> {
     }
 }
 
-/// A mesh of the host's, given back when it is dropped.
+/// A mesh of the host, released on drop.
 pub(super) struct HostMesh<'a> {
     suites: &'a Suites,
     handle: Handle,
@@ -218,24 +219,24 @@ pub(super) struct HostMesh<'a> {
 
 impl Drop for HostMesh<'_> {
     fn drop(&mut self) {
-        // What could be done about a failure is up to the host.
+        // Only the host can handle a failure here.
         let _ = call!(self.suites.meshes, input_release_mesh(self.handle));
     }
 }
 
-/// An array of the host's. Its stride is 0 if all elements are the first.
+/// An array of the host. With stride 0, all elements are equal to the first one.
 pub(super) struct Attribute {
     pub(super) data: *mut c_void,
     pub(super) stride: usize,
 }
 
 impl HostMesh<'_> {
-    /// Memory for as many elements as the properties say.
+    /// Allocates memory for the numbers of elements in the properties.
     pub(super) fn allocate(&self) -> Result<(), Status> {
         call!(self.suites.meshes, mesh_alloc(self.handle))
     }
 
-    /// An attribute of this type.
+    /// Returns an attribute of the given type.
     pub(super) fn attribute(&self, attached: &CStr, name: &CStr, kind: &CStr) -> Result<Attribute, Status> {
         let mut handle = ptr::null_mut();
         call!(self.suites.meshes, mesh_get_attribute(self.handle, attached.as_ptr(), name.as_ptr(), &raw mut handle))?;

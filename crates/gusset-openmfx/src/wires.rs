@@ -1,5 +1,5 @@
-//! Polylines: the standard has no curves, but faces of two corners, which are edges by themselves.
-//! Where two of them meet, a curve goes on.
+//! Polylines. The standard lacks curves, but has faces of two corners, which are loose edges. A
+//! curve continues wherever two of them meet.
 
 use glam::DVec3;
 use gusset::error::Result;
@@ -8,7 +8,7 @@ use gusset::mesh::NONE;
 use gusset_base::alloc;
 use gusset_base::sort::Buckets;
 
-/// Edges, and those at each vertex.
+/// Edges, and the edges at each vertex.
 struct Graph<'a> {
     edges: &'a [[u32; 2]],
     /// The edges at each vertex.
@@ -26,12 +26,12 @@ impl<'a> Graph<'a> {
         self.at.get(vertex as usize)
     }
 
-    /// Curves go on through a vertex of two edges.
-    fn passes(&self, vertex: u32) -> bool {
+    /// True if curves continue through a vertex, because it has two edges.
+    fn is_inner(&self, vertex: u32) -> bool {
         self.edges_at(vertex).len() == 2
     }
 
-    /// Uses an edge at the vertex, and says where it ends.
+    /// Uses an edge at a vertex. Returns its other end.
     fn step(&mut self, vertex: u32) -> Option<u32> {
         let edge = *self.edges_at(vertex).iter().find(|&&edge| !self.used[edge as usize])?;
         self.used[edge as usize] = true;
@@ -39,8 +39,8 @@ impl<'a> Graph<'a> {
         Some(if a == vertex { b } else { a })
     }
 
-    /// From a vertex along edges not used yet to the next vertex where curves do not go on, or back
-    /// to where it began.
+    /// Follows unused edges from a vertex to the next vertex where curves end, or back to the
+    /// start.
     fn chain(&mut self, from: u32, chain: &mut Vec<u32>) -> Result<()> {
         chain.clear();
         alloc::push(chain, from)?;
@@ -48,7 +48,7 @@ impl<'a> Graph<'a> {
         while let Some(next) = self.step(vertex) {
             alloc::push(chain, next)?;
             vertex = next;
-            if vertex == from || !self.passes(vertex) {
+            if vertex == from || !self.is_inner(vertex) {
                 break;
             }
         }
@@ -56,15 +56,14 @@ impl<'a> Graph<'a> {
     }
 }
 
-/// The curves that edges make up: those with ends first, from the lowest vertex on, then those that
-/// are closed.
-pub(super) fn chained(edges: &[[u32; 2]], vertex_count: usize, place: impl Fn(u32) -> DVec3) -> Result<Curves> {
+/// Chains edges to curves: first open curves, starting from the lowest vertex, then closed ones.
+pub(super) fn chain_edges(edges: &[[u32; 2]], vertex_count: usize, place: impl Fn(u32) -> DVec3) -> Result<Curves> {
     let mut graph = Graph::new(edges, vertex_count)?;
     let mut curves = Curves { offsets: vec![0], ..Curves::default() };
     let mut chain = Vec::new();
     for pass in [false, true] {
         for vertex in 0..vertex_count as u32 {
-            while graph.passes(vertex) == pass {
+            while graph.is_inner(vertex) == pass {
                 graph.chain(vertex, &mut chain)?;
                 if chain.len() < 2 {
                     break;
@@ -99,8 +98,8 @@ pub(super) fn edges(curves: &Curves) -> Result<Vec<[u32; 2]>> {
 mod tests {
     use super::*;
 
-    fn of(edges: &[[u32; 2]], count: usize) -> (Vec<Vec<u32>>, Vec<bool>) {
-        let curves = chained(edges, count, |vertex| DVec3::splat(f64::from(vertex))).unwrap();
+    fn chains_from_edges(edges: &[[u32; 2]], count: usize) -> (Vec<Vec<u32>>, Vec<bool>) {
+        let curves = chain_edges(edges, count, |vertex| DVec3::splat(f64::from(vertex))).unwrap();
         let points: Vec<u32> = curves.points.iter().map(|point| point[0] as u32).collect();
         let chains = curves.offsets.windows(2).map(|ends| points[ends[0] as usize..ends[1] as usize].to_vec());
         (chains.collect(), curves.closed)
@@ -108,18 +107,19 @@ mod tests {
 
     #[test]
     fn edges_are_chained_between_ends_and_junctions() {
-        // A line, a triangle, and a star of three legs, one of two edges; vertex 6 is by itself.
+        // A line, a triangle, and a star of three legs, one of which has two edges; vertex 6 is
+        // isolated.
         let edges = [[2, 0], [0, 1], [3, 4], [5, 4], [3, 5], [7, 8], [9, 7], [7, 10], [10, 11]];
-        let (chains, closed) = of(&edges, 12);
+        let (chains, closed) = chains_from_edges(&edges, 12);
         assert_eq!(chains, [vec![1, 0, 2], vec![7, 8], vec![7, 9], vec![7, 10, 11], vec![3, 4, 5]]);
         assert_eq!(closed, [false, false, false, false, true]);
     }
 
     #[test]
     fn every_edge_is_in_one_curve() {
-        // Two loops that share a vertex, and an edge twice.
+        // Two loops that share a vertex, and a double edge.
         let edges = [[0, 1], [1, 2], [2, 0], [0, 3], [3, 4], [4, 0], [5, 6], [6, 5]];
-        let (chains, closed) = of(&edges, 7);
+        let (chains, closed) = chains_from_edges(&edges, 7);
         let count: usize =
             chains.iter().zip(&closed).map(|(chain, &closed)| chain.len() - 1 + usize::from(closed)).sum();
         assert_eq!(count, edges.len());

@@ -1,28 +1,28 @@
-//! One direction of a grid: the cubic over each interval as sums of six nodes.
+//! One direction of a grid: the cubic over each interval as weighted sums of six nodes.
 //!
-//! Hermite cubics with slopes by finite differences of fourth order, one-sided at open ends, or the
-//! paper's cubics through four nodes (study, 3.1). Weights are stored once for each place of an
-//! interval among its nodes; they sum to 1, and [`Axis::lebesgue`] bounds the sum of their absolute
-//! values, which all bounds of the index rest on.
+//! The cubics are Hermite cubics whose slopes are finite differences of fourth order, one-sided at
+//! open ends; or the paper's cubics through four nodes (study, 3.1). Weights are stored once for
+//! each position of an interval among its nodes, and sum to 1. [`Axis::lebesgue`] bounds the sum of
+//! their absolute values. All bounds of the index use it.
 
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use std::ops::Range;
 
-/// Nodes that a cubic may depend on.
+/// Number of nodes that a cubic may depend on.
 pub(crate) const TAPS: usize = 6;
 
-/// How cubics are drawn through nodes that are one apart in the parameter.
+/// How a cubic interpolates nodes whose parameters are one apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Scheme {
-    /// Cubic Hermite with slopes from five nodes: continuous tangents, fourth order with the
-    /// constant 1/384, and third order in the slopes. Slopes near an open end are taken from the
-    /// five nodes there.
+    /// Cubic Hermite with slopes from five nodes. Tangents are continuous; the surface has fourth
+    /// order with the constant 1/384, and the slopes have third order. Slopes near an open end use
+    /// the five nodes at that end.
     #[default]
     SixTap,
-    /// The cubic through the four nodes round the interval, as the paper has it ("crossings with
-    /// the neighbouring curves"): continuous, fourth order with the constant 3/128; tangents jump
-    /// at nodes.
+    /// The cubic through the four nodes around the interval, as in the paper ("crossings with the
+    /// neighbouring curves"). It is continuous and of fourth order with the constant 3/128, but
+    /// tangents jump at nodes.
     FourPoint,
 }
 
@@ -31,30 +31,31 @@ choices! { for Scheme:
     FourPoint => "Four points", "Bicubic patches through 4 x 4 vertices each, with discontinuous tangents.";
 }
 
-/// The weights that make the four Bézier points of an interval from the nodes round it.
+/// Weights that compute the four Bézier points of an interval from the nodes around it.
 pub(crate) type Weights = [[f64; TAPS]; 4];
 
 /// One direction of a grid.
 #[derive(Debug, Clone)]
 pub(crate) struct Axis {
-    /// Lines of nodes, the repeated one of a closed direction included.
+    /// Number of lines of nodes, including the repeated line of a closed direction.
     lines: usize,
     closed: bool,
     scheme: Scheme,
-    /// By the place of the interval among the nodes that it depends on.
+    /// Indexed by the position of the interval among the nodes that it depends on.
     weights: Box<[Weights; TAPS - 1]>,
     lebesgue: f64,
     outside: f64,
 }
 
 impl Axis {
-    /// Lines that a direction needs: two, or if it is closed three and the first one again.
+    /// The smallest number of lines in a direction: two, or four if it is closed (three and the
+    /// repeated one).
     pub(crate) const fn least_lines(closed: bool) -> usize {
         if closed { 4 } else { 2 }
     }
 
-    /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one
-    /// again.
+    /// `lines` is at least [`Axis::least_lines`]. In a closed direction the last line repeats the
+    /// first one.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
         let mut axis = Axis {
             lines,
@@ -65,7 +66,7 @@ impl Axis {
             outside: 0.0,
         };
         if closed {
-            // All intervals are like those in the middle of a long row.
+            // Every interval has the weights of an interval in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };
             axis.weights[2] = weights(2, TAPS, slopes, 4, scheme);
         } else {
@@ -74,17 +75,17 @@ impl Axis {
                 axis.weights[place] = weights(place, nodes, nodes.min(5), nodes.min(4), scheme);
             }
         }
-        axis.lebesgue = axis.weights.iter().map(|of| most(of, |_| true)).fold(1.0, f64::max);
-        let others = |(place, of)| most(of, |node| node != place && node != place + 1);
+        axis.lebesgue = axis.weights.iter().map(|of| max_weight_sum(of, |_| true)).fold(1.0, f64::max);
+        let others = |(place, of)| max_weight_sum(of, |node| node != place && node != place + 1);
         axis.outside = axis.weights.iter().enumerate().map(others).fold(0.0, f64::max);
         axis
     }
 
-    /// The directions of rows and of columns of nodes.
+    /// The axes in the directions of rows and of columns of nodes.
     ///
     /// # Errors
     /// [`Error::NetTooSmall`] below [`Axis::least_lines`].
-    pub(crate) fn pair([rows, columns]: [usize; 2], closed: [bool; 2], scheme: Scheme) -> Result<[Axis; 2]> {
+    pub(crate) fn new_pair([rows, columns]: [usize; 2], closed: [bool; 2], scheme: Scheme) -> Result<[Axis; 2]> {
         if rows < Axis::least_lines(closed[0]) || columns < Axis::least_lines(closed[1]) {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }
@@ -96,18 +97,18 @@ impl Axis {
         self.lines - 1
     }
 
-    /// True if the last line is the first one again.
+    /// True if the direction is closed: the last line repeats the first one.
     pub(crate) fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// True if the surface goes on with continuous tangents at both ends of interval `cell`.
+    /// True if tangents are continuous at both ends of interval `cell`.
     pub(crate) fn is_smooth_around(&self, cell: usize) -> bool {
         self.is_smooth() && (self.closed || (cell > 0 && cell + 1 < self.cells()))
     }
 
-    /// The lines that interval `cell` depends on, and their weights; lines of weight 0 may repeat
-    /// others.
+    /// The lines that interval `cell` depends on, and their weights. Lines of weight 0 may repeat
+    /// other lines.
     pub(crate) fn taps(&self, cell: usize) -> ([usize; TAPS], &Weights) {
         let mut lines = [0; TAPS];
         if self.closed {
@@ -126,19 +127,20 @@ impl Axis {
         (lines, &self.weights[cell - first])
     }
 
-    /// Where interval `cell` is among the nodes that it depends on.
+    /// The position of interval `cell` among the nodes that it depends on.
     pub(crate) fn place(&self, cell: usize) -> usize {
         let first = cell.saturating_sub(2).min(self.lines.saturating_sub(TAPS));
         if self.closed { 2 } else { cell - first }
     }
 
-    /// The weights of intervals that are at `place` among their nodes; `None` if there are no such.
+    /// The weights of intervals at position `place` among their nodes; `None` if no interval has
+    /// this position.
     pub(crate) fn weights_at(&self, place: usize) -> Option<&Weights> {
         let exists = if self.closed { place == 2 } else { place + 1 < self.lines.min(TAPS) };
         exists.then(|| &self.weights[place])
     }
 
-    /// The weights that make the slope at a line from the lines that they are of.
+    /// The lines that the slope at a line depends on, and their weights.
     pub(crate) fn slope(&self, line: usize) -> ([usize; TAPS], [f64; TAPS]) {
         let cell = if self.closed { line % self.cells() } else { line.min(self.cells() - 1) };
         let (lines, points) = self.taps(cell);
@@ -151,8 +153,8 @@ impl Axis {
         self.scheme == Scheme::SixTap
     }
 
-    /// All lines that a range of intervals depends on, each once.
-    pub(crate) fn lines_of(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
+    /// All lines that a range of intervals depends on, each line once.
+    pub(crate) fn lines_for(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
         let (before, count) = if self.closed {
             let distinct = self.lines - 1;
             (cells.start + 2 * distinct - 2, (cells.len() + TAPS - 1).min(distinct))
@@ -165,21 +167,20 @@ impl Axis {
         (before..before + count).map(move |line| line % modulus)
     }
 
-    /// The largest sum of the absolute values of the weights that an interval gives its nodes.
+    /// The largest sum of the absolute weights of an interval's nodes.
     pub(crate) fn lebesgue(&self) -> f64 {
         self.lebesgue
     }
 
-    /// The largest sum of the absolute values of those that it gives to others than the two at its
-    /// ends.
-    pub(crate) fn outside(&self) -> f64 {
+    /// The largest sum of the absolute weights of an interval's nodes, without the two at its ends.
+    pub(crate) fn outer_lebesgue(&self) -> f64 {
         self.outside
     }
 }
 
-/// The largest sum over some nodes of |w_k(t)|, 0 <= t <= 1, rounded up: over the sixteenths of the
-/// interval, each piece bounded by its Bézier points.
-fn most(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
+/// Upper bound of the sum of |w_k(t)| over selected nodes k, for 0 <= t <= 1. Bounds each sixteenth
+/// of the interval by its Bézier points.
+fn max_weight_sum(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
     let mut worst = 0.0_f64;
     for piece in 0..16 {
         let (from, to) = (f64::from(piece) / 16.0, f64::from(piece + 1) / 16.0);
@@ -201,10 +202,10 @@ fn most(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
     worst * (1.0 + 1e-12)
 }
 
-/// The weights of the interval from node `place` to `place + 1` of `nodes` nodes in a row: slopes
-/// from `five` nodes each, or the cubic through `four`, or as many as there are.
+/// The weights of the interval from node `place` to `place + 1` in a row of `nodes` nodes. Slopes
+/// use `five` nodes each, the cubic `four` nodes.
 fn weights(place: usize, nodes: usize, five: usize, four: usize, scheme: Scheme) -> Weights {
-    // The slope at node `at` of the polynomial through the nodes from `first` on.
+    // The slope at node `at` of the polynomial through `count` nodes, beginning with node `first`.
     let slope = |at: usize, first: usize, count: usize| {
         let mut slope = [0.0; TAPS];
         let (by, rows) = differences(count);
@@ -213,7 +214,7 @@ fn weights(place: usize, nodes: usize, five: usize, four: usize, scheme: Scheme)
     };
     let (start, end) = match scheme {
         Scheme::SixTap => {
-            // As far in the middle of its nodes as the ends allow.
+            // The stencil is as central as the ends of the row allow.
             let central = |at: usize| slope(at, at.saturating_sub(five / 2).min(nodes - five), five);
             (central(place), central(place + 1))
         }
@@ -233,8 +234,8 @@ fn weights(place: usize, nodes: usize, five: usize, four: usize, scheme: Scheme)
     points
 }
 
-/// Row k: the slope at node k of the polynomial through `count` nodes, times the number that is
-/// given with the rows.
+/// Row k gives the slope at node k of the polynomial through `count` nodes, multiplied by the
+/// returned factor.
 fn differences(count: usize) -> (f64, &'static [&'static [f64]]) {
     match count {
         2 => (1.0, &[&[-1.0, 1.0], &[-1.0, 1.0]]),

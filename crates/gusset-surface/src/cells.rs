@@ -1,8 +1,8 @@
-//! Cells of a sheet as searches see them: corners, patches, and bounds of what lies between.
+//! Cells of a sheet as searches see them: corners, patches, and bounds of the surface between them.
 //!
-//! A cell's patch lies within its displacements from the bilinear patch through its corners, and
-//! its tangents within boxes of their control vectors: both follow from control nets, as Bernstein
-//! polynomials are convex combinations of their coefficients.
+//! The displacements of a cell bound the distance of its patch from the bilinear patch through its
+//! corners. Boxes of control vectors bound its tangents. Both bounds follow from the control net,
+//! because a Bernstein polynomial is a convex combination of its coefficients.
 
 use super::Patch;
 use super::subdivision::Field;
@@ -13,16 +13,16 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 use std::ops::Range;
 
-/// Cells in u and in v of a block, the unit of the index.
+/// Rows and columns of cells in a block, the unit of the index.
 pub(crate) const BLOCK: usize = 4;
 
-/// The rows of a row of blocks, or the columns of a column of blocks, of so many.
+/// The cells that belong to one block in a direction with `count` cells.
 #[inline(always)]
 pub(crate) fn block_range(block: usize, count: usize) -> Range<usize> {
     block * BLOCK..count.min((block + 1) * BLOCK)
 }
 
-/// The cells of a block of a sheet of so many rows and columns, row after row.
+/// The cells of a block in a sheet of `rows` x `columns` cells, row by row.
 #[inline]
 pub(crate) fn cells_of_block(
     [row, column]: [usize; 2],
@@ -32,11 +32,11 @@ pub(crate) fn cells_of_block(
     block_range(row, rows).flat_map(move |i| columns.clone().map(move |j| [i, j]))
 }
 
-/// Values that a thread makes at a time.
+/// Number of values that a thread computes in one task.
 const VALUES_PER_TASK: usize = 1 << 10;
 
-/// Values for cells in rows and columns, row after row, on the job's threads: `work` fills those of
-/// a row.
+/// Computes values for all cells on the job's threads, and returns them row by row. `work` fills
+/// the values of one row.
 pub(super) fn by_row<T: Send + Clone + Default>(
     [rows, columns]: [usize; 2],
     stage: &'static str,
@@ -51,7 +51,7 @@ pub(super) fn by_row<T: Send + Clone + Default>(
     Ok(all)
 }
 
-/// [`by_row`], cell by cell.
+/// Computes values like [`by_row`], cell by cell.
 pub(super) fn by_cell<T: Send + Clone + Default>(
     counts: [usize; 2],
     stage: &'static str,
@@ -66,35 +66,36 @@ pub(crate) trait Cells<const N: usize>: Sync {
     /// The numbers of cells in u and in v.
     fn counts(&self) -> [usize; 2];
 
-    /// The corner of cells at (i, j), a point of the surface.
+    /// The corner of cells at (i, j), which is a point of the surface.
     fn corner(&self, i: usize, j: usize) -> DVec3;
 
-    /// The corners of a row of cells of a block, from (i, j) on: those of `count` cells, then the
-    /// last one again.
+    /// The corners along a row of `count` cells from (i, j) onwards. If the block has fewer than
+    /// [`BLOCK`] cells, the last corner repeats.
     #[inline(always)]
     fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
         std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array())
     }
 
-    /// The surface over the cell at (i, j).
+    /// The patch over the cell at (i, j).
     fn patch(&self, i: usize, j: usize) -> Patch<N>;
 
-    /// Where the surface over a cell is, seen from `origin` along two directions.
+    /// The coordinates of the patch over a cell along two directions, relative to `origin`.
     fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<N>; 2] {
         let patch = self.patch(i, j);
         across.map(|direction| Field { c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))) })
     }
 
-    /// True if the surface goes on with continuous tangents over all sides of the cell at (i, j).
+    /// True if tangents are continuous across all sides of the cell at (i, j).
     fn is_smooth_around(&self, _i: usize, _j: usize) -> bool {
         false
     }
 
-    /// For each block in rows of blocks, row after row, a box that contains S - B over all its
-    /// cells: S the surface, B the bilinear patch through the cell's corners, at equal parameters.
+    /// Fills in a box for each block of some rows of blocks, row by row. A box contains S - B over
+    /// all cells of its block, at equal parameters. S is the surface, and B the bilinear patch
+    /// through the cell's corners.
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()>;
 
-    /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
+    /// Fills in boxes that contain S_u and S_v over all cells of each block, except for rounding.
     fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()>;
 }
 
@@ -104,13 +105,13 @@ impl<const N: usize> Patch<N> {
         self.bilinear_differences().map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
     }
 
-    /// A box of the differences from the bilinear patch through the corners, at equal parameters.
+    /// A box of the differences to the bilinear patch through the corners, at equal parameters.
     pub(crate) fn displacements(&self) -> Aabb {
         Aabb::from_points(self.bilinear_differences())
     }
 
-    /// The control points of the difference from the bilinear patch through the corners: those of
-    /// the control nets.
+    /// The control points of the difference to the bilinear patch through the corners, raised to
+    /// the degree of the patch.
     #[inline]
     fn bilinear_differences(&self) -> impl Iterator<Item = DVec3> {
         let at = |k: usize| k as f64 / (N - 1) as f64;
@@ -121,7 +122,7 @@ impl<const N: usize> Patch<N> {
         })
     }
 
-    /// Boxes of S_u and S_v: of their control vectors.
+    /// Boxes of S_u and S_v, computed from their control vectors.
     pub(crate) fn tangents(&self) -> [Aabb; 2] {
         let (degree, p) = ((N - 1) as f64, &self.points);
         let [mut u, mut v] = [Aabb::EMPTY; 2];
@@ -132,7 +133,7 @@ impl<const N: usize> Patch<N> {
         [u, v]
     }
 
-    /// The corners, by u and v.
+    /// The corners, indexed by u and v.
     pub(crate) fn corners(&self) -> [[DVec3; 2]; 2] {
         let (first, last) = (&self.points[0], &self.points[N - 1]);
         [[first[0], first[N - 1]], [last[0], last[N - 1]]]

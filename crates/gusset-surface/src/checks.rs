@@ -1,29 +1,29 @@
-//! Checks of what callers give.
+//! Checks of arguments.
 
 use glam::DVec3;
 use gusset_base::error::{Element, Error, Result};
 use std::borrow::Borrow;
 
-/// A direction's unit vector.
-pub(super) fn direction(given: DVec3, option: &'static str) -> Result<DVec3> {
-    finite(given, option)?;
-    // Neither overflow nor underflow.
+/// Returns the unit vector of a direction.
+pub(super) fn unit_vector(given: DVec3, option: &'static str) -> Result<DVec3> {
+    check_finite(given, option)?;
+    // Scaling first avoids overflow and underflow.
     let largest = given.abs().max_element();
     Error::require(largest > 0.0, option, 0.0)?;
     Ok((given / largest).normalize())
 }
 
-pub(super) fn finite(given: DVec3, option: &'static str) -> Result<()> {
+pub(super) fn check_finite(given: DVec3, option: &'static str) -> Result<()> {
     given.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))
 }
 
-/// Levels, by whatever name, are finite and rise.
-pub(super) fn rising(levels: &[f64], option: &'static str) -> Result<()> {
+/// Checks that levels (planes, angles, values) are finite and strictly increasing.
+pub(super) fn check_ascending(levels: &[f64], option: &'static str) -> Result<()> {
     let rises = |k: usize| levels[k].is_finite() && (k == 0 || levels[k] > levels[k - 1]);
     (0..levels.len()).try_for_each(|k| Error::require(rises(k), option, levels[k]))
 }
 
-/// [`Error::NotFinite`] for the first of some nodes with a coordinate that is NaN or infinite.
+/// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
 pub(super) fn finite_nodes(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Result<()> {
     nodes.into_iter().enumerate().try_for_each(|(index, node)| {
         match node.borrow().to_array().into_iter().find(|x| !x.is_finite()) {
@@ -33,7 +33,7 @@ pub(super) fn finite_nodes(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) 
     })
 }
 
-/// The first `count` of the points of an array, all finite.
+/// Returns the first `count` points of an array, after a check that they are finite.
 pub(super) fn finite_points<'a>(given: &'a [DVec3], count: u64, what: &'static str) -> Result<&'a [DVec3]> {
     let Some(points) = usize::try_from(count).ok().and_then(|count| given.get(..count)) else {
         return Err(Error::ArrayTooShort { what, needed: 24 * count, given: 24 * given.len() as u64 });

@@ -1,7 +1,7 @@
-//! Curves through nodes, drawn by the schemes of surfaces, and coordinate curves of sheets.
+//! Curves through nodes by the schemes of surfaces, and coordinate curves of sheets.
 //!
-//! The paper takes curves as surfaces of one dimension less: points for coordinate curves, arcs for
-//! cells.
+//! The paper treats curves like surfaces with one dimension less: points take the place of
+//! coordinate curves, and arcs of cells.
 
 use super::axis::{Axis, TAPS};
 use super::cells::Cells;
@@ -14,17 +14,17 @@ use gusset_base::geom::bernstein::evaluate;
 use gusset_base::job::Job;
 use gusset_curve::{Curve, CurveView};
 
-/// Segments between two progress reports.
+/// Number of segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
-/// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of
-/// fourth order.
+/// Returns the curve of fourth order through nodes, with one cubic between consecutive nodes. It
+/// uses the interpolation schemes of surfaces.
 ///
-/// `closed`: the last node is the first one again, and the curve goes on there.
+/// If `closed`, the last node repeats the first one, and tangents are continuous there.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four;
-/// [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::NotFinite`]; [`Error::NetTooSmall`] if there are fewer than two nodes, or fewer than
+/// four on a closed curve; [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`]. O(nodes).
 pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme, job: &Job<'_>) -> Result<Curve> {
     if nodes.len() < Axis::least_lines(closed) {
@@ -43,11 +43,11 @@ pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme, job: &Job<'_
         let (lines, weights) = axis.taps(cell);
         [nodes[cell], inner(&weights[1], &lines), inner(&weights[2], &lines), nodes[cell + 1]]
     });
-    joined(segments, axis.cells(), closed, job)
+    join_segments(segments, axis.cells(), closed, job)
 }
 
-/// The curve of segments of equal degree, each of which begins where the one before ends.
-fn joined<const N: usize>(
+/// Joins segments of equal degree, each of which begins where the previous one ends.
+fn join_segments<const N: usize>(
     segments: impl Iterator<Item = [DVec3; N]>,
     count: usize,
     closed: bool,
@@ -68,8 +68,8 @@ fn joined<const N: usize>(
 }
 
 impl Sheet<'_> {
-    /// The coordinate curve at u, which counts rows from 0 to the number of cells in u: a segment
-    /// for each cell along it. Closed if the sheet is closed in v.
+    /// The coordinate curve at constant u, which counts rows of cells from 0. It has a segment for
+    /// each cell along it, and is closed if the sheet is closed in v.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`], [`Error::Cancelled`]. O(cells along the
@@ -78,7 +78,7 @@ impl Sheet<'_> {
         self.coordinate_curve(0, u, job)
     }
 
-    /// The same at v, which counts columns; u runs.
+    /// The coordinate curve at constant v, which counts columns of cells from 0.
     ///
     /// # Errors
     /// As for [`Sheet::row_curve`].
@@ -94,12 +94,12 @@ impl Sheet<'_> {
                 0 => Cells::patch(cells, line, k).transposed(),
                 _ => Cells::patch(cells, k, line),
             };
-            joined((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed, job)
+            join_segments((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed, job)
         })
     }
 }
 
-/// The cell of a parameter that counts cells, and the parameter within it.
+/// The cell of a parameter that counts cells, and the parameter within the cell.
 fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
     Error::require((0.0..=cells as f64).contains(&at), "parameter", at)?;
     let cell = (at as usize).min(cells - 1);

@@ -1,15 +1,17 @@
-//! Boxes of the displacements of a grid's surface from the bilinear patches of its cells, from the
-//! nodes alone, without patches (study, 3.2).
+//! Boxes of the displacements of a grid's surface from the bilinear patches of its cells. They are
+//! computed from the nodes, without patches (study, 3.2).
 //!
-//! Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows; B = (1 - u) L_i(v) + u
-//! L_i+1(v), L_k the chord of C_k. So S - B = sum w_k (C_k - L_k) + (sum w_k L_k - B).
+//! Over a cell, S = sum w_k(u) C_k(v), where C_k are the cubics along six rows. The bilinear patch
+//! is B = (1 - u) L_i(v) + u L_i+1(v), where L_k is the chord of C_k. Therefore S - B = sum w_k
+//! (C_k - L_k) + (sum w_k L_k - B).
 //!
-//! * C_k - L_k is b_1 d_1 + b_2 d_2: d the inner Bézier points from the thirds of the chord, b two
-//!   Bernstein polynomials of degree 3, which sum to 3/4 at most. If all d are in a box, it is in
-//!   3/4 of the box, joined with 0. A sum of such vectors with sum w_k = 1, sum |w_k| <= L is in
-//!   that box, enlarged by (L - 1) / 2 of its size at both ends.
-//! * The second term is linear in v, and at the cell's two columns the same of the cubics across
-//!   the rows.
+//! - C_k - L_k = b_1 d_1 + b_2 d_2. Here d are the differences of the inner Bézier points from the
+//!   thirds of the chord. The factors b are two Bernstein polynomials of degree 3, whose sum is at
+//!   most 3/4. If a box contains all d, then 3/4 of the box, joined with 0, contains C_k - L_k.
+//!   Consider weights with sum w_k = 1 and sum |w_k| <= L. The weighted sum of such vectors lies in
+//!   this smaller box, enlarged by (L - 1) / 2 of its size at both ends.
+//! - The second term is linear in v. At the two columns of the cell, it is the difference between
+//!   cubic and chord across the rows.
 //!
 //! O(nodes), by the vector instructions of `sweep`.
 
@@ -22,42 +24,42 @@ use gusset_base::error::Result;
 use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
-/// Weights that give the inner Bézier points from the thirds of the chord.
-fn bend(weights: &Weights) -> Sums<2> {
+/// Weights that compute the differences of the inner Bézier points from the thirds of the chord.
+fn chord_deviation_weights(weights: &Weights) -> Sums<2> {
     let [start, first, second, end] = weights;
-    let mut bend = [[0.0; TAPS]; 2];
+    let mut deviation = [[0.0; TAPS]; 2];
     for k in 0..TAPS {
         let third = (end[k] - start[k]) / 3.0;
-        bend[0][k] = first[k] - start[k] - third;
-        bend[1][k] = second[k] - end[k] + third;
+        deviation[0][k] = first[k] - start[k] - third;
+        deviation[1][k] = second[k] - end[k] + third;
     }
-    bend
+    deviation
 }
 
-/// The boxes of the blocks of some rows of blocks, row after row.
+/// Computes the displacement boxes of the blocks in some rows of blocks, row by row.
 pub(super) fn displacements(
     nodes: &Nodes<'_>,
     [u, v]: [&Axis; 2],
     block_rows: Range<usize>,
     boxes: &mut [Aabb],
 ) -> Result<()> {
-    let sweep = Sweep { nodes, u, v, sums: bend };
+    let sweep = Sweep { nodes, u, v, sums: chord_deviation_weights };
     let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
-    sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
-    sweep.across_blocks(block_rows, |k, columns, ranges| {
-        let across = ranges.over(columns.start..columns.end + 1);
-        boxes[k] = widened(shrunk(along[k]), u.lebesgue()).sum(shrunk(across));
+    sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
+    sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
+        let across = ranges.bounding_box(columns.start..columns.end + 1);
+        boxes[k] = enlarged_box(three_quarter_box(along[k]), u.lebesgue()).sum(three_quarter_box(across));
     })
 }
 
-/// A box that contains every weighted sum of points of `bounds`, for weights that sum to 1 and whose
-/// absolute values sum to at most `lebesgue`.
-pub(super) fn widened(bounds: Aabb, lebesgue: f64) -> Aabb {
+/// A box that contains every weighted sum of points of `bounds` whose weights sum to 1 and whose
+/// absolute weights sum to at most `lebesgue`.
+pub(super) fn enlarged_box(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
     Aabb { low: bounds.low - more, high: bounds.high + more }
 }
 
 /// 3/4 of a box, joined with 0.
-fn shrunk(bounds: Aabb) -> Aabb {
+fn three_quarter_box(bounds: Aabb) -> Aabb {
     Aabb { low: (0.75 * bounds.low).min(DVec3::ZERO), high: (0.75 * bounds.high).max(DVec3::ZERO) }
 }

@@ -1,7 +1,7 @@
 //! Estimates of interpolation errors, and bounds of flatness and creases.
 //!
-//! The error of a grid's surface is estimated by the quintic through six nodes in a row, against
-//! the scheme's cubic; flatness is bounded by control nets. O(cells), on the job's threads.
+//! The error of a grid's surface is estimated by comparing the scheme's cubic with the quintic
+//! through six nodes in a row. Control nets bound the flatness. O(cells), on the job's threads.
 
 use super::axis::{Axis, TAPS};
 use super::cells::{Cells, by_cell, by_row};
@@ -13,17 +13,18 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 use std::ops::Range;
 
-/// Cells whose normals a thread compares at a time.
+/// Number of cells whose normals a thread compares in one task.
 const CELLS_PER_TASK: usize = 1 << 8;
 
 impl Sheet<'_> {
-    /// For each cell, row after row, an estimate of how far a grid's surface is from the smooth one
-    /// that its nodes were taken from, at equal parameters: what the quintic through six nodes in a
-    /// row says of the scheme's cubic, for rows and for columns, together. No bound: nodes do not
-    /// tell what is between them. Infinite for fewer than 5 nodes in a direction, which tell
-    /// nothing; 0 for sheets whose patches are given.
+    /// Estimates the interpolation error of each cell, row by row. The error is the distance, at
+    /// equal parameters, between a grid's surface and the smooth surface that its nodes were
+    /// sampled from.
     ///
-    /// O(nodes).
+    /// The estimate is the difference between the quintic through six nodes in a row and the
+    /// scheme's cubic, added for rows and columns. It is not a bound, because nodes do not
+    /// determine the surface between them. It is infinite if a direction has fewer than 5 nodes,
+    /// and 0 for sheets of given patches. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -33,10 +34,10 @@ impl Sheet<'_> {
         let Sheet::Grid(grid) = self else {
             return alloc::filled(0.0, rows * columns);
         };
-        let defects = grid.axes().map(Defects::of);
+        let defects = grid.axes().map(QuinticDefects::new);
         by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
-            let along = |row: usize, j: usize| defects[1].along(j, |column| grid.nodes().get(row, column));
-            let across = |column: usize| defects[0].along(i, |row| grid.nodes().get(row, column));
+            let along = |row: usize, j: usize| defects[1].largest_difference(j, |column| grid.nodes().get(row, column));
+            let across = |column: usize| defects[0].largest_difference(i, |row| grid.nodes().get(row, column));
             let mut left = across(0);
             for (j, error) in errors.iter_mut().enumerate() {
                 let right = across(j + 1);
@@ -46,9 +47,9 @@ impl Sheet<'_> {
         })
     }
 
-    /// Bounds of how far the surface over the cell at (i, j) is from the bilinear patch through its
-    /// corners, and from the two triangles that either diagonal makes of them, both at equal
-    /// parameters.
+    /// Bounds the distance between the surface over the cell at (i, j) and two approximations, at
+    /// equal parameters. The first is the bilinear patch through the corners, the second either
+    /// pair of triangles that a diagonal splits the cell into.
     pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
         each_sheet!(self, cells => {
             let patch = Cells::patch(cells, i, j);
@@ -57,14 +58,14 @@ impl Sheet<'_> {
         })
     }
 
-    /// Whether the sides u = 0 and u = 1 of the whole sheet, v = 0 and v = 1 are one point each.
-    /// O(cells at the sides).
+    /// Whether each side of the whole sheet is a single point, in O(cells at the sides). The sides
+    /// are u = 0 and u = 1, then v = 0 and v = 1.
     pub fn poles(&self) -> [[bool; 2]; 2] {
         let last = self.cells().map(|count| count - 1);
         [0, 1].map(|k| [self.line_is_point(k, 0, false), self.line_is_point(k, last[k], true)])
     }
 
-    /// [`Sheet::flatness`] for each cell, row after row. O(cells).
+    /// Computes [`Sheet::flatness`] for each cell, row by row. O(cells).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -73,20 +74,24 @@ impl Sheet<'_> {
         by_cell(self.cells(), "bounding deviations", job, |[i, j]| self.flatness(i, j))
     }
 
-    /// The largest angle between the normals on both sides of borders between cells, at the corners
-    /// and the middle of each border: 0, or rounding, where the surface is smooth. Places without a
-    /// normal do not count. O(cells).
+    /// The largest angle between the normals on both sides of a border between cells, sampled at
+    /// both ends and the middle of each border. It is 0, or rounding, where the surface is smooth.
+    /// Places without a normal are skipped. O(cells).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn crease(&self, job: &Job<'_>) -> Result<f64> {
-        each_sheet!(self, cells => crease_of(cells, self.is_closed(), job))
+        each_sheet!(self, cells => crease_of_cells(cells, self.is_closed(), job))
     }
 }
 
-/// [`Sheet::crease`]: by consecutive cells, each with the next ones in u and in v.
-fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool; 2], job: &Job<'_>) -> Result<f64> {
+/// Computes [`Sheet::crease`]: compares each cell with the next ones in u and in v.
+fn crease_of_cells<const N: usize>(
+    cells: &impl Cells<N>,
+    [closed_u, closed_v]: [bool; 2],
+    job: &Job<'_>,
+) -> Result<f64> {
     let [rows, columns] = cells.counts();
     let in_chunk = |range: Range<usize>| {
         let mut worst = CreaseAngle::default();
@@ -109,8 +114,8 @@ fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool;
     Ok(parts.into_iter().fold(0.0, f64::max))
 }
 
-/// The largest angle so far, and the square of the chord between its unit vectors, which rises with
-/// it and costs less.
+/// The largest angle so far. `chord` is the squared chord between its unit vectors; it increases
+/// with the angle, and is cheaper to compute.
 #[derive(Default)]
 struct CreaseAngle {
     chord: f64,
@@ -118,7 +123,7 @@ struct CreaseAngle {
 }
 
 impl CreaseAngle {
-    /// Compares normals on both sides; those that are 0 do not count.
+    /// Compares the normals on both sides of a border. Skips zero vectors.
     fn join(&mut self, one: [DVec3; 3], other: [DVec3; 3]) {
         for (a, b) in one.into_iter().zip(other) {
             let chord = a.distance_squared(b);
@@ -129,16 +134,16 @@ impl CreaseAngle {
     }
 }
 
-/// The weights of the difference between the quintic and the scheme's cubic in each interval of an
-/// axis, at three parameters.
-struct Defects<'a> {
+/// Weights of the difference between the quintic and the scheme's cubic, at three parameters of
+/// each interval of an axis.
+struct QuinticDefects<'a> {
     axis: &'a Axis,
-    /// By the place of the interval among its nodes; none if there are too few.
+    /// Indexed by the position of the interval among its nodes; `None` if there are too few nodes.
     weights: Option<[[[f64; TAPS]; 3]; TAPS - 1]>,
 }
 
-impl<'a> Defects<'a> {
-    fn of(axis: &'a Axis) -> Self {
+impl<'a> QuinticDefects<'a> {
+    fn new(axis: &'a Axis) -> Self {
         let nodes = if axis.is_closed() { TAPS } else { TAPS.min(axis.cells() + 1) };
         let mut weights = [[[0.0; TAPS]; 3]; TAPS - 1];
         for (place, at) in weights.iter_mut().enumerate() {
@@ -155,11 +160,11 @@ impl<'a> Defects<'a> {
                 }
             }
         }
-        Defects { axis, weights: (nodes >= 5).then_some(weights) }
+        QuinticDefects { axis, weights: (nodes >= 5).then_some(weights) }
     }
 
     /// The largest difference in an interval of a line of nodes.
-    fn along(&self, cell: usize, node: impl Fn(usize) -> DVec3) -> f64 {
+    fn largest_difference(&self, cell: usize, node: impl Fn(usize) -> DVec3) -> f64 {
         let Some(all) = &self.weights else { return f64::INFINITY };
         let nodes = self.axis.taps(cell).0.map(node);
         let difference = |weights: &[f64; TAPS]| weights.iter().zip(&nodes).map(|(&w, &node)| w * node).sum::<DVec3>();

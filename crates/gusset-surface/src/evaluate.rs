@@ -8,41 +8,43 @@ use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
-/// Places that a thread takes at a time.
+/// Number of places that a thread evaluates in one task.
 const PLACES_PER_TASK: usize = 1 << 10;
-/// Tasks between two reports of progress.
+/// Number of tasks between two progress reports.
 const TASKS_PER_STEP: usize = 32;
 
-/// How a surface bends at a point, for its normal: positive where it bends towards the normal.
+/// Curvatures of a surface at a point. They are positive where the surface bends towards its
+/// normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curvatures {
-    /// The greater principal curvature and the lesser.
+    /// The larger and the smaller principal curvature.
     pub principal: [f64; 2],
-    /// Their directions: unit tangents at right angles; at an umbilic any.
+    /// The principal directions: perpendicular unit tangents. At an umbilic, any two perpendicular
+    /// tangents.
     pub directions: [DVec3; 2],
-    /// Half the sum of the principal curvatures.
+    /// The mean curvature: half the sum of the principal curvatures.
     pub mean: f64,
-    /// Their product.
+    /// The Gaussian curvature: the product of the principal curvatures.
     pub gaussian: f64,
 }
 
 /// Derivatives, normal and curvatures at a point of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalGeometry {
-    /// The point and the derivatives, by the parameters of the cell.
+    /// The point and its derivatives with respect to the parameters of the cell.
     pub jet: Jet,
     /// The normal.
     pub normal: Normal,
-    /// The curvatures, where the surface is regular.
+    /// The curvatures; `None` where the surface is not regular.
     pub curvatures: Option<Curvatures>,
 }
 
 impl Jet {
-    /// Principal curvatures and their directions, for the normal S_u x S_v; `None` where the
-    /// surface is not regular.
+    /// Principal curvatures and directions for the normal S_u x S_v; `None` where the surface is
+    /// not regular.
     pub fn principal(&self) -> Option<Curvatures> {
         let normal = self.normal().try_normalize()?;
-        // A basis of the tangent plane at right angles: e = a S_u, f = b S_u + c S_v.
+        // An orthonormal basis of the tangent plane: e = a S_u, f = b S_u + c S_v.
         let e = self.u.try_normalize()?;
         let f = normal.cross(e);
         let a = 1.0 / self.u.length();
@@ -67,15 +69,16 @@ impl Jet {
 }
 
 impl Place {
-    /// The parameters of the whole sheet: those within the cell, and the cell's row and column.
+    /// Parameters in the whole sheet: the cell's row and column plus the parameters within the
+    /// cell.
     pub fn parameters(&self) -> [f64; 2] {
         [f64::from(self.cell[0]) + self.u, f64::from(self.cell[1]) + self.v]
     }
 }
 
 impl Sheet<'_> {
-    /// The cell at parameters of the whole sheet, and the parameters within it: closed directions
-    /// are counted round, what is beyond an open side is on it. `None` for NaN and infinities.
+    /// The cell at parameters of the whole sheet, and the parameters within it. Wraps parameters
+    /// around in closed directions, and clamps them in open ones. `None` for NaN and infinity.
     pub fn locate(&self, u: f64, v: f64) -> Option<([usize; 2], [f64; 2])> {
         let (counts, closed) = (self.cells(), self.is_closed());
         let (mut cell, mut at) = ([0; 2], [0.0; 2]);
@@ -93,19 +96,19 @@ impl Sheet<'_> {
 }
 
 impl Surface<'_> {
-    /// The place of parameters (u, v) of sheet `sheet`: node (i, j) has (i, j). Closed directions
-    /// are counted round, what is beyond an open side is on it.
+    /// The place at parameters (u, v) of a sheet, in which node (i, j) has the parameters (i, j).
+    /// Wraps parameters around in closed directions, and clamps them in open ones.
     ///
     /// # Errors
-    /// [`Error::NoSuch`] if there is no such sheet, or the parameters are not finite.
+    /// [`Error::NoSuch`] if the sheet does not exist, or the parameters are not finite.
     pub fn place(&self, sheet: usize, [u, v]: [f64; 2]) -> Result<Place> {
         let found = if sheet < self.len() { self.sheet(sheet).locate(u, v) } else { None };
         let ([i, j], [u, v]) = found.ok_or(Error::NoSuch { element: Element::Place, index: 0 })?;
         Ok(Place { sheet: sheet as u32, cell: [i as u32, j as u32], u, v })
     }
 
-    /// Whether there is such a place: its sheet and cell exist, and its parameters are 0 to 1.
-    pub fn has(&self, place: &Place) -> bool {
+    /// Whether a place exists: its sheet and cell exist, and its parameters are between 0 and 1.
+    pub fn has_place(&self, place: &Place) -> bool {
         let within = |t: f64| (0.0..=1.0).contains(&t);
         let sheet = place.sheet as usize;
         sheet < self.len() && within(place.u) && within(place.v) && {
@@ -114,7 +117,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Derivatives, normal and curvatures at a place, which the surface must have.
+    /// Derivatives, normal and curvatures at a place. The place must exist.
     pub fn local_geometry(&self, place: Place) -> LocalGeometry {
         let ([i, j], sheet) = (place.cell.map(|k| k as usize), self.sheet(place.sheet as usize));
         let jet = self.jet(place);
@@ -123,13 +126,14 @@ impl Surface<'_> {
         LocalGeometry { jet, normal, curvatures }
     }
 
-    /// The same for many places. O(1) each, but O(cells of the side) at a collapsed side.
+    /// Derivatives, normals and curvatures at many places. O(1) for each place, but O(cells of the
+    /// side) at a collapsed side.
     ///
     /// # Errors
-    /// [`Error::NoSuch`] with the first place that there is not, [`Error::OutOfMemory`],
+    /// [`Error::NoSuch`] with the first place that does not exist, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<LocalGeometry>> {
-        if let Some(index) = places.iter().position(|place| !self.has(place)) {
+        if let Some(index) = places.iter().position(|place| !self.has_place(place)) {
             return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
         let mut all = alloc::with_capacity(places.len())?;

@@ -1,15 +1,15 @@
 //! Best-first branch and bound: a queue of tasks by lower bound, and the loop that opens them.
 //!
-//! Invariant: whatever has been neither settled nor excluded is in the queue, under a lower bound
-//! of all its distances. When the loop ends early, the bound of the first task left is therefore
-//! one of them all. O(log n) a task.
+//! Invariant: every part that is neither settled nor excluded is in the queue, under a lower bound
+//! of all its distances. If the loop ends early, the bound of the first task left is therefore a
+//! lower bound of the remaining distances. O(log n) for each task.
 
 use gusset_base::error::Error;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Tasks that wait, that of the least lower bound first, and among equal bounds that of the least
-/// key; of equal keys any, but the same one for the same history.
+/// Waiting tasks, ordered by lower bound and then by key. The order of equal keys is unspecified,
+/// but deterministic.
 #[derive(Debug)]
 pub(super) struct Frontier<T, K = ()> {
     heap: BinaryHeap<Entry<T, K>>,
@@ -22,7 +22,7 @@ struct Entry<T, K> {
     task: T,
 }
 
-/// The entry of the least bound is the greatest, which the heap gives first.
+/// The entry with the smallest bound compares as the greatest, so that the heap returns it first.
 impl<T, K: Ord> Ord for Entry<T, K> {
     fn cmp(&self, other: &Self) -> Ordering {
         other.bound.total_cmp(&self.bound).then_with(|| other.key.cmp(&self.key))
@@ -54,7 +54,7 @@ impl<T, K: Ord> Frontier<T, K> {
         self.heap.clear();
     }
 
-    /// Adds a task, none of whose distances is less than `bound`.
+    /// Adds a task, all of whose distances are at least `bound`.
     pub(super) fn push(&mut self, bound: f64, key: K, task: T) -> Result<(), Error> {
         let bytes = size_of::<Entry<T, K>>() as u64;
         self.heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
@@ -63,25 +63,26 @@ impl<T, K: Ord> Frontier<T, K> {
     }
 }
 
-/// A search whose tasks are opened by rising lower bounds.
+/// A search that opens its tasks by rising lower bounds.
 pub(super) trait BranchAndBound {
-    /// Something that may hold an answer.
+    /// A part of the search space that may contain a solution.
     type Task;
-    /// The order among equal bounds.
+    /// Orders tasks of equal bound.
     type Key: Ord;
-    /// Why the whole search ends early.
+    /// The reason why the whole search ends early.
     type Stop;
 
-    /// Where tasks wait.
+    /// The queue of waiting tasks.
     fn frontier(&mut self) -> &mut Frontier<Self::Task, Self::Key>;
 
-    /// False if neither a task of this bound nor, therefore, any that waits is worth opening.
+    /// False if the search wants no task with this bound or a higher one.
     fn is_wanted(&mut self, bound: f64) -> bool;
 
-    /// Takes answers from a task, and adds its parts to the frontier.
+    /// Extracts solutions from a task, and adds its parts to the frontier.
     fn branch(&mut self, bound: f64, task: Self::Task) -> Result<(), Self::Stop>;
 
-    /// Opens tasks until none is left or wanted. If tasks are left, the least of their bounds.
+    /// Opens tasks until the queue is empty, or its first task is not wanted. Returns the smallest
+    /// bound of the tasks left, if any.
     fn run(&mut self) -> Result<Option<f64>, Self::Stop> {
         while let Some(Entry { bound, task, .. }) = self.frontier().heap.pop() {
             if !self.is_wanted(bound) {
@@ -97,7 +98,8 @@ pub(super) trait BranchAndBound {
 mod tests {
     use super::*;
 
-    /// Finds the least of numbers by halving ranges of them, and counts what it opens.
+    /// Finds the smallest of some numbers by halving ranges of them, and counts the ranges it
+    /// opens.
     struct LeastNumber<'a> {
         numbers: &'a [f64],
         frontier: Frontier<(usize, usize), usize>,
@@ -134,18 +136,18 @@ mod tests {
     }
 
     #[test]
-    fn exact_bounds_lead_straight_to_the_least() {
+    fn exact_bounds_lead_straight_to_the_smallest_number() {
         let numbers: Vec<f64> = (0..64).map(|k| f64::from(k * 37 % 64)).collect();
         let mut search =
             LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
         search.frontier.push(0.0, 0, (0, 64)).unwrap();
-        // The second least is in a task that is left.
+        // The second smallest number is in a task that is left.
         assert_eq!(search.run().unwrap(), Some(1.0));
         assert_eq!((search.best, search.opened), (0.0, 7));
     }
 
     #[test]
-    fn equal_bounds_come_by_their_keys() {
+    fn equal_bounds_are_ordered_by_key() {
         let mut frontier = Frontier::default();
         for key in [3, 1, 2] {
             frontier.push(0.5, key, ()).unwrap();

@@ -1,9 +1,9 @@
-//! The surface through a grid of nodes, as bicubic Bézier patches made on demand.
+//! The surface through a grid of nodes, as bicubic Bézier patches that are computed on demand.
 //!
-//! Along each direction the scheme of `axis` makes four Bézier points of six nodes; their tensor
-//! product makes the 16 of a patch from 6 x 6 nodes. Invariant: neighbours have the bits of their
-//! common side in common, as it follows from the same nodes by the same operations. O(1) a patch,
-//! and no memory but the nodes.
+//! In each direction the scheme of `axis` computes four Bézier points from six nodes. Their tensor
+//! product gives the 16 control points of a patch from 6 x 6 nodes. Invariant: neighbours agree on
+//! their common side to the last bit, because the same operations compute it from the same nodes.
+//! O(1) for each patch; no memory besides the nodes.
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
@@ -17,8 +17,8 @@ use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 use std::ops::Range;
 
-/// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round
-/// it.
+/// The surface through a grid of nodes. The bicubic patch over each cell depends on the 6 x 6 nodes
+/// around the cell.
 ///
 /// u counts rows and v columns: node (i, j) has the parameters (i, j).
 #[derive(Debug, Clone)]
@@ -29,16 +29,16 @@ pub struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    /// `closed`: whether the surface is closed in u (the last row of nodes is the first one again)
-    /// and in v (columns).
+    /// Creates the surface through `nodes`. `closed` says whether the surface is closed in u (the
+    /// last row of nodes repeats the first one) and in v (columns).
     ///
     /// # Errors
     /// [`NotFinite`](gusset_base::Error::NotFinite);
-    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall) for a closed direction of fewer than three
-    /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart) if a closed
-    /// direction does not end where it begins, with the place of the largest gap.
+    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall) if a closed direction has fewer than three
+    /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart) with the place of
+    /// the largest gap, if a closed direction does not end where it begins.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
-        let [u, v] = Axis::pair([nodes.rows(), nodes.columns()], closed, scheme)?;
+        let [u, v] = Axis::new_pair([nodes.rows(), nodes.columns()], closed, scheme)?;
         nodes.check_finite()?;
         nodes.check_closed(closed)?;
         Ok(Grid { nodes, u, v })
@@ -54,12 +54,12 @@ impl<'a> Grid<'a> {
         [self.u.cells(), self.v.cells()]
     }
 
-    /// Whether it is closed in u and in v.
+    /// Whether the grid is closed in u and in v.
     pub fn is_closed(&self) -> [bool; 2] {
         [self.u.is_closed(), self.v.is_closed()]
     }
 
-    /// The two directions: how the cubics follow from the nodes.
+    /// The two directions, which define how the cubics follow from the nodes.
     pub(crate) fn axes(&self) -> [&Axis; 2] {
         [&self.u, &self.v]
     }
@@ -67,15 +67,15 @@ impl<'a> Grid<'a> {
     /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
     pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
-        // First across the rows, all coordinates of all columns at once, then along them. The outer
-        // points are nodes, or sums over one line of nodes: with the same bits for both cells that
-        // have them in common.
+        // First the sums across the rows, for all coordinates of all columns at once, then along
+        // them. The outer points are nodes, or sums over one line of nodes. Both cells on that line
+        // therefore compute the same bits.
         let direct = rows.map(|row| self.nodes.window(row, &columns));
         let read =
             if direct[0].is_none() { rows.map(|row| self.nodes.read(row, &columns)) } else { [[0.0; 3 * TAPS]; TAPS] };
         let nodes: [&Window; TAPS] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
         let (row, column) = (self.u.place(i), self.v.place(j));
-        let inner = [blended(&row_weights[1], &nodes), blended(&row_weights[2], &nodes)];
+        let inner = [weighted_sum(&row_weights[1], &nodes), weighted_sum(&row_weights[2], &nodes)];
         let mut points = [[DVec3::ZERO; 4]; 4];
         for (points, line) in points.iter_mut().zip([nodes[row], &inner[0], &inner[1], nodes[row + 1]]) {
             *points = bezier(line, column, column_weights);
@@ -84,9 +84,9 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// The sum of lines of nodes by their weights.
+/// The weighted sum of lines of nodes.
 #[inline(always)]
-fn blended(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
+fn weighted_sum(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
     let mut sum = [0.0; 3 * TAPS];
     for (weight, line) in weights.iter().zip(lines) {
         sum.iter_mut().zip(*line).for_each(|(sum, x)| *sum += weight * x);
@@ -133,8 +133,8 @@ impl Cells<4> for Grid<'_> {
         Grid::patch(self, i, j)
     }
 
-    /// The same sums over heights of nodes in place of points: the first and the last of four
-    /// Bézier points are nodes.
+    /// Computes the sums of [`Grid::patch`] for heights of nodes instead of points. The first and
+    /// the last of four Bézier points are nodes.
     fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
         let (from_row, from_column) = (self.u.place(i), self.v.place(j));

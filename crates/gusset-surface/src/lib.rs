@@ -1,9 +1,9 @@
 //! Smooth surfaces through nets of curves, and queries about them.
 //!
 //! The crate follows V. A. Leus, *Carcasses on smooth surfaces* (1976). The paper describes a
-//! surface by a net of coordinate curves, a *carcass*, and searches it by bounds of the diameters of
-//! cells. Here a [`Surface`] is a list of sheets, each with its net and a hierarchical index. The
-//! errata of the paper are in `docs/errata.md` and in [`mod@reference`].
+//! surface by a net of coordinate curves, a *carcass*, and searches it by bounds of the diameters
+//! of cells. Here a [`Surface`] is a list of sheets, each with its net and a hierarchical index.
+//! The errata of the paper are in `docs/errata.md` and in [`mod@reference`].
 //!
 //! | subject | where | task of the paper |
 //! |---|---|---|
@@ -11,18 +11,18 @@
 //! | sheets from curves, splines, tangents, frames | [`construct`] | |
 //! | sheets and their index | [`Surface`] | |
 //! | points, derivatives, normals, curvatures | [`Patch`], [`Jet`], [`Normal`], [`Curvatures`] | |
-//! | nearest points, local minima, cells within a distance | [`Closest`], [`Minima`], [`Region`] | a |
-//! | curves of equal angle, silhouettes | [`contour`] | b |
-//! | hits of lines, rays and curves | [`line_intersection`] | c |
+//! | nearest points, minima, cells within a distance | [`Closest`], [`Minima`], [`Region`] | a |
+//! | isophotes, silhouettes | [`contour`] | b |
+//! | intersections with lines, rays and curves | [`line_intersection`] | c |
 //! | plane sections, contours of functions | [`contour`] | d |
-//! | intersections of two surfaces, and of one with itself | [`surface_intersection`] | e |
-//! | nearest points of a surface and a line, curve or surface that it does not meet | [`Approach`] | c, e |
+//! | intersections of two surfaces; self-intersections | [`surface_intersection`] | e |
+//! | nearest points of a surface and a disjoint line, curve or surface | [`Approach`] | c, e |
 //! | curves on a surface | [`Paths`] | |
 //! | meshes of sheets | [`SurfaceMesh`] | |
-//! | the paper's own search, to compare with | [`mod@reference`] | |
+//! | the paper's own search, for comparison | [`mod@reference`] | |
 //!
-//! Answers are proven for the surface as declared: bounds exclude a cell only if it cannot contain the
-//! answer. An answer whose proof would take too long says so.
+//! Results are proven for the surface as given: a search discards a cell only if bounds show that
+//! the cell cannot contain a solution. If a proof would take too long, the result says so.
 
 mod axis;
 mod cells;

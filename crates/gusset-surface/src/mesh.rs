@@ -1,9 +1,10 @@
 //! Meshes of sheets within a tolerance.
 //!
-//! All cells of a row have equally many parts in u, and all of a column in v, so that neighbours
-//! fit. A triangle with the sides a and b in the parameters is within (M_uu a^2 + 2 M_uv a b + M_vv
-//! b^2) / 8 of the surface, M bounds of the second derivatives (Filip, Magedson and Markot 1986,
-//! "Surface algorithms using bounds on derivatives"); bounds come from control nets.
+//! All cells of a row have the same number of parts in u, and all cells of a column in v, so that
+//! neighbours fit. A triangle with sides a and b in the parameter plane is within (M_uu a^2 + 2
+//! M_uv a b + M_vv b^2) / 8 of the surface, where M bounds the second derivatives (Filip, Magedson
+//! and Markot 1986, "Surface algorithms using bounds on derivatives"). Control nets give the
+//! bounds.
 
 use super::cells::Cells;
 use super::{Patch, Place, Sheet, each_sheet};
@@ -14,20 +15,21 @@ use gusset_base::job::Job;
 use gusset_mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
 use std::ops::Range;
 
-/// How a sheet becomes a mesh.
+/// Options for converting a sheet to a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceMeshOptions {
-    /// How far triangles may be from the surface, at equal parameters; infinite for no demand. More
-    /// than 0.
+    /// Largest distance of triangles from the surface, at equal parameters. Must be positive;
+    /// infinity means no limit.
     pub tolerance: f64,
-    /// The fewest parts of each cell in u and in v; 1 at least.
+    /// Smallest number of parts of each cell in u and in v, at least 1.
     pub least: [u32; 2],
-    /// Triangles only, from (i, j) to (i + 1, j + 1); else quads, and triangles at poles.
+    /// If true, only triangles, with diagonals from (i, j) to (i + 1, j + 1). If false, quads, and
+    /// triangles at poles.
     pub triangles: bool,
 }
 
 impl Default for SurfaceMeshOptions {
-    /// Quads, one a cell.
+    /// Returns options for quads, one for each cell.
     fn default() -> Self {
         SurfaceMeshOptions { tolerance: f64::INFINITY, least: [1, 1], triangles: false }
     }
@@ -36,40 +38,42 @@ impl Default for SurfaceMeshOptions {
 /// The mesh of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMesh {
-    /// The mesh, with points of the surface; faces are counter-clockwise seen from where S_u x S_v
-    /// points to. Seams of closed directions and poles are closed. It has no faces where the sheet
-    /// has no extent.
+    /// The mesh, whose vertices are points of the surface. Faces are counter-clockwise seen from
+    /// the side of S_u x S_v. The mesh is closed at poles and at seams of closed directions. It
+    /// lacks faces where the sheet is degenerate.
     pub mesh: Mesh,
-    /// For each vertex where it is; the sheet is 0.
+    /// The place of each vertex; the sheet is 0.
     pub places: Vec<Place>,
-    /// For each vertex the unit normal; 0 where there is none.
+    /// The unit normal at each vertex; zero where none exists.
     pub normals: Vec<DVec3>,
-    /// A bound of the distance between the surface and the triangles, or either pair of triangles
-    /// of quads, at equal parameters.
+    /// A bound of the distance between the surface and the triangles at equal parameters. For quads
+    /// it holds for either pair of triangles.
     pub deviation: f64,
-    /// The parameter lines that the mesh is made of.
+    /// The parameter lines that form the mesh.
     pub lines: ParameterLines,
 }
 
 /// The parameter lines of the mesh of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterLines {
-    /// The sheet's cells, in u and in v.
+    /// The numbers of the sheet's cells in u and in v.
     pub cells: [usize; 2],
-    /// In u, and in v: the cell and the parameter in it, 0 to 1; those that close the sheet too.
+    /// Lines in u and in v, each by its cell and the parameter within it, 0 to 1. Includes the
+    /// lines that close the sheet.
     pub lines: [Vec<(u32, f64)>; 2],
-    /// For each corner of the mesh the lines that meet there: that of u, times the number of lines in
-    /// v, and that of v. On a seam each face has those of its own side.
+    /// For each face corner, the two lines that meet there, as a single number: the index of the
+    /// line of u, times the number of lines of v, plus the index of the line of v. On a seam, each
+    /// face refers to its own side.
     pub corners: Vec<u32>,
 }
 
 impl ParameterLines {
-    /// The cell that a face lies in, and the parameters of its corners there. `corners`: the face's
-    /// corners of the mesh.
-    pub fn of_face(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
+    /// The cell that contains a face, and the parameters of the face's corners within it. `corners`
+    /// is the range of the face's corners in the mesh.
+    pub fn face_parameters(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
         let across = self.lines[1].len();
         let at = move |corner: usize| [self.corners[corner] as usize / across, self.corners[corner] as usize % across];
-        // Three corners are on both lines of each direction.
+        // Each line of the cell contains at least one of any three corners.
         let first = [0, 1].map(|k| corners.clone().map(|corner| at(corner)[k]).min().unwrap_or(0));
         let cell = [0, 1].map(|k| self.lines[k].get(first[k]).map_or(0, |line| line.0));
         let parameter = move |k: usize, line: usize| match self.lines[k][line] {
@@ -82,10 +86,10 @@ impl ParameterLines {
 
 /// Bounds of the second derivatives S_uu, S_uv, S_vv.
 #[derive(Clone, Copy, Default)]
-struct Bend([f64; 3]);
+struct DerivativeBounds([f64; 3]);
 
-impl Bend {
-    fn of<const N: usize>(patch: &Patch<N>) -> Bend {
+impl DerivativeBounds {
+    fn from_patch<const N: usize>(patch: &Patch<N>) -> DerivativeBounds {
         let (points, degree) = (&patch.points, (N - 1) as f64);
         let mut squares = [0.0_f64; 3];
         for (a, b) in (0..N).flat_map(|a| (0..N).map(move |b| (a, b))) {
@@ -103,10 +107,10 @@ impl Bend {
             }
         }
         let [uu, uv, vv] = squares.map(f64::sqrt);
-        Bend([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
+        DerivativeBounds([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
     }
 
-    /// The deviation of triangles if a cell has m x n parts.
+    /// Bound of the distance between the surface and the triangles, if a cell has m x n parts.
     fn deviation(&self, m: f64, n: f64) -> f64 {
         let [uu, uv, vv] = self.0;
         0.125 * (uu / (m * m) + 2.0 * uv / (m * n) + vv / (n * n))
@@ -114,28 +118,28 @@ impl Bend {
 }
 
 impl Sheet<'_> {
-    /// A mesh of points of the sheet. O(cells + vertices).
+    /// Returns a mesh whose vertices are points of the sheet. O(cells + vertices).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a tolerance that is not more than 0, or no parts;
+    /// [`Error::OptionOutOfRange`] if the tolerance is not positive, or a number of parts is 0;
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require(!options.least.contains(&0), "parts", 0.0)?;
-        let lattice = Lattice::new(self, options, &job.part(0.0, 0.3))?;
+        let lattice = MeshLattice::new(self, options, &job.part(0.0, 0.3))?;
         lattice.mesh(options.triangles, &job.part(0.3, 1.0))
     }
 
-    fn bend(&self, i: usize, j: usize) -> Bend {
-        each_sheet!(self, cells => Bend::of(&Cells::patch(cells, i, j)))
+    fn derivative_bounds(&self, i: usize, j: usize) -> DerivativeBounds {
+        each_sheet!(self, cells => DerivativeBounds::from_patch(&Cells::patch(cells, i, j)))
     }
 }
 
-/// The cell and the parameter of a line.
+/// The cell of a parameter line, and its parameter there.
 type Line = (u32, f64);
 
-/// The lines of one direction, and whether each is one point.
+/// The lines of one direction, and whether each of them is a single point.
 fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<Line>, Vec<bool>)> {
     let is_point = |cell: usize, end: bool| sheet.line_is_point(direction, cell, end);
     let mut lines = alloc::with_capacity(count + 1)?;
@@ -153,19 +157,20 @@ fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Re
     Ok((lines, points))
 }
 
-/// The lines of a mesh on a sheet.
-struct Lattice<'a> {
+/// The parameter lines of a mesh of a sheet.
+struct MeshLattice<'a> {
     sheet: &'a Sheet<'a>,
-    /// In u, and in v; lines that close are not repeated.
+    /// Lines in u and in v, without the lines that close the sheet.
     lines: [Vec<Line>; 2],
-    /// Lines that are one point.
+    /// Whether each line is a single point.
     points: [Vec<bool>; 2],
-    /// If some are in both directions, the first one of v: all of them are one point then.
+    /// If both directions have lines that are single points: the first such line of v. All these
+    /// lines are the same point.
     meeting: Option<usize>,
     deviation: f64,
 }
 
-impl<'a> Lattice<'a> {
+impl<'a> MeshLattice<'a> {
     fn new(sheet: &'a Sheet<'a>, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = sheet.cells();
         let [least_u, least_v] = options.least.map(f64::from);
@@ -175,14 +180,14 @@ impl<'a> Lattice<'a> {
         for i in 0..rows {
             job.step(0.8 * i as f64 / rows as f64, "bounding second derivatives")?;
             for j in 0..columns {
-                let bend = sheet.bend(i, j);
+                let bend = sheet.derivative_bounds(i, j);
                 parts[0][i] = parts[0][i].max(least(bend.0[0]));
                 parts[1][j] = parts[1][j].max(least(bend.0[2]));
                 bends.push(bend);
             }
         }
-        // A quarter of the tolerance goes to S_uu and to S_vv each; twists may need more than these
-        // have asked for.
+        // S_uu and S_vv get a quarter of the tolerance each. Twists may need more parts than these
+        // two ask for.
         for (k, bend) in bends.iter().enumerate() {
             let (i, j) = (k / columns, k % columns);
             let short = 0.5 * bend.0[1] / (options.tolerance * parts[0][i] * parts[1][j]);
@@ -202,11 +207,11 @@ impl<'a> Lattice<'a> {
         let (lines_u, points_u) = lines(sheet, 0, &parts[0], counts[0] as usize)?;
         let (lines_v, points_v) = lines(sheet, 1, &parts[1], counts[1] as usize)?;
         let meeting = if points_u.contains(&true) { points_v.iter().position(|&point| point) } else { None };
-        Ok(Lattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
+        Ok(MeshLattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
     }
 
-    /// The vertex where lines meet, by number of the first lines that meet there.
-    fn first(&self, a: usize, b: usize) -> (usize, usize) {
+    /// The first pair of lines that meet at the vertex where lines a and b meet.
+    fn first_lines(&self, a: usize, b: usize) -> (usize, usize) {
         let (a, b) = (a % self.lines[0].len(), b % self.lines[1].len());
         match (self.points[0][a], self.points[1][b], self.meeting) {
             (false, false, _) => (a, b),
@@ -222,7 +227,7 @@ impl<'a> Lattice<'a> {
         let (mut positions, mut places, mut normals) = (Vec::new(), Vec::new(), Vec::new());
         for a in 0..height {
             job.step(0.8 * a as f64 / height as f64, "evaluating")?;
-            for b in (0..width).filter(|&b| self.first(a, b) == (a, b)) {
+            for b in (0..width).filter(|&b| self.first_lines(a, b) == (a, b)) {
                 let ((i, u), (j, v)) = (self.lines[0][a], self.lines[1][b]);
                 vertices[a * width + b] = positions.len() as u32;
                 alloc::push(&mut positions, self.sheet.jet(i as usize, j as usize, u, v).point.to_array())?;
@@ -254,7 +259,7 @@ impl<'a> Lattice<'a> {
             for b in 0..wide {
                 let [p, q, r, s] = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| {
                     let place = (a * (wide + 1) + b) as u32;
-                    let (a, b) = self.first(a, b);
+                    let (a, b) = self.first_lines(a, b);
                     (vertices[a * width + b], place)
                 });
                 if triangles {

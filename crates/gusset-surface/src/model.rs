@@ -8,27 +8,26 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
 
-/// A place on a surface.
+/// A point of a surface, given by sheet, cell and parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// The sheet.
     pub sheet: u32,
     /// Row and column of the cell.
     pub cell: [u32; 2],
-    /// Parameters within the cell, 0 to 1.
+    /// Parameter u within the cell, 0 to 1.
     pub u: f64,
-    /// The same across.
+    /// Parameter v within the cell, 0 to 1.
     pub v: f64,
 }
 
-/// The greatest absolute coordinate that a sheet of a surface may have: boxes are in single
-/// precision.
+/// Largest absolute coordinate that a sheet may have. Bounding boxes are in single precision.
 pub const LARGEST_COORDINATE: f64 = 1e37;
-/// The least that the greatest absolute coordinate of a sheet of a surface may be, if it is not 0:
-/// boxes of smaller surfaces would be far larger than these.
+/// Smallest value that the largest absolute coordinate of a sheet may have, unless it is 0. Boxes
+/// in single precision would be much too large for a smaller surface.
 pub const SMALLEST_COORDINATE: f64 = 1e-30;
 
-/// A surface and its index. Immutable: any number of threads may ask.
+/// A surface and its index. A surface is immutable, so any number of threads may query it.
 #[derive(Debug)]
 pub struct Surface<'a> {
     sheets: Vec<(Sheet<'a>, Pyramid)>,
@@ -37,16 +36,16 @@ pub struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are
-    /// proved; `None`: 1e-9 of the diagonal of the surface's box.
+    /// Builds the index of one or more sheets.
     ///
-    /// The greatest absolute coordinate of each sheet is from [`SMALLEST_COORDINATE`] to
-    /// [`LARGEST_COORDINATE`], or 0.
+    /// `tolerance` is the length to which results are proven. `None` means 1e-9 times the diagonal
+    /// of the surface's bounding box. The largest absolute coordinate of each sheet must be 0, or
+    /// between [`SMALLEST_COORDINATE`] and [`LARGEST_COORDINATE`].
     ///
     /// # Errors
-    /// [`Error::EmptyMesh`] without sheets, [`Error::SheetOutOfRange`], [`Error::OptionOutOfRange`]
-    /// for a tolerance that is negative or not finite, [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::EmptyMesh`] if `sheets` is empty, [`Error::SheetOutOfRange`],
+    /// [`Error::OptionOutOfRange`] if the tolerance is negative or not finite,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         let mut indexed = alloc::with_capacity(sheets.len())?;
         let mut bounds = Aabb::EMPTY;
@@ -71,7 +70,7 @@ impl<'a> Surface<'a> {
         self.sheets.len()
     }
 
-    /// False: there is a sheet at least.
+    /// Returns false: a surface has at least one sheet.
     pub fn is_empty(&self) -> bool {
         self.sheets.is_empty()
     }
@@ -87,40 +86,41 @@ impl<'a> Surface<'a> {
         (sheet, index)
     }
 
-    /// The corners of a box round the surface.
+    /// The corners of the bounding box of the surface.
     pub fn bounds(&self) -> [DVec3; 2] {
         [self.bounds.low, self.bounds.high]
     }
 
-    /// The length to which answers are proved.
+    /// The length to which results are proven.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// The position and the derivatives at a place, by the parameters of its cell.
+    /// The position and the derivatives at a place, with respect to the parameters of its cell.
     pub fn jet(&self, place: Place) -> Jet {
         let [i, j] = place.cell;
         self.sheet(place.sheet as usize).jet(i as usize, j as usize, place.u, place.v)
     }
 
-    /// The unit normal at a place, or its limit at a pole; 0 if there is none.
+    /// The unit normal at a place, or its limit at a pole; zero if no normal exists.
     pub fn normal(&self, place: Place) -> DVec3 {
         let [i, j] = place.cell;
         self.sheet(place.sheet as usize).normal(i as usize, j as usize, place.u, place.v)
     }
 
-    /// The same, of a place whose derivatives are known.
+    /// The unit normal at a place whose derivatives are known.
     #[inline]
     pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
         jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
     }
 
-    /// True if the tangents at a place give a normal, beyond doubt.
+    /// True if the tangents at a place define a normal in spite of rounding.
     pub(crate) fn is_regular(&self, place: Place) -> bool {
         self.jet(place).regular_normal(self.slope_noise()).is_some()
     }
 
-    /// No less than what derivatives of any patch may be off by for rounding of its control points.
+    /// Upper bound of the error of a patch's derivatives that rounding of its control points
+    /// causes.
     #[inline]
     fn slope_noise(&self) -> f64 {
         1024.0 * f64::EPSILON * self.max_coordinate()
@@ -137,7 +137,7 @@ impl<'a> Surface<'a> {
         self.bounds.diagonal()
     }
 
-    /// The number of corners of cells of all sheets: of grids, their nodes.
+    /// The number of cell corners of all sheets. For grids this is the number of nodes.
     pub fn node_count(&self) -> u64 {
         self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64 + 1).iter().product::<u64>()).sum()
     }
@@ -147,8 +147,8 @@ impl<'a> Surface<'a> {
         self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64).iter().product::<u64>()).sum()
     }
 
-    /// Builds the cones of normals that questions about angles are answered with, if there are none
-    /// yet: else the first such question does. They take about 2/3 of a byte a node. O(nodes).
+    /// Builds the cones of normals, unless they exist. Without this call, the first query about
+    /// angles builds them. They take about 2/3 of a byte for each node. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -156,26 +156,28 @@ impl<'a> Surface<'a> {
         (0..self.len()).try_for_each(|k| self.cones(k, &job.share(k, self.len())).map(|_| ()))
     }
 
-    /// The cones of sheet k, built if there are none yet.
+    /// The cones of sheet k. Builds them if necessary.
     pub(crate) fn cones(&self, k: usize, job: &Job<'_>) -> Result<&Cones> {
         let (sheet, index) = &self.sheets[k];
         each_sheet!(sheet, cells => index.cones(cells, job))
     }
 
-    /// A cone that contains all unit normals of a block of a sheet, limits at poles too. Block (r,
-    /// c) of level k has the cells from row 4 r 2^k and column 4 c 2^k on, 4 * 2^k of each or as
-    /// many as there are. `None` if there is no such block, or cones were not built; the last level
-    /// has two rows and columns of blocks at most.
+    /// A cone that contains all unit normals of a block of a sheet, including the limits at poles.
+    ///
+    /// Block (r, c) of level k starts at the cell in row 4 r 2^k and column 4 c 2^k. It has 4 * 2^k
+    /// rows and columns of cells, or fewer at the end of the sheet. The last level has at most two
+    /// rows and two columns of blocks. Returns `None` if the block does not exist, or if the cones
+    /// were not built.
     pub fn normal_cone(&self, sheet: usize, level: usize, [r, c]: [usize; 2]) -> Option<NormalCone> {
         self.sheets.get(sheet)?.1.known_cones()?.get(level, r, c)
     }
 
-    /// Bytes of the cones of normals: 0 before they are built.
+    /// Size of the cones of normals in bytes; 0 before they are built.
     pub fn cone_bytes(&self) -> usize {
         self.sheets.iter().filter_map(|(_, index)| index.known_cones()).map(Cones::bytes).sum()
     }
 
-    /// Bytes of the index without the cones.
+    /// Size of the index in bytes, without the cones.
     pub fn index_bytes(&self) -> usize {
         self.sheets.iter().map(|(_, index)| index.bytes()).sum()
     }
@@ -183,7 +185,7 @@ impl<'a> Surface<'a> {
 
 #[cfg(test)]
 impl Surface<'_> {
-    /// Builds cones that tell nothing, as if there were none.
+    /// Builds cones that exclude nothing, so that searches run as if without cones.
     pub(crate) fn disable_cones(&mut self, job: &Job<'_>) -> Result<()> {
         self.build_cones(job)?;
         self.sheets.iter_mut().for_each(|(_, index)| index.disable_cones());
@@ -191,9 +193,9 @@ impl Surface<'_> {
     }
 }
 
-/// [`Error::SheetOutOfRange`] for a sheet whose box has no fit in single precision.
+/// Returns [`Error::SheetOutOfRange`] if single precision cannot hold the sheet's bounding box.
 fn check_range(sheet: usize, bounds: Aabb) -> Result<()> {
-    // NaN, which comes of overflows, is out of range too.
+    // Overflows produce NaN, which is out of range too.
     let largest = [bounds.low, bounds.high]
         .iter()
         .flat_map(|corner| corner.abs().to_array())

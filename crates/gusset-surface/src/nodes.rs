@@ -1,4 +1,4 @@
-//! The nodes of a grid: a strided view of the caller's numbers, or shared ones.
+//! The nodes of a grid: a strided view of the caller's numbers, or a shared copy.
 
 use super::axis::TAPS;
 use super::checks::finite_nodes;
@@ -13,7 +13,7 @@ pub const MAX_NODES: u64 = (1 << 31) - 1;
 /// Coordinates of six nodes.
 pub(super) type Window = [f64; 3 * TAPS];
 
-/// The caller's numbers, or shared ones: copies of a sheet share them.
+/// The caller's numbers, or numbers that copies of a sheet share.
 #[derive(Debug, Clone)]
 enum Data<'a> {
     Borrowed(&'a [f64]),
@@ -32,7 +32,7 @@ impl std::ops::Deref for Data<'_> {
     }
 }
 
-/// Nodes in rows: x, y, z of node (i, j) begin at number `i * row_stride + j * column_stride`.
+/// Nodes in rows: x, y, z of node (i, j) begin at index `i * row_stride + j * column_stride`.
 #[derive(Debug, Clone)]
 pub struct Nodes<'a> {
     data: Data<'a>,
@@ -43,8 +43,8 @@ pub struct Nodes<'a> {
 }
 
 impl<'a> Nodes<'a> {
-    /// Nodes in the caller's memory, or owned. Strides are in numbers; 0 stands for nodes and rows
-    /// without gaps.
+    /// Creates a view of nodes in the caller's memory, or takes ownership of them. Strides count
+    /// numbers, not bytes; 0 means contiguous nodes or rows.
     ///
     /// # Errors
     /// [`Error::NetTooSmall`] below 2 x 2, [`Error::TooLarge`], [`Error::StrideTooSmall`],
@@ -100,19 +100,20 @@ impl<'a> Nodes<'a> {
         DVec3::from_slice(&self.data[at..at + 3])
     }
 
-    /// K numbers from node (i, j) on, if nodes of a row have no gaps and there are as many.
+    /// `K` numbers that begin with node (i, j), if the nodes of a row are contiguous and K numbers
+    /// exist.
     #[inline(always)]
     pub(super) fn packed<const K: usize>(&self, i: usize, j: usize) -> Option<&[f64; K]> {
         if self.column_stride == 3 { self.data[i * self.row_stride + 3 * j..].first_chunk() } else { None }
     }
 
-    /// The coordinates of six nodes of a row in place, if they are contiguous.
+    /// The coordinates of six nodes of a row without a copy, if the nodes are contiguous.
     #[inline(always)]
     pub(super) fn window(&self, i: usize, columns: &[usize; TAPS]) -> Option<&Window> {
         if columns[TAPS - 1] == columns[0] + TAPS - 1 { self.packed(i, columns[0]) } else { None }
     }
 
-    /// Nodes by row and column, each as four numbers for vector instructions: the fourth is
+    /// Returns a function that reads a node as four numbers for vector instructions. The fourth is
     /// padding.
     #[inline(always)]
     pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
@@ -126,7 +127,7 @@ impl<'a> Nodes<'a> {
         }
     }
 
-    /// The coordinates of six nodes of a row, copied.
+    /// Copies the coordinates of six nodes of a row.
     #[inline(always)]
     pub(super) fn read(&self, i: usize, columns: &[usize; TAPS]) -> Window {
         let mut window = [0.0; 3 * TAPS];
@@ -137,20 +138,20 @@ impl<'a> Nodes<'a> {
         window
     }
 
-    /// The coordinates of a row, if its nodes have no gaps.
+    /// The coordinates of a row, if its nodes are contiguous.
     #[inline]
     pub(super) fn packed_row(&self, i: usize) -> Option<&[f64]> {
         let at = i * self.row_stride;
         (self.column_stride == 3).then(|| &self.data[at..at + 3 * self.columns])
     }
 
-    /// [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
+    /// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
     pub(crate) fn check_finite(&self) -> Result<()> {
         finite_nodes((0..self.rows).flat_map(|i| (0..self.columns).map(move |j| self.get(i, j))))
     }
 
-    /// [`Error::SidesApart`] with the place of the largest gap, unless the last line of each closed
-    /// direction is the first one again.
+    /// Returns [`Error::SidesApart`] with the place of the largest gap, unless the last line of
+    /// each closed direction repeats the first one.
     pub(super) fn check_closed(&self, [closed_u, closed_v]: [bool; 2]) -> Result<()> {
         let gap = |a: [usize; 2], b: [usize; 2]| self.get(a[0], a[1]).distance(self.get(b[0], b[1]));
         if closed_u {

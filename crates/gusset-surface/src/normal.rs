@@ -1,9 +1,10 @@
-//! Unit normals, also where the tangents do not give one.
+//! Unit normals, also where the tangents do not define one.
 //!
-//! Where S_u x S_v = 0, as where a side of a patch is one point, the normal is the limit along the
-//! coordinate lines into the patch. Along such a line S_u and S_v are polynomials, and so is their
-//! product; the direction of its first coefficient that is not 0 is the limit. From different lines
-//! the limits may differ, as at the tip of a cone: that is their spread.
+//! S_u x S_v = 0 where, for example, a side of a patch is a single point. There the normal is the
+//! limit along a coordinate line into the patch. Along the line S_u and S_v are polynomials, and so
+//! is their product; the direction of its first nonzero coefficient is the limit. Limits along
+//! different lines may differ, as at the apex of a cone. Their largest difference is called the
+//! spread.
 
 use super::cells::Cells;
 use super::patch::regular_normal;
@@ -11,27 +12,27 @@ use super::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::geom::bernstein::{binomial_row, evaluate, evaluate_with_slope, restrict};
 
-/// Where a normal is from.
+/// How a normal was obtained.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum NormalKind {
-    /// The tangents span a plane, and this is its normal.
+    /// The tangents span a plane, whose normal this is.
     Regular,
-    /// They do not; it is the limit along a coordinate line.
+    /// The tangents do not span a plane. The normal is the limit along a coordinate line.
     Limit,
-    /// There is none.
+    /// No normal exists.
     None,
 }
 
 /// The normal at a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Normal {
-    /// Of length 1, to the side of S_u x S_v; 0 if there is none.
+    /// Unit vector in the direction of S_u x S_v; zero if no normal exists.
     pub direction: DVec3,
-    /// Where it is from.
+    /// How the normal was obtained.
     pub kind: NormalKind,
-    /// Of limits: the largest angle to the limits along other coordinate lines to the same point of
-    /// the sheet. Small for a pole of a smooth surface, where it is an error of the interpolant;
-    /// large for the tip of a cone, which has no normal.
+    /// For a limit: the largest angle to the limits at the same point along other coordinate lines.
+    /// At the pole of a smooth surface the spread is small, and an error of the interpolant. It is
+    /// large at the apex of a cone, where the surface lacks a normal.
     pub spread: f64,
 }
 
@@ -45,23 +46,23 @@ pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
 }
 
 impl<const N: usize> Patch<N> {
-    /// Derivatives up to this may be rounding of control points.
+    /// Length up to which a derivative may be rounding of control points.
     pub(super) fn noise(&self) -> f64 {
         let largest = self.points.as_flattened().iter().fold(DVec3::ZERO, |most, p| most.max(p.abs()));
         (4 * N * N) as f64 * f64::EPSILON * largest.max_element()
     }
 
-    /// True if the side u = 0 (or 1, if `end`) is one point.
+    /// True if the side u = 0 (u = 1 if `end`) is a single point.
     pub(super) fn side_is_point(&self, end: bool) -> bool {
         let side = &self.points[if end { N - 1 } else { 0 }];
         let noise = self.noise();
         side.iter().all(|p| p.distance(side[0]) <= noise)
     }
 
-    /// True if S_u x S_v cannot be told from 0 anywhere, as of a patch that is a curve or a point.
+    /// True if S_u x S_v vanishes everywhere within rounding: the patch is a curve or a point.
     ///
-    /// Its control vectors are sums of products of those of S_u and S_v, with the products of their
-    /// binomials as weights.
+    /// The control vectors of the product are sums of products of the control vectors of S_u and
+    /// S_v, weighted by products of binomials.
     pub(super) fn has_no_area(&self) -> bool {
         let p = &self.points;
         let step_u = |a: usize, b: usize| p[a + 1][b] - p[a][b];
@@ -85,7 +86,7 @@ impl<const N: usize> Patch<N> {
         })
     }
 
-    /// The unit normal and whether it is regular; 0 if there is none.
+    /// The unit normal, and whether the surface is regular; zero if no normal exists.
     fn normal(&self, u: f64, v: f64) -> Normal {
         let (jet, noise) = (self.jet(u, v), self.noise());
         if let Some(direction) = jet.regular_normal(noise) {
@@ -101,8 +102,8 @@ impl<const N: usize> Patch<N> {
         }
     }
 
-    /// The unit normals at the ends and the middle of a side: u = 0, or 1 if `end`; if `across` v =
-    /// 0, or 1. 0 where there is none.
+    /// The unit normals at the ends and the middle of the side u = 0 (u = 1 if `end`). If `across`,
+    /// the side is v = 0 or v = 1. A normal is zero where none exists.
     pub(super) fn normals_at_side(&self, across: bool, end: bool) -> [DVec3; 3] {
         let net = if across { self.transposed() } else { *self };
         let (side, next) = if end { (N - 1, N - 2) } else { (0, 1) };
@@ -110,15 +111,15 @@ impl<const N: usize> Patch<N> {
         let steps: [DVec3; N] = std::array::from_fn(|k| (net.points[next][k] - net.points[side][k]) * from_side);
         let (noise, at) = (self.noise(), f64::from(u8::from(end)));
         [0.0, 0.5, 1.0].map(|t| {
-            // Turned where it is a step back, and with the order of the tangents.
+            // `from_side` corrects the sign for steps backwards, and for the order of the tangents.
             let (off, along) = (evaluate(&steps, t), evaluate_with_slope(&net.points[side], t)[1]);
             let [u, v] = if across { [t, at] } else { [at, t] };
             regular_normal(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
         })
     }
 
-    /// The limit of the unit normal along the line of constant v, from the side with more room; 0
-    /// if the normal is 0 all along it.
+    /// The limit of the unit normal along the line of constant v, from the side with more room;
+    /// zero if the normal vanishes along the whole line.
     fn limit(&self, u: f64, v: f64, noise: f64) -> DVec3 {
         let across = self.points.map(|row| evaluate_with_slope(&row, v));
         let (down, from) = (u > 0.5, if u > 0.5 { 1.0 - u } else { u });
@@ -150,13 +151,14 @@ impl<const N: usize> Patch<N> {
 }
 
 impl Sheet<'_> {
-    /// The unit normal, S_u x S_v, at parameters (u, v) of the cell at (i, j), or its limit along
-    /// the coordinate line where a side of the cell is one point; 0 if there is none.
+    /// The unit normal along S_u x S_v at parameters (u, v) of the cell at (i, j). On a side that
+    /// is a single point, the limit along a coordinate line; zero if no normal exists.
     pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> DVec3 {
         each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v)).direction
     }
 
-    /// The unit normal with what is known of it. O(1), but at a collapsed side O(cells along it).
+    /// The unit normal, how it was obtained, and its spread. O(1), but O(cells along the side) at a
+    /// collapsed side.
     pub fn normal_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
         let mut here = each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v));
         if here.kind == NormalKind::Limit {
@@ -176,7 +178,7 @@ impl Sheet<'_> {
         here
     }
 
-    /// Raises the spread by what other places have.
+    /// Increases the spread by the normals at other places of a cell.
     fn spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
         for [u, v] in places {
             let other = self.normal(i, j, u, v);
@@ -186,8 +188,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// True if a side of a cell is one point: across u (direction 0: u = 0, or 1 if `end`) or
-    /// across v.
+    /// True if a side of a cell is a single point. Direction 0 means the side u = 0 (u = 1 if
+    /// `end`), direction 1 the side v = 0 or v = 1.
     pub(crate) fn side_is_point(&self, direction: usize, i: usize, j: usize, end: bool) -> bool {
         each_sheet!(self, cells => {
             let patch = Cells::patch(cells, i, j);
@@ -195,8 +197,8 @@ impl Sheet<'_> {
         })
     }
 
-    /// True if the whole line of nodes before a row of cells (direction 0) or a column, or after
-    /// it, is one point.
+    /// True if the whole line of nodes before a row (direction 0) or column of cells is a single
+    /// point. If `end`, tests the line after it.
     pub(super) fn line_is_point(&self, direction: usize, cell: usize, end: bool) -> bool {
         (0..self.cells()[1 - direction]).all(|k| {
             let [i, j] = if direction == 0 { [cell, k] } else { [k, cell] };

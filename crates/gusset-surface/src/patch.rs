@@ -10,7 +10,7 @@ pub struct Patch<const N: usize> {
     pub points: [[DVec3; N]; N],
 }
 
-/// Position and derivatives at a point of a patch, by the patch's own parameters.
+/// Position and derivatives at a point of a patch, with respect to the patch's parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet {
     /// S.
@@ -27,8 +27,8 @@ pub struct Jet {
     pub vv: DVec3,
 }
 
-/// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last
-/// three points.
+/// The point and the first two derivatives of a Bézier curve. De Casteljau's algorithm stops at the
+/// last three points.
 fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
     let mut work = *points;
     reduce(&mut work, t, 3);
@@ -48,17 +48,17 @@ impl<const N: usize> Patch<N> {
     #[inline]
     pub fn jet(&self, u: f64, v: f64) -> Jet {
         // First in u, for all columns at once, then in v.
-        let [points, first, second] = self.across(u);
+        let [points, first, second] = self.iso_curve_controls(u);
         let [point, v1, vv] = curve(&points, v);
         let [u1, uv, _] = curve(&first, v);
         let [uu, ..] = curve(&second, v);
         Jet { point, u: u1, v: v1, uu, uv, vv }
     }
 
-    /// The control points, over v, of the curve at u and of its first two derivatives by u: as
-    /// [`curve`], column by column.
+    /// The control points in v of the iso-curve at u, and of its first two derivatives with respect
+    /// to u. Applies [`curve`] to each column.
     #[inline(always)]
-    fn across(&self, u: f64) -> [[DVec3; N]; 3] {
+    fn iso_curve_controls(&self, u: f64) -> [[DVec3; N]; 3] {
         let mut work = self.points;
         let low = 1.0 - u;
         reduce(&mut work, u, 3);
@@ -85,7 +85,7 @@ impl<const N: usize> Patch<N> {
         halves(&self.points).map(|points| Patch { points })
     }
 
-    /// u and v exchanged.
+    /// The patch with u and v exchanged.
     #[must_use]
     pub fn transposed(&self) -> Self {
         let mut turned = *self;
@@ -98,24 +98,24 @@ impl<const N: usize> Patch<N> {
     }
 }
 
-/// The unit normal of the plane that tangents span, if they do.
+/// The unit normal of the tangent plane; `None` if the tangents do not span a plane.
 #[inline]
 pub(super) fn regular_normal(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
     let normal = u.cross(v);
     let (u, v) = (u.length_squared(), v.length_squared());
     let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
-    // The product of tiny tangents may vanish where they do not.
+    // The product of tiny tangents may underflow to zero although neither tangent is zero.
     if spans { normal.try_normalize() } else { None }
 }
 
 impl Jet {
-    /// S_u x S_v, whose length is the area that a unit of the parameters has.
+    /// S_u x S_v. Its length is the area of the surface for one unit of parameter area.
     pub fn normal(&self) -> DVec3 {
         self.u.cross(self.v)
     }
 
-    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not, or
-    /// a tangent is no longer than `noise`.
+    /// The unit normal along S_u x S_v. Returns `None` if the surface is singular or nearly
+    /// singular there, or if a tangent is not longer than `noise`.
     #[inline]
     pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
         regular_normal(self.u, self.v, noise)

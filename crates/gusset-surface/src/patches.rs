@@ -1,4 +1,4 @@
-//! Sheets of given Bézier patches.
+//! Sheets of Bézier patches that the caller gives.
 
 use super::Patch;
 use super::cells::{BLOCK, Cells, cells_of_block};
@@ -11,14 +11,14 @@ use gusset_base::geom::bernstein::elevate;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The greatest degree of a patch.
+/// Largest degree of a patch.
 pub const MAX_DEGREE: usize = 7;
 
-/// `rows x columns` Bézier patches of degree N - 1, row after row; neighbours share their sides, or
-/// nearly.
+/// `rows x columns` Bézier patches of degree N - 1, row by row. Neighbours share their sides,
+/// exactly or nearly.
 #[derive(Debug, Clone)]
 pub struct Patches<const N: usize> {
-    /// Not a slice: that would be a copy of what may be gigabytes.
+    /// A shared vector rather than a shared slice, whose construction would copy the patches.
     patches: Arc<Vec<Patch<N>>>,
     rows: usize,
     columns: usize,
@@ -26,23 +26,25 @@ pub struct Patches<const N: usize> {
     origin: Option<Arc<Origin>>,
 }
 
-/// The spline that patches were made of.
+/// The spline from which patches were converted.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Origin {
-    /// A bound of the distance from it at equal parameters, but for rounding if it is 0.
+    /// A bound of the distance to the spline at equal parameters. If the bound is 0, rounding may
+    /// add to it.
     pub(crate) deviation: f64,
-    /// The parameters of the borders of cells, in u and in v.
+    /// The spline's parameters at the borders of cells, in u and in v.
     pub(crate) knots: [Vec<f64>; 2],
 }
 
 impl<const N: usize> Patches<N> {
-    /// From control nets, one after the other: each `(degree_u + 1) * (degree_v + 1)` points, u by
-    /// u; lower degrees are raised to N - 1, which changes nothing but for rounding.
+    /// Creates patches from control nets, one after the other. Each net has `(degree_u + 1) *
+    /// (degree_v + 1)` points, u by u. Lower degrees are raised to N - 1, which changes the surface
+    /// only by rounding.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a degree of 0 or above N - 1, [`Error::EmptyMesh`] without
-    /// patches, [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the
-    /// control point, [`Error::OutOfMemory`].
+    /// [`Error::OptionOutOfRange`] if a degree is 0 or above N - 1, [`Error::EmptyMesh`]
+    /// without patches, [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with
+    /// the control point, [`Error::OutOfMemory`].
     pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
         degrees.iter().try_for_each(|&degree| Error::require((1..N).contains(&degree), "degree", degree as f64))?;
         let each = (degrees[0] + 1) * (degrees[1] + 1);
@@ -53,12 +55,12 @@ impl<const N: usize> Patches<N> {
         }
         Error::check_count("control points", total, super::MAX_NODES)?;
         let points = finite_points(points, total, "control points")?;
-        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::raised(net, degrees)))?;
-        Ok(Self::of(patches, rows, columns))
+        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::elevated(net, degrees)))?;
+        Ok(Self::from_patches(patches, rows, columns))
     }
 
-    /// `rows * columns` patches, at least one.
-    pub(crate) fn of(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
+    /// Creates a sheet of `rows * columns` patches. At least one patch is required.
+    pub(crate) fn from_patches(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
         let mut made = Patches { patches: Arc::new(patches), rows, columns, closed: [false, false], origin: None };
         let closed_u = |j: usize| made.get(0, j).points[0] == made.get(rows - 1, j).points[N - 1];
         let closed_v = |i: usize| {
@@ -69,12 +71,12 @@ impl<const N: usize> Patches<N> {
         made
     }
 
-    /// The same patches, with what they were made of.
-    pub(crate) fn with(self, origin: Origin) -> Self {
+    /// Returns the patches with a record of the spline they were converted from.
+    pub(crate) fn with_origin(self, origin: Origin) -> Self {
         Patches { origin: Some(Arc::new(origin)), ..self }
     }
 
-    /// What they were made of, if that was a spline.
+    /// The spline that the patches were converted from, if any.
     pub(crate) fn origin(&self) -> Option<&Origin> {
         self.origin.as_deref()
     }
@@ -84,8 +86,8 @@ impl<const N: usize> Patches<N> {
         [self.rows, self.columns]
     }
 
-    /// Whether it is closed in u and in v: three cells at least, and the control points of the last
-    /// side are those of the first one.
+    /// Whether the sheet is closed in u and in v. A closed direction has at least three cells, and
+    /// the control points of its last side equal those on its first one.
     pub fn is_closed(&self) -> [bool; 2] {
         self.closed
     }
@@ -97,8 +99,8 @@ impl<const N: usize> Patches<N> {
 }
 
 impl<const N: usize> Patch<N> {
-    /// A control net of lower degrees as one of degree N - 1.
-    pub(crate) fn raised(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
+    /// Raises a control net of lower degrees to degree N - 1.
+    pub(crate) fn elevated(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
         let mut points = [[DVec3::ZERO; N]; N];
         for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
             row[..=q].copy_from_slice(given);
@@ -129,8 +131,8 @@ impl<const N: usize> Cells<N> for Patches<N> {
         for (k, bounds) in boxes.iter_mut().enumerate() {
             for [i, j] in cells_of_block([block_rows.start + k / across, k % across], self.counts()) {
                 let patch = self.get(i, j);
-                // From the bilinear patch through the corners that searches see, which are a
-                // neighbour's where sides differ.
+                // The bilinear patch uses the corners that searches see. Where sides differ, they
+                // are a neighbour's corners.
                 let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
                 let corners = patch.corners();
                 let gap = Aabb::from_points(corners.as_flattened().iter().zip(seen).map(|(&own, seen)| own - seen));

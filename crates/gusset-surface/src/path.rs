@@ -1,4 +1,4 @@
-//! Curves on a surface: the form of sections, contours and intersections.
+//! Curves on a surface: the result of sections, contours and intersections.
 
 use super::Place;
 use glam::DVec3;
@@ -6,63 +6,66 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use std::ops::Range;
 
-/// Polylines whose points lie on the surface, one after the other.
+/// Polylines with points on the surface, one after the other.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Paths {
     /// 0, then the end of each path among the points.
     pub ends: Vec<u32>,
-    /// By path: true if it returns to its first point, which is not repeated.
+    /// For each path, whether it returns to its first point. The point is not repeated.
     pub closed: Vec<bool>,
-    /// Where the points are.
+    /// The places of the points.
     pub places: Vec<Place>,
     /// The points.
     pub points: Vec<DVec3>,
-    /// The unit normals there; 0 where there is none.
+    /// The unit normals at the points; zero where none exists.
     pub normals: Vec<DVec3>,
-    /// By path: the number of its plane, level or angle among those of the query; 0 if there was
+    /// For each path, the index of its plane, level or angle in the query; 0 if the query had only
     /// one.
     pub levels: Vec<u32>,
-    /// Of intersections of two surfaces: where the points are on the other one; else empty.
+    /// For intersections of two surfaces, the places of the points on the second surface; else
+    /// empty.
     pub others: Vec<Place>,
-    /// Cells in which something may be that could not be resolved: tangency, or pieces smaller than
-    /// the tolerance.
+    /// Cells that may contain unresolved parts of the answer: tangential contacts, or pieces
+    /// smaller than the tolerance.
     pub unresolved: Vec<Place>,
-    /// Of intersections: where the surfaces touch.
+    /// For intersections, where the surfaces touch.
     pub contacts: Vec<Contact>,
 }
 
-/// What surfaces have in common where they touch.
+/// The common part of two surfaces where they touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactKind {
-    /// One point: all round it they are apart, or deeper in each other by less than the tolerance.
+    /// A single point. Around it the surfaces are apart, or penetrate each other by less than the
+    /// tolerance.
     Point,
-    /// A point where two branches of the intersection cross, or pass it within the tolerance.
+    /// A point where two branches of the intersection cross, or pass within the tolerance of it.
     Crossing,
 }
 
-/// A place where two surfaces touch, to the tolerance: their normals there are parallel.
+/// A place where two surfaces touch within the tolerance. Their normals there are parallel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// What is there.
+    /// The kind of contact.
     pub kind: ContactKind,
-    /// Where it is on the first surface.
+    /// The place on the first surface.
     pub place: Place,
-    /// Where it is on the second one.
+    /// The place on the second surface.
     pub other: Place,
-    /// How far the first surface is above the second one, along the normal of the first.
+    /// Signed height of the first surface above the second one, along the normal of the first one.
     pub gap: f64,
-    /// Near the contact, points of the one surface that are within the tolerance of the other one
-    /// are within this distance of it, but for those on branches that cross there.
+    /// Near the contact, all points of one surface that are within the tolerance of the other one
+    /// lie within this distance of the contact. Points on branches that cross there are the
+    /// exception.
     pub radius: f64,
 }
 
 impl Paths {
-    /// How many there are.
+    /// The number of paths.
     pub fn len(&self) -> usize {
         self.closed.len()
     }
 
-    /// True if there are none.
+    /// True if there are no paths.
     pub fn is_empty(&self) -> bool {
         self.closed.is_empty()
     }
@@ -72,13 +75,13 @@ impl Paths {
         &self.points[self.range(k)]
     }
 
-    /// Where path k is among the points.
+    /// The range of the points of path k.
     pub(crate) fn range(&self, k: usize) -> Range<usize> {
         self.ends[k] as usize..self.ends[k + 1] as usize
     }
 
-    /// Leaves out points of paths of intersections that are no farther than `least` from the one
-    /// before, but for first and last ones: at a pole parameters move and the point does not.
+    /// Removes points of intersection paths that are at most `least` from the previous point,
+    /// except first and last ones. At a pole the parameters move, but the point does not.
     pub(super) fn drop_repeats(&mut self, least: f64) {
         let mut kept = 0;
         for path in 0..self.len() {
@@ -89,7 +92,7 @@ impl Paths {
                 if is_repeat && n + 1 < range.end {
                     continue;
                 }
-                // The last one stays, in place of the one before.
+                // The last point of the path replaces the previous one.
                 kept -= usize::from(is_repeat && kept > first + 1);
                 self.places[kept] = self.places[n];
                 self.others[kept] = self.others[n];
@@ -105,28 +108,28 @@ impl Paths {
         self.normals.truncate(kept);
     }
 
-    /// Makes room for `count` more points.
+    /// Reserves memory for `count` more points.
     pub(super) fn reserve(&mut self, count: usize) -> Result<()> {
         alloc::reserve(&mut self.places, count)?;
         alloc::reserve(&mut self.points, count)?;
         alloc::reserve(&mut self.normals, count)
     }
 
-    /// Adds a point to the path that has not ended.
+    /// Adds a point to the unfinished path.
     pub(super) fn push(&mut self, place: Place, point: DVec3, normal: DVec3) -> Result<()> {
         alloc::push(&mut self.places, place)?;
         alloc::push(&mut self.points, point)?;
         alloc::push(&mut self.normals, normal)
     }
 
-    /// Leaves the first `count` points.
+    /// Keeps only the first `count` points.
     pub(super) fn truncate(&mut self, count: usize) {
         self.places.truncate(count);
         self.points.truncate(count);
         self.normals.truncate(count);
     }
 
-    /// Ends a path with the last point.
+    /// Ends the unfinished path at the last point.
     pub(super) fn end(&mut self, closed: bool, level: u32) -> Result<()> {
         Error::check_count("points of curves", self.points.len() as u64, u32::MAX.into())?;
         alloc::push(&mut self.ends, self.points.len() as u32)?;

@@ -1,4 +1,4 @@
-//! The kinds of sheets, and the macro that treats them alike.
+//! The kinds of sheets, and a macro that treats them alike.
 
 use super::cells::Cells;
 use super::patches::Origin;
@@ -8,15 +8,15 @@ use glam::DVec3;
 /// A piece of surface with rows and columns of cells. Copies share their nodes.
 #[derive(Debug, Clone)]
 pub enum Sheet<'a> {
-    /// Through a grid of nodes.
+    /// The surface through a grid of nodes.
     Grid(Grid<'a>),
-    /// Patches of degree 3 at most.
+    /// Bézier patches of degree 3 or less.
     Cubic(Patches<4>),
-    /// Patches of degree 7 at most.
+    /// Bézier patches of degree 7 or less.
     High(Patches<8>),
 }
 
-/// Does the same with sheets of any kind: `each_sheet!(sheet, cells => body)`.
+/// Runs the same code for a sheet of any kind: `each_sheet!(sheet, cells => body)`.
 macro_rules! each_sheet {
     ($sheet:expr, $cells:ident => $body:expr) => {
         match $sheet {
@@ -34,7 +34,8 @@ impl Sheet<'_> {
         each_sheet!(self, cells => cells.counts())
     }
 
-    /// Whether it is closed in u and in v: the first line of nodes follows on the last but one.
+    /// Whether the sheet is closed in u and in v, so that the first line of cells follows the last
+    /// one.
     pub fn is_closed(&self) -> [bool; 2] {
         each_sheet!(self, cells => cells.is_closed())
     }
@@ -47,14 +48,14 @@ impl Sheet<'_> {
         }
     }
 
-    /// A bound of how far the sheet is from the rational spline that it was made of, at equal
-    /// parameters; rounding is in it. 0 for all other sheets.
+    /// A bound of the distance between the sheet and the rational spline that it was converted
+    /// from, at equal parameters and including rounding. 0 for all other sheets.
     pub fn deviation(&self) -> f64 {
         self.origin().map_or(0.0, |origin| origin.deviation)
     }
 
-    /// The parameters of a spline at the borders of the cells that were made of it, in u and in v;
-    /// between them they run evenly. `None` for sheets that were not made of a spline.
+    /// The spline's parameters at the borders of cells in u and in v, for a sheet that was
+    /// converted from a spline. Parameters are linear within a cell. `None` for other sheets.
     pub fn knots(&self) -> Option<&[Vec<f64>; 2]> {
         self.origin().map(|origin| &origin.knots)
     }
@@ -69,8 +70,8 @@ impl Sheet<'_> {
         each_sheet!(self, cells => Cells::patch(cells, i, j).jet(u, v))
     }
 
-    /// Whether the cells on both sides of the line that closes u, or v, share it to the bit: of
-    /// grids. The sides of patches that are given may differ a little.
+    /// Whether the cells on both sides of the line that closes u, or v, share it to the last bit.
+    /// True for closed grids; the sides of given patches may differ slightly.
     pub(crate) fn seams(&self) -> [bool; 2] {
         if let Sheet::Grid(grid) = self { grid.is_closed() } else { [false; 2] }
     }

@@ -1,7 +1,7 @@
-//! Ranges of sums of six nodes of a line, along all rows of a grid or across them.
+//! Ranges of weighted sums of six nodes of a line, along or across all rows of a grid.
 //!
-//! The sums are Bézier points or differences of them, whose ranges bound the surface without its
-//! patches. Whole rows at once, by vector instructions chosen at run time. O(nodes).
+//! The sums are Bézier points or their differences; their ranges bound the surface without its
+//! patches. Vector instructions, chosen at run time, process whole rows. O(nodes).
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, block_range};
@@ -13,10 +13,10 @@ use gusset_base::geom::aabb::Aabb;
 use gusset_base::simd::{self, Kernel};
 use std::ops::Range;
 
-/// Weights of K sums.
+/// Weights of `K` sums.
 pub(super) type Sums<const K: usize> = [[f64; TAPS]; K];
 
-/// A grid, and which sums belong to an interval of given weights.
+/// A grid, and the sums to bound in an interval of given weights.
 pub(super) struct Sweep<'a, const K: usize> {
     pub(super) nodes: &'a Nodes<'a>,
     pub(super) u: &'a Axis,
@@ -24,7 +24,7 @@ pub(super) struct Sweep<'a, const K: usize> {
     pub(super) sums: fn(&Weights) -> Sums<K>,
 }
 
-/// Lowers and raises ranges to take in sums of six lines each, coordinate by coordinate.
+/// Widens ranges to include sums of six lines, coordinate by coordinate.
 struct Widen<'a, const K: usize> {
     sums: Sums<K>,
     lines: [&'a [f64]; TAPS],
@@ -60,7 +60,7 @@ fn widen<const K: usize>(sums: &Sums<K>, lines: [&[f64]; TAPS], low: &mut [f64],
     }
 }
 
-/// Ranges of coordinates along a row: of cells or of columns.
+/// Ranges of coordinates along a row, one for each cell or each column.
 pub(super) struct Ranges {
     low: Vec<f64>,
     high: Vec<f64>,
@@ -77,9 +77,9 @@ impl Ranges {
         self.high.fill(f64::NEG_INFINITY);
     }
 
-    /// The box of the ranges of some places.
+    /// The bounding box of the ranges of consecutive cells or columns.
     #[inline]
-    pub(super) fn over(&self, places: Range<usize>) -> Aabb {
+    pub(super) fn bounding_box(&self, places: Range<usize>) -> Aabb {
         let mut bounds = Aabb::EMPTY;
         let parts = self.low[3 * places.start..3 * places.end].chunks_exact(3);
         for (low, high) in parts.zip(self.high[3 * places.start..3 * places.end].chunks_exact(3)) {
@@ -90,36 +90,37 @@ impl Ranges {
     }
 }
 
-/// True if a line is a side of one of some cells.
-fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
+/// True if a line is a side of one of the cells.
+fn is_side_of_cells(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
     cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.cells() } else { cells.end }
 }
 
 impl<const K: usize> Sweep<'_, K> {
-    /// Boxes of the sums along the rows that the blocks of some rows of blocks depend on: each row
-    /// once, and then for all blocks that depend on it. `add` receives the number of the block, the
-    /// box over its columns, and whether the row is a side of its cells.
-    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
+    /// Computes boxes of the sums along the rows that rows of blocks depend on. Each row is swept
+    /// once, for all blocks that depend on it. `add` receives the index of the block, the box over
+    /// its columns, and whether the row is a side of its cells.
+    pub(super) fn sweep_rows(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
         let rows = |r: usize| block_range(r, self.u.cells());
         let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
-        // Rows that are closed go on at both ends.
+        // Closed rows continue at both ends.
         let (mut ranges, mut line) = (Ranges::new(cells)?, alloc::with_capacity(3 * (cells + TAPS))?);
-        for row in self.u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
+        for row in self.u.lines_for(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
             ranges.clear();
-            self.along(row, &mut line, &mut ranges);
-            let needed = block_rows.clone().filter(|&r| self.u.lines_of(rows(r)).any(|line| line == row));
-            let needed = alloc::gather(needed.map(|r| (r - block_rows.start, is_own(self.u, &rows(r), row))))?;
+            self.widen_along_row(row, &mut line, &mut ranges);
+            let needed = block_rows.clone().filter(|&r| self.u.lines_for(rows(r)).any(|line| line == row));
+            let needed =
+                alloc::gather(needed.map(|r| (r - block_rows.start, is_side_of_cells(self.u, &rows(r), row))))?;
             for c in 0..across {
-                let found = ranges.over(block_range(c, cells));
+                let found = ranges.bounding_box(block_range(c, cells));
                 needed.iter().for_each(|&(r, own)| add(r * across + c, found, own));
             }
         }
         Ok(())
     }
 
-    /// Ranges, by column, of the sums across the rows of cells of each row of blocks: `each`
-    /// receives the number of a block, its columns of cells, and the ranges.
-    pub(super) fn across_blocks(
+    /// Computes the ranges, by column, of the sums across the rows of cells in each row of blocks.
+    /// `each` receives the index of a block, its columns of cells, and the ranges.
+    pub(super) fn sweep_across_rows(
         &self,
         block_rows: Range<usize>,
         mut each: impl FnMut(usize, Range<usize>, &Ranges),
@@ -128,17 +129,17 @@ impl<const K: usize> Sweep<'_, K> {
         let mut ranges = Ranges::new(cells + 1)?;
         for (k, r) in block_rows.enumerate() {
             ranges.clear();
-            block_range(r, self.u.cells()).for_each(|i| self.across(i, &mut ranges));
+            block_range(r, self.u.cells()).for_each(|i| self.widen_across_rows(i, &mut ranges));
             (0..across).for_each(|c| each(k * across + c, block_range(c, cells), &ranges));
         }
         Ok(())
     }
 
     /// Widens the ranges of cells by the sums along a row.
-    fn along(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
+    fn widen_along_row(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
         let cells = self.v.cells();
-        // All that have the same weights, six nodes from their place on; the row goes on at both
-        // ends if it is closed.
+        // Inner cells share their weights, so that one pass handles them all. A closed row
+        // continues at both ends.
         let inner = if self.v.is_closed() { 0..cells } else { 2.min(cells)..cells.saturating_sub(2).max(2.min(cells)) };
         let node = |j: usize| self.nodes.get(row, j).to_array();
         line.clear();
@@ -166,7 +167,7 @@ impl<const K: usize> Sweep<'_, K> {
     }
 
     /// Widens the ranges of columns by the sums across the rows of interval i.
-    fn across(&self, i: usize, ranges: &mut Ranges) {
+    fn widen_across_rows(&self, i: usize, ranges: &mut Ranges) {
         let (rows, weights) = self.u.taps(i);
         let sums = (self.sums)(weights);
         let packed = rows.map(|row| self.nodes.packed_row(row));

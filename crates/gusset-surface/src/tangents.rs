@@ -1,14 +1,15 @@
-//! Boxes of the tangents S_u and S_v of a grid's surface, from the nodes alone, without patches.
+//! Boxes of the tangents S_u and S_v of a grid's surface, computed from the nodes, without patches.
 //!
-//! Over a cell S = sum w_l(v) C_l(u), C_l the cubics along six lines, so S_u = sum w_l(v) C_l'(u),
-//! and C_l' is within the hull of its three control vectors 3 (b_k+1 - b_k), sums of six nodes
-//! each. Let those of the block's own lines be in a box B, and those of the lines beside it, on
-//! which its cells depend too, no farther than e from B. The weights w_l sum to 1, their absolute
-//! values to L at most, and those of the lines that are not the cell's own two to O at most. So S_u
-//! is in B, enlarged by (L - 1) / 2 of its size at both ends, and by O e.
+//! Over a cell, S = sum w_l(v) C_l(u), where C_l are the cubics along six lines, so S_u = sum
+//! w_l(v) C_l'(u). C_l' lies in the hull of its three control vectors 3 (b_k+1 - b_k), each a sum
+//! of six nodes. Let a box B contain the control vectors on the block's own lines. Let the control
+//! vectors on the adjacent lines that its cells depend on be at most e outside B. The weights w_l
+//! sum to 1, and their absolute values to at most L; without the two lines of the cell itself, to
+//! at most O. S_u therefore lies in B, enlarged by (L - 1) / 2 of its size at both ends, and by O
+//! e.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::displacements::widened;
+use super::displacements::enlarged_box;
 use super::nodes::Nodes;
 use super::sweep::{Sums, Sweep};
 use gusset_base::alloc;
@@ -16,12 +17,12 @@ use gusset_base::error::Result;
 use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
-/// Weights that give the control vectors of the derivative.
-fn steps(weights: &Weights) -> Sums<3> {
+/// Weights that compute the control vectors of the derivative.
+fn derivative_weights(weights: &Weights) -> Sums<3> {
     std::array::from_fn(|b| std::array::from_fn::<_, TAPS, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
 }
 
-/// Boxes of control vectors: on a block's own lines, and on all that its cells depend on.
+/// Boxes of control vectors: on a block's own lines, and on all lines that its cells depend on.
 #[derive(Clone, Copy)]
 struct Spread {
     own: Aabb,
@@ -38,29 +39,29 @@ impl Spread {
         }
     }
 
-    /// Round the sums of lines that lie along `axis`.
+    /// A box of the weighted sums of lines along `axis`.
     fn sums(&self, axis: &Axis) -> Aabb {
-        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outside();
-        let grown = widened(self.own, axis.lebesgue());
+        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outer_lebesgue();
+        let grown = enlarged_box(self.own, axis.lebesgue());
         Aabb { low: grown.low - beside, high: grown.high + beside }
     }
 }
 
-/// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
+/// Computes the boxes of S_u and S_v over the blocks in some rows of blocks, row by row.
 pub(super) fn tangents(
     nodes: &Nodes<'_>,
     [u, v]: [&Axis; 2],
     block_rows: Range<usize>,
     boxes: &mut [[Aabb; 2]],
 ) -> Result<()> {
-    let sweep = Sweep { nodes, u, v, sums: steps };
+    let sweep = Sweep { nodes, u, v, sums: derivative_weights };
     // S_v.
     let mut along = alloc::filled(Spread::EMPTY, boxes.len())?;
-    sweep.along_blocks(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
-    sweep.across_blocks(block_rows, |k, columns, ranges| {
+    sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
+    sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
         let mut across = Spread::EMPTY;
-        across.add(ranges.over(columns.start..columns.end + 1), true);
-        v.lines_of(columns).for_each(|j| across.add(ranges.over(j..j + 1), false));
+        across.add(ranges.bounding_box(columns.start..columns.end + 1), true);
+        v.lines_for(columns).for_each(|j| across.add(ranges.bounding_box(j..j + 1), false));
         boxes[k] = [across.sums(v), along[k].sums(u)];
     })
 }
@@ -73,10 +74,10 @@ mod tests {
     use glam::DVec3;
     use gusset_base::testing::cases;
 
-    /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their
-    /// sides somewhere, or the boxes were too large.
+    /// Random nodes: tangents lie in their boxes for all weights, and come close to a side of them,
+    /// so that the boxes are not too large.
     #[test]
-    fn tangents_are_in_their_boxes() {
+    fn tangents_lie_in_tight_boxes() {
         let mut random = fastrand::Rng::with_seed(7);
         let mut nearest = f64::INFINITY;
         for round in 0..cases(400) as usize {

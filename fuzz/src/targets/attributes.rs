@@ -53,26 +53,26 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
             0 => {
                 let mut done = weld(mesh, &welding, &work)?;
                 done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::of_weld(&done, &rest.part(0.3, 0.6))?;
+                let origins = Origins::from_weld(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             1 => {
                 let mut done = sew(mesh, &welding, &work)?;
                 done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::of_sew(&done, &rest.part(0.3, 0.6))?;
+                let origins = Origins::from_sew(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             2 => {
                 let outward = if way & 16 == 0 { Outward::Keep } else { Outward::Closed };
                 let mut done = orient(mesh, &orient::Options { outward }, &work)?;
                 done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::of_oriented(&done, &rest.part(0.3, 0.6))?;
+                let origins = Origins::from_oriented(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             _ => {
                 let mut done = fill_holes(mesh, Selection::All, &fill::Options::default(), &work)?;
                 done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::of_filled(&done, &rest.part(0.3, 0.6))?;
+                let origins = Origins::from_filled(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
         }

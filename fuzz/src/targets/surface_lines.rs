@@ -23,7 +23,10 @@ pub(crate) fn run(bytes: &[u8]) {
         let hits = found.hits_of(0);
         assert!(hits.is_sorted_by(|one, next| one.at <= next.at));
         for hit in hits {
-            assert!(surface.has(&hit.place) && distance(surface.jet(hit.place).point, hit.point) <= slack, "{hit:?}");
+            assert!(
+                surface.has_place(&hit.place) && distance(surface.jet(hit.place).point, hit.point) <= slack,
+                "{hit:?}"
+            );
             assert!((line.from..=line.to).contains(&hit.at), "{hit:?}");
             if !hit.tangent {
                 let off = distance(line.origin + hit.at * line.direction, hit.point);

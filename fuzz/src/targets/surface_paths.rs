@@ -44,7 +44,7 @@ fn check(surface: &Surface<'_>, paths: &Paths) {
     assert_eq!(paths.places.len(), paths.points.len());
     let size = surface.bounds()[0].abs().max(surface.bounds()[1].abs()).max_element();
     for (place, point) in paths.places.iter().zip(&paths.points) {
-        assert!(surface.has(place) && point.is_finite(), "{place:?} {point}");
+        assert!(surface.has_place(place) && point.is_finite(), "{place:?} {point}");
         let off = distance(surface.jet(*place).point, *point);
         assert!(off <= surface.tolerance() + 1e-9 * size, "{off} of {size} from its place");
     }

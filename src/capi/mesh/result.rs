@@ -85,16 +85,16 @@ impl Made {
 
     fn origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
         match self {
-            Made::Join(join) => Origins::of_assembly(&join.done, job),
-            Made::Stitch(stitch) => Origins::of_stitch(stitch, job),
-            Made::Strip(strip) => Origins::of_ruled(strip, job),
-            Made::Fill(fill) => Origins::of_filled(&fill.done, job),
-            Made::Weld(weld) => Origins::of_weld(weld, job),
-            Made::Sew(sew) => Origins::of_sew(sew, job),
-            Made::Orient(orient, _) => Origins::of_oriented(orient, job),
-            Made::Develop(development) => Origins::of_developed(&development.done, job),
-            Made::NetMesh(net) => Origins::of_net_mesh(net, job),
-            Made::SheetMesh(sheet, _) => Origins::of_surface_mesh(sheet, job),
+            Made::Join(join) => Origins::from_assembly(&join.done, job),
+            Made::Stitch(stitch) => Origins::from_stitch(stitch, job),
+            Made::Strip(strip) => Origins::from_ruled(strip, job),
+            Made::Fill(fill) => Origins::from_filled(&fill.done, job),
+            Made::Weld(weld) => Origins::from_weld(weld, job),
+            Made::Sew(sew) => Origins::from_sew(sew, job),
+            Made::Orient(orient, _) => Origins::from_oriented(orient, job),
+            Made::Develop(development) => Origins::from_developed(&development.done, job),
+            Made::NetMesh(net) => Origins::from_net_mesh(net, job),
+            Made::SheetMesh(sheet, _) => Origins::from_surface_mesh(sheet, job),
         }
     }
 }

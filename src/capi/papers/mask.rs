@@ -35,7 +35,7 @@ versioned! { gusset_mask_report: 40 }
 
 /// The caller's region; NULL for all cells.
 fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
-    let lattice = Lattice::of(sheet);
+    let lattice = Lattice::new(sheet);
     if words.is_null() && count == 0 {
         return Ok(CellMask::full(lattice)?);
     }
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
             cells: region.count() as u64,
             integer_diameter: integer.map_or(u64::MAX, |cells| cells as u64),
             euler,
-            diameter: integer.map_or(Ok(f64::INFINITY), |cells| sizes.of_region(&region, cells))?,
+            diameter: integer.map_or(Ok(f64::INFINITY), |cells| sizes.region_bound(&region, cells))?,
         })
     })
 }

@@ -205,8 +205,8 @@ pub unsafe extern "C" fn gusset_sheet_measure(
         let greatest = |sizes: &Diameters| [sizes.euclidean.greatest(), sizes.intrinsic.greatest()];
         let [diameter, intrinsic_diameter] = sizes.as_ref().filter(|_| with_diameters).map_or([0.0; 2], greatest);
         if let Some(sizes) = sizes {
-            euclidean.into_iter().for_each(|to| to.copy_from_slice(sizes.euclidean.all()));
-            intrinsic.into_iter().for_each(|to| to.copy_from_slice(sizes.intrinsic.all()));
+            euclidean.into_iter().for_each(|to| to.copy_from_slice(sizes.euclidean.values()));
+            intrinsic.into_iter().for_each(|to| to.copy_from_slice(sizes.intrinsic.values()));
         }
         errors.into_iter().zip(estimates).for_each(|(to, from)| to.copy_from_slice(&from));
         for (to, k) in [(bilinear, 0), (triangles, 1)] {

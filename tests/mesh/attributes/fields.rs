@@ -26,34 +26,34 @@ pub(super) fn stitched(name: &'static str, a: &Soup, b: Option<&Soup>, options: 
     let (view_a, view_b) = (a.view(), b.map(Soup::view));
     let request = Request { a: &view_a, loop_a: None, b: view_b.as_ref(), loop_b: None };
     let done = stitch(&request, options, &job()).unwrap();
-    let origins = Origins::of_stitch(&done, &job()).unwrap();
+    let origins = Origins::from_stitch(&done, &job()).unwrap();
     let pieces = [Some(a), b].into_iter().flatten().cloned().collect();
     Case { name, pieces, mesh: done.mesh, origins }
 }
 
 fn filled(name: &'static str, soup: &Soup, options: &fill::Options) -> Case {
     let done = fill_holes(&soup.view(), Selection::All, options, &job()).unwrap();
-    let origins = Origins::of_filled(&done, &job()).unwrap();
+    let origins = Origins::from_filled(&done, &job()).unwrap();
     Case { name, pieces: vec![soup.clone()], mesh: done.mesh, origins }
 }
 
 fn assembled(name: &'static str, pieces: Vec<Soup>, options: &assemble::Options<'_>) -> Case {
     let views: Vec<_> = pieces.iter().map(Soup::view).collect();
     let done = assemble(&views, options, &job()).unwrap();
-    let origins = Origins::of_assembly(&done, &job()).unwrap();
+    let origins = Origins::from_assembly(&done, &job()).unwrap();
     Case { name, mesh: done.mesh, origins, pieces }
 }
 
 fn sewn(name: &'static str, soup: Soup, options: &weld::Options) -> Case {
     let done = sew(&soup.view(), options, &job()).unwrap();
     assert!(done.splits > 0, "{name}");
-    let origins = Origins::of_sew(&done, &job()).unwrap();
+    let origins = Origins::from_sew(&done, &job()).unwrap();
     Case { name, mesh: done.mesh, origins, pieces: vec![soup] }
 }
 
 fn welded(name: &'static str, soup: Soup, options: &weld::Options) -> Case {
     let done = weld(&soup.view(), options, &job()).unwrap();
-    let origins = Origins::of_weld(&done, &job()).unwrap();
+    let origins = Origins::from_weld(&done, &job()).unwrap();
     Case { name, mesh: done.mesh, origins, pieces: vec![soup] }
 }
 
@@ -120,7 +120,7 @@ pub(super) fn cases() -> Vec<Case> {
         }
         let options = orient::Options { outward: orient::Outward::Closed };
         let done = orient(&mixed.view(), &options, &job()).unwrap();
-        let origins = Origins::of_oriented(&done, &job()).unwrap();
+        let origins = Origins::from_oriented(&done, &job()).unwrap();
         Case { name: "oriented", pieces: vec![mixed], mesh: done.mesh, origins }
     };
     vec![
@@ -251,7 +251,7 @@ fn strips_at_split_edges_lose_no_sources() {
         let Ok(done) = assemble(&views, &assemble::Options { weld, ..assemble::Options::default() }, &job()) else {
             continue;
         };
-        let origins = Origins::of_assembly(&done, &job()).unwrap();
+        let origins = Origins::from_assembly(&done, &job()).unwrap();
         Case { name: "torn", mesh: done.mesh, origins, pieces }.assert_sound();
     }
 }

@@ -63,7 +63,7 @@ impl Case {
         for (domain, length) in [Domain::Vertices, Domain::Corners, Domain::Faces].into_iter().zip(lengths) {
             let table = self.origins.table(domain);
             assert_eq!(table.len(), length, "{name}: {domain:?}");
-            let total: usize = self.origins.inputs().iter().map(|counts| counts.of(domain)).sum();
+            let total: usize = self.origins.inputs().iter().map(|counts| counts.count(domain)).sum();
             for k in 0..length {
                 let (sources, weights) = table.row(k);
                 assert!(sources.iter().all(|&source| (source as usize) < total), "{name}: {domain:?} {k}");

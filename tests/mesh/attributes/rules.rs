@@ -140,7 +140,7 @@ fn the_same_for_any_threads_and_strides() {
     let soup = sheet(200, 150).and(&sheet(150, 100));
     let options = weld::Options { vertices: weld::Vertices::All, tolerance: Some(0.0), ..weld::Options::default() };
     let done = weld::weld(&soup.view(), &options, &job()).unwrap();
-    let origins = Origins::of_weld(&done, &job()).unwrap();
+    let origins = Origins::from_weld(&done, &job()).unwrap();
     let values: Vec<f32> = (0..4 * soup.points.len()).map(|k| (k as f32).sin()).collect();
     let mut all = Vec::new();
     for (threads, stride) in [(1, 0), (2, 0), (3, 17), (2, 17)] {
@@ -221,7 +221,7 @@ fn normals_of_welded_pieces_turn_one_by_one() {
         let pieces = [quad(0.0, turned(0)), quad(1.0, turned(1))];
         let views = pieces.each_ref().map(Soup::view);
         let done = assemble(&views, &welding(), &job()).unwrap();
-        let origins = Origins::of_assembly(&done, &job()).unwrap();
+        let origins = Origins::from_assembly(&done, &job()).unwrap();
         // As the faces of each piece have them.
         let up = |k: usize| if turned(k)[0] == 0 { 1.0 } else { -1.0 };
         let given = [0, 1].map(|k| [0.0, 0.0, up(k)].repeat(4));
@@ -242,7 +242,7 @@ fn means_of_extreme_values_are_finite() {
     let pieces = [quad(0.0), quad(1.0)];
     let views = pieces.each_ref().map(Soup::view);
     let done = assemble(&views, &welding(), &job()).unwrap();
-    let origins = Origins::of_assembly(&done, &job()).unwrap();
+    let origins = Origins::from_assembly(&done, &job()).unwrap();
     let found = carried(&origins, Domain::Vertices, Rule::Linear, 1, &[vec![1e308; 4], vec![-1e308; 4]]);
     assert!(found.iter().all(|x| x.is_finite()) && found.contains(&0.0), "{found:?}");
     for size in [5e-324, 1e-200, 1e200, 1e308] {

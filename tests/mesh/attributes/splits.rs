@@ -158,7 +158,7 @@ fn real_meshes_are_what_they_were_before() {
         let mut made = fill_holes(&view, Selection::All, &plain, &job()).unwrap();
         made.keep_splits(&[&view], &job()).unwrap();
         if made.turned_outwards.is_empty() {
-            assert_kept(&split, &made.mesh, &Origins::of_filled(&made, &job()).unwrap(), None);
+            assert_kept(&split, &made.mesh, &Origins::from_filled(&made, &job()).unwrap(), None);
         }
     }
 }
@@ -173,14 +173,14 @@ fn loops_and_results_are_those_of_the_mesh_before() {
         let expected = fill_holes(&whole, Selection::All, &options, &job()).unwrap();
         let mut made = fill_holes(&view, Selection::All, &options, &job()).unwrap();
         made.keep_splits(&[&view], &job()).unwrap();
-        assert_kept(&split, &made.mesh, &Origins::of_filled(&made, &job()).unwrap(), Some(&expected.mesh));
+        assert_kept(&split, &made.mesh, &Origins::from_filled(&made, &job()).unwrap(), Some(&expected.mesh));
 
         let mut made = orient(&view, &orient::Options::default(), &job()).unwrap();
         made.keep_splits(&[&view], &job()).unwrap();
         assert_kept(
             &split,
             &made.mesh,
-            &Origins::of_oriented(&made, &job()).unwrap(),
+            &Origins::from_oriented(&made, &job()).unwrap(),
             Some(&orient(&whole, &orient::Options::default(), &job()).unwrap().mesh),
         );
 
@@ -191,14 +191,19 @@ fn loops_and_results_are_those_of_the_mesh_before() {
                 made.keep_splits(&[&view], &job()).unwrap();
                 let turned = made.turned || !made.turned_outwards.is_empty();
                 if !turned {
-                    assert_kept(&split, &made.mesh, &Origins::of_stitch(&made, &job()).unwrap(), Some(&expected.mesh));
+                    assert_kept(
+                        &split,
+                        &made.mesh,
+                        &Origins::from_stitch(&made, &job()).unwrap(),
+                        Some(&expected.mesh),
+                    );
                 }
             }
             let views = [view];
             let mut made =
                 assemble(&views, &assemble::Options { keep_orientation: true, ..Default::default() }, &job()).unwrap();
             made.keep_splits(&[&views[0]], &job()).unwrap();
-            assert_kept(&split, &made.mesh, &Origins::of_assembly(&made, &job()).unwrap(), None);
+            assert_kept(&split, &made.mesh, &Origins::from_assembly(&made, &job()).unwrap(), None);
         }
     }
 }

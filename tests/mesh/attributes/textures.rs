@@ -165,7 +165,7 @@ fn patches_go_on_with_the_charts_round_them() {
     for refinement in [fill::Refinement::None, fill::Refinement::RimDensity(10_000)] {
         let options = fill::Options { refinement, keep, ..fill::Options::default() };
         let done = fill_holes(&soup.view(), Selection::All, &options, &job()).unwrap();
-        let origins = Origins::of_filled(&done, &job()).unwrap();
+        let origins = Origins::from_filled(&done, &job()).unwrap();
         let exact = |found: &[f64], f: usize, map: fn([f64; 3]) -> [f64; 2]| {
             let range = done.mesh.face_offsets[f] as usize..done.mesh.face_offsets[f + 1] as usize;
             range.into_iter().all(|c| {

@@ -1,8 +1,9 @@
-//! Cardinal functions: for each line of a net the function that is 1 there and 0 at all other
-//! lines, by which curves are blended.
+//! Cardinal functions that blend curves. Each line of a net has a function that is 1 on it and 0 on
+//! all other lines.
 //!
-//! Cubics by pieces, C1, whose slopes at a line are those of the polynomial through the five lines
-//! nearest to it, as in the grid's six-tap scheme, but for lines that are not evenly apart.
+//! The functions are piecewise cubic and C1. The slope at a line is the slope of the polynomial
+//! through the five nearest lines. This is the grid's six-tap scheme, generalised to uneven
+//! spacing.
 
 use crate::axis::TAPS;
 use gusset_base::alloc;
@@ -10,26 +11,27 @@ use gusset_base::error::Result;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::{blossom, elevate};
 
-/// Intervals that differ more than this among five lines: slopes are taken from three.
+/// Largest ratio of intervals among five lines. If it is exceeded, slopes are computed from three
+/// lines.
 const MAX_LENGTH_RATIO: f64 = 8.0;
 
-/// The functions between two lines: Bézier points of those that are not 0.
-pub(super) struct Piece {
-    /// The lines that they belong to; lines of weight 0 may repeat others.
+/// The functions between two lines: the Bézier points of the functions that do not vanish there.
+pub(super) struct CardinalPiece {
+    /// The lines that the functions belong to. Lines of weight 0 may repeat other lines.
     pub(super) lines: [usize; TAPS],
     points: [[f64; 4]; TAPS],
 }
 
-/// The cardinal functions between each line and the next. `lengths`: of the intervals between
-/// lines, positive; of closed directions the last one leads back to the first line.
-pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<Piece>> {
+/// The cardinal functions between successive lines. `lengths` are the lengths of the intervals,
+/// which are positive. In a closed direction, the last interval leads back to the first line.
+pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<CardinalPiece>> {
     let row = Row { lengths, closed };
     alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))
 }
 
-impl Piece {
-    /// Over a part of the interval, as Bernstein coefficients of degree N - 1: for each the weights
-    /// of the lines.
+impl CardinalPiece {
+    /// Restricts the functions to a part of the interval. For each Bernstein coefficient of degree
+    /// N - 1, returns the weights of the lines.
     pub(super) fn weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
         let mut weights = [[0.0; TAPS]; N];
         for (k, points) in self.points.iter().enumerate() {
@@ -53,19 +55,19 @@ impl Row<'_> {
         self.lengths.len() + usize::from(!self.closed)
     }
 
-    /// The length of an interval, counted round closed directions.
+    /// The length of an interval. Indices wrap around in closed directions.
     fn length(&self, interval: isize) -> f64 {
         self.lengths[interval.rem_euclid(self.lengths.len() as isize) as usize]
     }
 
-    /// The first of `count` lines round a line, as near the middle as the ends allow.
+    /// The first of `count` lines around a line, as central as the ends allow.
     fn first(&self, line: usize, count: usize) -> isize {
         let middle = line as isize - (count / 2) as isize;
         if self.closed { middle } else { middle.clamp(0, (self.lines() - count) as isize) }
     }
 
-    /// The slope at a line: the lines that it depends on begin at the first number, and their
-    /// weights.
+    /// The slope at a line: the first line that it depends on, and the weights of the lines from
+    /// there.
     fn slope(&self, line: usize) -> (isize, [f64; 5]) {
         let max_count = self.lines().min(if self.closed && self.lines() < 5 { 3 } else { 5 });
         let mut count = max_count;
@@ -77,7 +79,7 @@ impl Row<'_> {
             }
         }
         let first = self.first(line, count);
-        // Where the lines are, seen from this one.
+        // Positions of the lines relative to this one.
         let mut at = [0.0; 5];
         let own = (line as isize - first) as usize;
         for k in own + 1..count {
@@ -95,7 +97,7 @@ impl Row<'_> {
         (first, weights)
     }
 
-    fn piece(&self, interval: usize) -> Piece {
+    fn piece(&self, interval: usize) -> CardinalPiece {
         let lines = self.lines();
         let before = interval as isize - 2;
         let first = if self.closed { before } else { before.clamp(0, lines.saturating_sub(TAPS) as isize) };
@@ -114,7 +116,7 @@ impl Row<'_> {
         let place = |k: isize| {
             if self.closed { k.rem_euclid(lines as isize) as usize } else { (k as usize).min(lines - 1) }
         };
-        Piece { lines: std::array::from_fn(|k| place(first + k as isize)), points }
+        CardinalPiece { lines: std::array::from_fn(|k| place(first + k as isize)), points }
     }
 }
 
@@ -122,9 +124,9 @@ impl Row<'_> {
 mod tests {
     use super::*;
 
-    /// A quartic, sampled at uneven lines, has its own slopes at them; a constant stays one.
+    /// A quartic sampled at uneven lines has its own slopes at them, and a constant stays constant.
     #[test]
-    fn slopes_of_quartics() {
+    fn quartics_keep_their_slopes_at_uneven_lines() {
         let lengths = [1.0, 0.7, 1.9, 1.2, 0.6, 1.4, 1.0];
         let at: Vec<f64> = (0..=lengths.len()).map(|k| lengths[..k].iter().sum()).collect();
         let f = |x: f64| 2.0 - x + 0.3 * x * x - 0.1 * x.powi(3) + 0.01 * x.powi(4);
@@ -145,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn few_lines_and_closed_ones() {
+    fn cardinal_functions_sum_to_one_for_few_and_closed_lines() {
         for (count, closed) in [(1, false), (2, false), (3, false), (3, true), (4, true), (5, true), (9, true)] {
             let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * f64::from(k % 3)).collect();
             for piece in blend(&lengths, closed).unwrap() {

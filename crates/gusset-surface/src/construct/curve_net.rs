@@ -1,16 +1,17 @@
 //! The surface through a net of curves.
 //!
-//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). With rows
-//! R_k(v), columns C_l(u), nodes P_kl where they meet, and cardinal functions L_k, M_l,
+//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). Let R_k(v)
+//! be the rows, C_l(u) the columns, P_kl the nodes where they meet, and L_k, M_l cardinal
+//! functions. The surface
 //!   S(u, v) = sum L_k(u) R_k(v) + sum M_l(v) (C_l(u) - sum L_k(u) P_kl)
-//! contains all curves. Products of polynomials of u and of v have the products of their Bernstein
-//! coefficients, so that S is a Bézier patch over each cell, of degree 3 or that of the curves.
-//! With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is
-//! the skin of the rows.
+//! contains all curves. The Bernstein coefficients of a product of polynomials of u and of v are
+//! the products of their coefficients. S is therefore a Bézier patch over each cell, of degree 3 or
+//! the degree of the curves. With two rows and two columns, L and M are linear, and S is the Coons
+//! patch. Without columns, S is the skin of the rows.
 
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
-use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
+use super::net_curve::{CurvePiece, CurvePlace, NetCurve, degree};
 use crate::axis::TAPS;
 use crate::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
@@ -21,60 +22,62 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_curve::CurveView;
 
-/// Breaks of different pieces that are nearer than this, of 1, are one.
+/// Breaks of different pieces closer than this, as a fraction of the piece, are merged.
 const SAME_BREAK: f64 = 1e-6;
 
-/// Patches between two progress reports.
+/// Number of patches between two progress reports.
 const PATCHES_PER_STEP: usize = 1 << 13;
 const FINDING: &str = "finding nodes";
 const MAKING: &str = "making patches";
 
-/// Curves across, the rows, and curves along, the columns: every row meets every column, in the
-/// order that they are given in; either way round. Rows alone, or columns alone, make a skin. A
-/// curve may be one point, a pole.
+/// Curves across (rows) and along (columns). Every row meets every column in the given order;
+/// curves may run in either direction. Rows alone, or columns alone, make a skin. A curve may be a
+/// single point, which makes a pole.
 ///
-/// Ends of rows beyond the first and the last column are left out. Polylines are curves of segments
-/// of degree 1: they are kept as they are, and where they turn the surface has a crease; for a
-/// smooth surface draw curves through their points first ([`fit`](gusset_curve::fit())).
+/// Ends of rows beyond the first and the last column are cut off; so are ends of columns. Polylines
+/// are curves of degree 1, so the surface has a crease where they turn. For a smooth surface, first
+/// fit curves through their points ([`fit`](gusset_curve::fit())).
 #[derive(Debug, Clone, Copy)]
 pub struct CurveNet<'a> {
-    /// Curves in v, which follow each other in u: at least 2, or none.
+    /// The curves in v, in order of u: at least 2, or none.
     pub rows: &'a [CurveView<'a>],
-    /// Curves in u, which follow each other in v: at least 2, or none.
+    /// The curves in u, in order of v: at least 2, or none.
     pub columns: &'a [CurveView<'a>],
-    /// Closed in u: the columns are closed curves, and the last row is followed by the first; and
-    /// in v: the rows are. Then at least 3 rows, or 3 columns, if there are any.
+    /// Whether the net is closed in u and in v. If closed in u, the columns are closed curves, and
+    /// the first row follows the last one; at least 3 rows are needed, if there are any. Closed in
+    /// v accordingly.
     pub closed: [bool; 2],
-    /// How far apart curves may be where they meet; both are then moved to the middle. `None`: 1e-6
-    /// of the diagonal of their box.
+    /// Largest distance between curves where they meet. Both are then moved to the midpoint. `None`
+    /// means 1e-6 times the diagonal of their bounding box.
     pub tolerance: Option<f64>,
 }
 
 impl Sheet<'static> {
-    /// Gordon's surface of a net of curves: it contains all of them, if they meet, or else to half
-    /// the tolerance.
+    /// Creates the Gordon surface of a net of curves. It contains all curves, within half the
+    /// tolerance where they do not meet exactly.
     ///
-    /// Parameters: node (k, l) is a corner of cells. Between two nodes curves may have several
-    /// segments: if all rows have equally many there, they are matched in order, else all rows are
-    /// cut where any one has a joint; so cells may be more than meshes of the net. The knots of the
-    /// cardinal functions are taken from the curves: where they are C1 in common knots, and where a
-    /// single one has no joint between nodes, S is C1, else only nearly; [`Sheet::crease`] tells.
+    /// Node (k, l) is a corner of cells. Curves may have several segments between two nodes. If all
+    /// rows have the same number of segments there, these are matched in order. Otherwise, all rows
+    /// are cut where any row has a joint, so cells may be smaller than the meshes of the net. The
+    /// knots of the cardinal functions follow from the curves. S is C1 if the curves are C1 in
+    /// common knots, or if the curves lack joints between nodes. Otherwise S is only nearly C1;
+    /// [`Sheet::crease`] measures it.
     ///
-    /// O(rows x columns x log segments) for nodes, and 12 products a control point; 384 bytes a
-    /// cell up to degree 3, else 1536.
+    /// O(rows x columns x log segments) for nodes, and 12 products for each control point; 384
+    /// bytes for each cell up to degree 3, otherwise 1536.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`] for one row or column, or fewer than 3 of closed directions;
-    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] for a degree above 7 or a tolerance that
-    /// is no positive number; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row, the
-    /// column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
+    /// [`Error::NetTooSmall`] for a single row or column, or fewer than 3 in a closed direction;
+    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] if a degree is above 7, or the tolerance
+    /// is negative or not finite; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row,
+    /// the column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         net.check()?;
         if degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
-            Ok(Sheet::Cubic(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::Cubic(Gordon::from_net(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         } else {
-            Ok(Sheet::High(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::High(Gordon::from_net(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         }
     }
 }
@@ -90,29 +93,30 @@ impl CurveNet<'_> {
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
     }
 
-    /// The diagonal of the box of all curves, and the largest of their coordinates.
+    /// The diagonal of the bounding box of all curves, and their largest absolute coordinate.
     fn extent(&self) -> (f64, f64) {
         let bounds = Aabb::from_points(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
         (bounds.diagonal(), bounds.low.abs().max(bounds.high.abs()).max_element())
     }
 }
 
-/// The curves, cut at the nodes.
+/// The curves of a net, cut at the nodes.
 pub(super) struct Gordon<const N: usize> {
     closed: [bool; 2],
-    /// Row k has piece j from column j to the next, or one piece if there are no columns; and the
-    /// same of columns.
-    rows: Vec<Vec<Piece<N>>>,
-    columns: Vec<Vec<Piece<N>>>,
-    /// Row by row.
+    /// Piece j of row k runs from column j to the next one. Without columns, each row is one piece.
+    /// Columns accordingly.
+    rows: Vec<Vec<CurvePiece<N>>>,
+    columns: Vec<Vec<CurvePiece<N>>>,
+    /// The nodes, row by row.
     nodes: Vec<DVec3>,
-    /// Curves that are one point take no part in what lengths and joints say.
+    /// For each row and each column, whether it is a single point. These curves do not affect
+    /// lengths and breaks.
     points: [Vec<bool>; 2],
 }
 
 impl<const N: usize> Gordon<N> {
-    /// The nodes are found where curves are nearest.
-    fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+    /// Finds the nodes, where the curves are nearest to each other, and cuts the curves there.
+    fn from_net(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
         let net_curves = |curves: &[CurveView<'_>], before: usize| {
             alloc::try_collect((0..curves.len()).map(|k| {
@@ -124,7 +128,7 @@ impl<const N: usize> Gordon<N> {
         let boxes = |net_curves: &[NetCurve<N>], before: usize| {
             alloc::try_collect((0..net_curves.len()).map(|k| {
                 job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
-                Boxes::of(&net_curves[k])
+                Boxes::from_curve(&net_curves[k])
             }))
         };
         let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
@@ -141,12 +145,15 @@ impl<const N: usize> Gordon<N> {
             if met.distance > tolerance.max(rounding_error) {
                 return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
             }
-            Ok::<_, Error>([snapped(&rows[k], met.places[0], slack), snapped(&columns[l], met.places[1], slack)])
+            Ok::<_, Error>([
+                snap_to_joint(&rows[k], met.places[0], slack),
+                snap_to_joint(&columns[l], met.places[1], slack),
+            ])
         }))?;
         Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
-    /// `places`: row by row where each meets each column, on the row and on the column.
+    /// `places` holds, row by row, the places on the row and the column where they meet.
     pub(super) fn new(
         mut rows: Vec<NetCurve<N>>,
         mut columns: Vec<NetCurve<N>>,
@@ -166,7 +173,7 @@ impl<const N: usize> Gordon<N> {
                 (false, false) => 0.5 * (p + q),
             }
         }))?;
-        // Rows (axis 0) at the columns, columns at the rows.
+        // Axis 0: cuts rows at the columns. Axis 1: cuts columns at the rows.
         let cut = |net_curves: &mut [NetCurve<N>], axis: usize| {
             let count = [width, height][axis];
             let place = |k: usize, l: usize| if axis == 0 { (k, l) } else { (l, k) };
@@ -186,20 +193,20 @@ impl<const N: usize> Gordon<N> {
         Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
     }
 
-    /// The patches over all cells.
+    /// Computes the patches over all cells.
     pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
             let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
-            return transposed(&skin, &job.part(0.8, 1.0));
+            return transpose_patches(&skin, &job.part(0.8, 1.0));
         }
         if self.columns.is_empty() {
             return self.skin(&self.rows, &self.points[0], self.closed[0], job);
         }
-        let u = Strips::of(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
-        let v = Strips::of(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let u = Strips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = Strips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
         let (blend_u, blend_v) = (blend(&u.lengths, self.closed[0])?, blend(&v.lengths, self.closed[1])?);
-        let rows = v.refined(&self.rows, &job.part(0.2, 0.3))?;
-        let columns = u.refined(&self.columns, &job.part(0.3, 0.4))?;
+        let rows = v.refine(&self.rows, &job.part(0.2, 0.3))?;
+        let columns = u.refine(&self.columns, &job.part(0.3, 0.4))?;
         let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
             let piece = &blend_v[strip];
             (piece.lines, piece.weights::<N>(part))
@@ -212,38 +219,39 @@ impl<const N: usize> Gordon<N> {
             let rest = alloc::collect((0..self.columns.len()).map(|l| {
                 let nodes = piece.lines.map(|k| self.nodes[k * self.columns.len() + l]);
                 let curve = columns[l][i];
-                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
+                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_sum(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
                 job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
-                    combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
+                    weighted_sum(&across[a], &rows.map(|row| row[b]))
+                        + weighted_sum(&along[b], &rest.map(|rest| rest[a]))
                 };
                 let points = std::array::from_fn(|a| std::array::from_fn(|b| point(a, b)));
                 patches.push(Patch { points });
             }
         }
-        Ok(Patches::of(patches, u.count(), v.count()))
+        Ok(Patches::from_patches(patches, u.count(), v.count()))
     }
 
-    /// The sum of L_k R_k alone.
-    fn skin(&self, rows: &[Vec<Piece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
-        let v = Strips::of(rows, points, &job.part(0.0, 0.2))?;
-        let refined = v.refined(rows, &job.part(0.2, 0.4))?;
+    /// Computes the sum of L_k R_k only.
+    fn skin(&self, rows: &[Vec<CurvePiece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
+        let v = Strips::from_curves(rows, points, &job.part(0.0, 0.2))?;
+        let refined = v.refine(rows, &job.part(0.2, 0.4))?;
         let last = rows.len() - usize::from(!closed);
         let apart = |k: usize| {
             let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
             let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
             sum / (2 * row.len()) as f64
         };
-        let blend = blend(&positive(alloc::collect((0..last).map(apart))?), closed)?;
+        let blend = blend(&fill_zero_lengths(alloc::collect((0..last).map(apart))?), closed)?;
         let mut patches = patches_with_capacity(last, v.count())?;
         for piece in &blend {
             let across = piece.weights::<N>([0.0, 1.0]);
             let patch = |j: usize| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
-                let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
+                let point = |a: usize, b: usize| weighted_sum(&across[a], &rows.map(|row| row[b]));
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
             for j in 0..v.count() {
@@ -251,19 +259,19 @@ impl<const N: usize> Gordon<N> {
                 patches.push(patch(j));
             }
         }
-        Ok(Patches::of(patches, last, v.count()))
+        Ok(Patches::from_patches(patches, last, v.count()))
     }
 }
 
-/// A place, or the joint of segments that it is very near to.
-fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
+/// The place, or the joint of segments if it is within `near`.
+fn snap_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
     let here = net_curve.point(at);
     let close = |t: f64| net_curve.point(CurvePlace { t, ..at }).distance(here) <= near;
     let count = net_curve.segments.len();
     if at.t < 0.5 && close(0.0) {
         CurvePlace { t: 0.0, ..at }
     } else if at.t >= 0.5 && close(1.0) {
-        // The start of the next segment, where there is one.
+        // The start of the next segment, if it exists.
         let next = if net_curve.closed { (at.segment + 1) % count } else { at.segment + 1 };
         if next < count { CurvePlace { segment: next, t: 0.0 } } else { CurvePlace { t: 1.0, ..at } }
     } else {
@@ -271,15 +279,15 @@ fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -
     }
 }
 
-/// The pieces of a curve between its places, with their ends at the nodes; the curve is turned
-/// round if it runs against the order.
+/// Cuts a curve into the pieces between its places, and moves their ends to the nodes. Reverses the
+/// curve if it runs against the order.
 fn pieces<const N: usize>(
     net_curve: &mut NetCurve<N>,
     mut at: Vec<CurvePlace>,
     closed: bool,
     ends: impl Fn(usize) -> DVec3,
     out_of_order: impl Fn(usize) -> Error,
-) -> Result<Vec<Piece<N>>> {
+) -> Result<Vec<CurvePiece<N>>> {
     let point = net_curve.is_point();
     if closed && !net_curve.closed && !point {
         return Err(Error::CurveNotClosed);
@@ -290,11 +298,11 @@ fn pieces<const N: usize>(
     }
     if !point {
         let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
-        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && turned(&at)) {
+        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && is_reversed(&at)) {
             at.iter_mut().for_each(|at| *at = net_curve.reversed(*at));
             net_curve.reverse();
         }
-        // Round a closed curve the places may begin anywhere.
+        // On a closed curve, the places may begin anywhere.
         let count = if closed { at.len() } else { at.len() - 1 };
         let mut wraps = usize::from(closed);
         for k in 0..count {
@@ -309,30 +317,31 @@ fn pieces<const N: usize>(
     }
     let mut pieces = net_curve.cut(&at)?;
     for (k, piece) in pieces.iter_mut().enumerate() {
-        piece.bend(ends(k), ends(k + 1));
+        piece.move_ends(ends(k), ends(k + 1));
     }
     Ok(pieces)
 }
 
-/// Of three places round a closed curve: true if they follow each other backwards.
-fn turned(at: &[CurvePlace]) -> bool {
-    // Forwards there is one fall in all, backwards there are two.
+/// True if three places on a closed curve are in reverse order.
+fn is_reversed(at: &[CurvePlace]) -> bool {
+    // The parameter falls once in forward order, and twice in reverse order.
     (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
 }
 
-/// The intervals between the lines of one direction, and where they are cut.
+/// The intervals between the lines of one direction, and their subdivision into cells.
 struct Strips {
-    /// The share of the parameter that each takes.
+    /// The fraction of the parameter that each interval takes.
     lengths: Vec<f64>,
-    /// Where each is cut, as fractions; the last one is 1.
+    /// The ends of each interval's cells, as fractions of the interval; the last one is 1.
     breaks: Vec<Vec<f64>>,
-    /// By strip and curve: the ends of the curve's segments as the breaks have them.
+    /// By interval and curve: the ends of the curve's segments, snapped to the breaks.
     ends: Vec<Vec<Vec<f64>>>,
 }
 
 impl Strips {
-    /// From the curves that run through them; `points`: those that are one point.
-    fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
+    /// Computes the strips from the curves that cross them. `points` marks curves that are single
+    /// points.
+    fn from_curves<const N: usize>(curves: &[Vec<CurvePiece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
         let count = curves[0].len();
         let mut lengths = alloc::filled(0.0, count)?;
         for (curve, _) in curves.iter().zip(points).filter(|&(_, &point)| !point) {
@@ -347,7 +356,7 @@ impl Strips {
             all_breaks.push(breaks);
             all_ends.push(ends);
         }
-        Ok(Strips { lengths: positive(lengths), breaks: all_breaks, ends: all_ends })
+        Ok(Strips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, ends: all_ends })
     }
 
     /// The number of cells.
@@ -355,7 +364,7 @@ impl Strips {
         self.breaks.iter().map(Vec::len).sum()
     }
 
-    /// The strip and the part of it of each cell.
+    /// The strip of each cell, and the range of the cell within the strip.
     fn cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
         let mut cells = alloc::with_capacity(self.count())?;
         for (strip, breaks) in self.breaks.iter().enumerate() {
@@ -365,20 +374,20 @@ impl Strips {
     }
 
     /// The segments of each curve over each cell.
-    fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
+    fn refine<const N: usize>(&self, curves: &[Vec<CurvePiece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
         alloc::try_collect((0..curves.len()).map(|k| {
             job.step(k as f64 / curves.len() as f64, MAKING)?;
             let mut refined = alloc::with_capacity(self.count())?;
             for (strip, piece) in curves[k].iter().enumerate() {
-                piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
+                piece.refine(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
             }
             Ok(refined)
         }))
     }
 }
 
-/// The breaks of a strip from those of the curves' pieces, and for each piece its own as the strip
-/// has them.
+/// The breaks of a strip from the segment ends of the curves' pieces, and for each piece its ends
+/// snapped to the breaks.
 fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
     let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
     let Some(first) = curves().next() else {
@@ -413,33 +422,33 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     Ok((breaks, ends))
 }
 
-/// Lengths that are none become the mean of the others.
-fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
+/// Replaces lengths that are (nearly) zero by the mean length.
+fn fill_zero_lengths(mut lengths: Vec<f64>) -> Vec<f64> {
     let sum: f64 = lengths.iter().sum();
     let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
     lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);
     lengths
 }
 
-/// Room for patches, if there are not too many.
+/// Allocates memory for patches. Fails if there are too many.
 fn patches_with_capacity<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
     let count = (rows as u64).saturating_mul(columns as u64);
     Error::check_count("cells", count, MAX_NODES / (N * N) as u64)?;
     alloc::with_capacity(rows * columns)
 }
 
-/// u and v exchanged.
-fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
+/// Exchanges u and v.
+fn transpose_patches<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
     let [rows, columns] = patches.cells();
     let mut turned = patches_with_capacity(columns, rows)?;
     for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
         job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), MAKING)?;
         turned.push(patches.get(i, j).transposed());
     }
-    Ok(Patches::of(turned, columns, rows))
+    Ok(Patches::from_patches(turned, columns, rows))
 }
 
-/// The sum of points by their weights.
-fn combined(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
+/// The weighted sum of points.
+fn weighted_sum(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
     (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
 }

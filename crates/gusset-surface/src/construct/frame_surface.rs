@@ -1,4 +1,4 @@
-//! Surfaces of the frames that the outlines module makes.
+//! Surfaces of frames, which the module of outlines computes.
 
 use super::curve_net::Gordon;
 use super::net_curve::{CurvePlace, NetCurve, degree};
@@ -11,13 +11,14 @@ use gusset_base::job::Job;
 use gusset_curve::frame::{Frame, NodeGrid};
 use gusset_curve::{Fit, Place};
 
-/// The parts of a frame that the surface is made from.
+/// The parts of a frame that define the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum FrameSurface {
-    /// Its nodes: a grid; all its curves if some of them have corners, which a grid would round.
+    /// The nodes, as a grid. If some curves have corners, which a grid would round, all curves are
+    /// used instead.
     #[default]
     Nodes,
-    /// Its curves too: Gordon's surface, which contains them.
+    /// The curves too: the Gordon surface, which contains them.
     Curves,
 }
 
@@ -27,19 +28,19 @@ choices! { for FrameSurface:
 }
 
 impl Sheet<'static> {
-    /// The surface of a frame: u runs along the body, from section to section, and v round it.
-    /// `closed`: whether the sections are followed by the first one, as in a ring, and whether each
-    /// of them is closed.
+    /// Creates the surface of a frame. u runs along the body from section to section, v around it.
+    /// `closed` tells whether the last section is followed by the first one, as in a ring, and
+    /// whether each section is closed.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and
+    /// [`Error::NetTooSmall`]; with curves, the errors of [`Sheet::from_curves`], and
     /// [`Error::CurveNotClosed`]; [`Error::NotFinite`], [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
         Sheet::from_frame_parts(&frame.grid, [&frame.across, &frame.along], closed, kind, job)
     }
 
-    /// The same from a frame's parts: nodes, and the curves across and along.
+    /// Creates the surface of a frame from its parts: nodes, and the curves across and along.
     pub fn from_frame_parts(
         grid: &NodeGrid,
         curves: [&Fit; 2],
@@ -49,7 +50,7 @@ impl Sheet<'static> {
     ) -> Result<Self> {
         let counts = [grid.rows, grid.columns];
         if kind == FrameSurface::Nodes && grid.corners.is_empty() {
-            return through(counts, &grid.nodes, closed, job);
+            return node_grid(counts, &grid.nodes, closed, job);
         }
         if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
             Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
@@ -59,11 +60,11 @@ impl Sheet<'static> {
     }
 }
 
-/// Nodes between two progress reports.
+/// Number of nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 17;
 
-/// The grid of the nodes, with the first line at the end once more where it is closed.
-fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job: &Job<'_>) -> Result<Sheet<'static>> {
+/// Creates the grid of the nodes. Repeats the first line at the end of a closed direction.
+fn node_grid([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job: &Job<'_>) -> Result<Sheet<'static>> {
     let [height, width] = [rows + usize::from(closed[0]), columns + usize::from(closed[1])];
     let mut data = alloc::with_capacity(3 * height * width)?;
     let places = (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns)));
@@ -75,7 +76,7 @@ fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job:
     Ok(Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?))
 }
 
-/// The curves with their nodes, which the frame knows.
+/// Creates the Gordon surface of the curves, whose nodes the frame knows.
 fn gordon<const N: usize>(
     [rows, columns]: [usize; 2],
     [across, along]: [&Fit; 2],
@@ -90,7 +91,7 @@ fn gordon<const N: usize>(
     let (row_curves, column_curves) = (net_curves(across)?, net_curves(along)?);
     let at = |net_curve: &NetCurve<N>, place: Place| {
         let (segment, count) = (place.segment as usize, net_curve.segments.len());
-        // Joints are called the start of the next segment.
+        // A joint counts as the start of the next segment.
         match place.t {
             _ if net_curve.is_point() => CurvePlace { segment: 0, t: 0.0 },
             1.0 if net_curve.closed => CurvePlace { segment: (segment + 1) % count, t: 0.0 },

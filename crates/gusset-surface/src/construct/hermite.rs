@@ -1,4 +1,4 @@
-//! Nodes with given tangents.
+//! Surfaces through nodes with given tangents.
 
 use crate::axis::Axis;
 use crate::checks::finite_points;
@@ -8,49 +8,49 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// The mixed derivatives S_uv at nodes, which tangents leave open.
+/// The mixed derivatives S_uv at nodes, which tangents do not determine.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Twists<'a> {
-    /// The mean of the differences of S_u along rows and of S_v along columns, each from five
-    /// nodes: fourth order.
+    /// The mean of two differences: of S_u along rows, and of S_v along columns, each from five
+    /// nodes. Fourth order.
     #[default]
     Differences,
-    /// Adini's: those of the bilinearly blended Coons patch through the tangents round the node;
-    /// second order, local to the nodes next to it.
+    /// Adini's twists: the twists of the bilinearly blended Coons patch through the tangents around
+    /// the node. Second order; they depend on the adjacent nodes only.
     Adini,
-    /// None, as Ferguson has it: flat spots at nodes, third order in the position.
+    /// Zero twists (Ferguson): the surface has flat spots at nodes, and third order.
     Zero,
-    /// One for each node, row after row.
+    /// One twist for each node, row by row.
     Given(&'a [DVec3]),
 }
 
-/// Nodes and the tangents of the coordinate curves there. The parameters are those of nodes: S_u is
-/// how far the surface goes from row to row.
+/// Nodes and the tangents of the coordinate curves at them. Nodes have integer parameters, so S_u
+/// is the derivative for one row.
 #[derive(Debug, Clone, Copy)]
 pub struct Tangents<'a> {
     /// The nodes.
     pub nodes: &'a Nodes<'a>,
-    /// S_u at each node, row after row: along the column, towards the next row.
+    /// S_u at each node, row by row: along the column, towards the next row.
     pub u: &'a [DVec3],
-    /// S_v at each node: along the row.
+    /// S_v at each node: along the row, towards the next column.
     pub v: &'a [DVec3],
     /// S_uv at each node.
     pub twists: Twists<'a>,
-    /// Whether it is closed in u and v, where the last line of nodes is the first one again; the
-    /// tangents of the last line are not read.
+    /// Whether the surface is closed in u and in v. The last line of nodes in a closed direction
+    /// repeats the first one, and its tangents are not read.
     pub closed: [bool; 2],
 }
 
 impl Sheet<'static> {
-    /// The bicubic Hermite surface through nodes with tangents: C1, of fourth order if the tangents
-    /// are of third order at least.
+    /// Creates the bicubic Hermite surface through nodes with tangents. It is C1, and of fourth
+    /// order if the tangents are at least of third order.
     ///
-    /// O(nodes); 384 bytes a cell.
+    /// O(nodes); 384 bytes for each cell.
     ///
     /// # Errors
     /// [`NotFinite`](gusset_base::Error::NotFinite) with the node, also for its tangents and twist;
     /// [`ArrayTooShort`](gusset_base::Error::ArrayTooShort);
-    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall) for a closed direction of fewer than three
+    /// [`NetTooSmall`](gusset_base::Error::NetTooSmall) if a closed direction has fewer than three
     /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart);
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
@@ -63,11 +63,11 @@ impl Sheet<'static> {
             job.step(i as f64 / rows as f64, "making patches")?;
             patches.extend((0..columns).map(|j| hermite.patch(&twists, i, j)));
         }
-        Ok(Sheet::Cubic(Patches::of(patches, rows, columns)))
+        Ok(Sheet::Cubic(Patches::from_patches(patches, rows, columns)))
     }
 }
 
-/// Nodes and tangents, checked.
+/// Nodes and tangents that were checked.
 struct Hermite<'a> {
     given: &'a Tangents<'a>,
     rows: usize,
@@ -79,7 +79,7 @@ impl<'a> Hermite<'a> {
     fn new(given: &'a Tangents<'a>) -> Result<Self> {
         let (nodes, closed) = (given.nodes, given.closed);
         let (rows, columns) = (nodes.rows(), nodes.columns());
-        let axes = Axis::pair([rows, columns], closed, Scheme::SixTap)?;
+        let axes = Axis::new_pair([rows, columns], closed, Scheme::SixTap)?;
         nodes.check_finite()?;
         let arrays = [("tangents", given.u), ("tangents", given.v)];
         let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
@@ -90,8 +90,7 @@ impl<'a> Hermite<'a> {
         Ok(Hermite { given, rows, columns, axes })
     }
 
-    /// The number of the node that stands for (i, j): of closed directions the last line is the
-    /// first one.
+    /// The index of the node (i, j). In a closed direction, the last line maps to the first one.
     fn node(&self, i: usize, j: usize) -> usize {
         let [closed_u, closed_v] = self.given.closed;
         let i = if closed_u && i == self.rows - 1 { 0 } else { i };
@@ -115,10 +114,10 @@ impl<'a> Hermite<'a> {
         }))
     }
 
-    /// Differences over the nearest lines: of S_u along the row and of S_v along the column, less
-    /// the mixed one of the nodes.
+    /// Adini's twist, from differences over the adjacent lines: of S_u along the row, plus of S_v
+    /// along the column, minus the mixed difference of the nodes.
     fn adini(&self, i: usize, j: usize) -> DVec3 {
-        let (rows, columns) = (self.near(0, i), self.near(1, j));
+        let (rows, columns) = (self.adjacent_lines(0, i), self.adjacent_lines(1, j));
         let [height, width] = [rows, columns].map(|[_, _, span]| span as f64);
         let (given, node) = (self.given, |i: usize, j: usize| self.node(i, j));
         let along = (given.u[node(i, columns[1])] - given.u[node(i, columns[0])]) / width;
@@ -128,8 +127,8 @@ impl<'a> Hermite<'a> {
         along + across - mixed / (height * width)
     }
 
-    /// The lines before and after a line, and how far they are apart.
-    fn near(&self, direction: usize, line: usize) -> [usize; 3] {
+    /// The lines before and after a line, and the number of intervals between them.
+    fn adjacent_lines(&self, direction: usize, line: usize) -> [usize; 3] {
         let last = self.axes[direction].cells();
         if self.given.closed[direction] {
             return [(line + last - 1) % last, (line + 1) % last, 2];
@@ -142,7 +141,7 @@ impl<'a> Hermite<'a> {
         let mut points = [[DVec3::ZERO; 4]; 4];
         for (di, dj) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
             let (point, node) = (self.given.nodes.get(i + di, j + dj), self.node(i + di, j + dj));
-            // Towards the inside of the cell, by a third.
+            // A third of the derivative, directed into the cell.
             let inwards = |end: usize| if end == 0 { 1.0 / 3.0 } else { -1.0 / 3.0 };
             let (u, v) = (inwards(di) * self.given.u[node], inwards(dj) * self.given.v[node]);
             let twist = inwards(di) * inwards(dj) * twists[node];

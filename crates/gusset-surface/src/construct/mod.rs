@@ -1,15 +1,16 @@
-//! Sheets from other things than a bare grid of nodes.
+//! Sheets that are not given by a grid of nodes.
 //!
-//! * [`Tangents`]: nodes with given tangents; bicubic Hermite patches.
-//! * [`Spline`]: tensor-product B-splines, cut into their Bézier patches; rational ones become
-//!   polynomial patches of degree 7 within a distance that is proven.
-//! * [`CurveNet`]: curves across and along that meet, or curves across alone; Gordon's surface,
-//!   which contains them.
-//! * [`FrameSurface`]: a frame of outlines, its nodes or its curves.
-//! * [`Sheet::offset`](crate::Sheet::offset): the surface beside another one, a grid again.
+//! - [`Tangents`]: nodes with given tangents; bicubic Hermite patches.
+//! - [`Spline`]: tensor-product B-splines, converted to Bézier patches. Rational splines become
+//!   polynomial patches of degree 7 within a proven distance.
+//! - [`CurveNet`]: a net of curves across and along, or curves in one direction; the Gordon
+//!   surface, which contains them.
+//! - [`FrameSurface`]: a frame of outlines, by its nodes or its curves.
+//! - [`Sheet::offset`](crate::Sheet::offset): the offset of a sheet, which is again a grid.
 //!
-//! All others give Bézier patches that share their sides to the bit. Patches themselves are never
-//! rational: quotients have no control nets that the bounds of searches could be taken from.
+//! Except for offsets, the results are Bézier patches whose neighbours agree exactly on their
+//! common sides. Patches are never rational, because quotients lack the control nets from which
+//! searches take bounds.
 
 mod blend;
 mod curve_net;

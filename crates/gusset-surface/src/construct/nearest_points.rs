@@ -1,9 +1,9 @@
-//! The points of two curves of a net that are nearest to each other.
+//! The nearest points of two curves of a net.
 //!
-//! Best first branch and bound: the pair of boxes with the least gap is refined next. Invariant:
-//! the gap of a pair is a lower bound of the distance of its curves, so that the first one that is
-//! no better than the best answer ends the search. Cost: about O(log segments), [`MAX_SPLITS`]
-//! halvings of pairs at most.
+//! Best-first branch and bound: the pair of boxes with the smallest gap is refined next. Invariant:
+//! the gap of a pair is a lower bound of the distance of its curves. The search ends at the first
+//! pair whose gap is not below the best distance. Cost: about O(log segments), at most
+//! [`MAX_SPLITS`] splits.
 
 use super::net_curve::{CurvePlace, NetCurve, restricted};
 use crate::frontier::{BranchAndBound, Frontier};
@@ -13,21 +13,21 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::evaluate_with_slope;
 
-/// Pairs of parts that are split for two curves: curves that run together would take them without
-/// end.
+/// Largest number of pairs of parts that are split for two curves. Without a limit, curves that
+/// coincide would never end.
 const MAX_SPLITS: usize = 1 << 14;
-/// Halvings of a segment.
+/// Largest number of halvings of a segment.
 const MAX_SUBDIVISION_DEPTH: u32 = 48;
-/// Newton steps from a start.
+/// Largest number of Newton steps from a start.
 const NEWTON_STEPS: usize = 16;
 
-/// Boxes of the segments of a curve, of pairs of them, and so on up to that of all.
+/// A binary hierarchy of boxes over the segments of a curve.
 pub(super) struct Boxes {
     levels: Vec<Vec<Aabb>>,
 }
 
 impl Boxes {
-    pub(super) fn of<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
+    pub(super) fn from_curve<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
         let mut levels = alloc::with_capacity(32)?;
         let mut level = alloc::collect(net_curve.segments.iter().map(Aabb::from_points))?;
         while level.len() > 1 {
@@ -43,21 +43,21 @@ impl Boxes {
         self.levels[level][k]
     }
 
-    /// The one or two boxes that a box is of.
+    /// The one or two children of a box.
     fn children(&self, (level, k): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
         let count = self.levels[level - 1].len();
         (2 * k..(2 * k + 2).min(count)).map(move |child| (level - 1, child))
     }
 }
 
-/// The places where two curves are nearest.
+/// The places where two curves are nearest to each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearestPoints {
     pub(super) places: [CurvePlace; 2],
     pub(super) distance: f64,
 }
 
-/// Parts of two segments, one of each curve.
+/// A part of a segment of each curve.
 struct SegmentPair<const N: usize> {
     of: [usize; 2],
     points: [[DVec3; N]; 2],
@@ -66,14 +66,14 @@ struct SegmentPair<const N: usize> {
     depth: u32,
 }
 
-/// Pairs that may be nearer: boxes of segments, or parts of segments.
+/// A pair that may be closer: of boxes over segments, or of parts of segments.
 enum Task<const N: usize> {
     Boxes([(usize, usize); 2]),
     SegmentPair(Box<SegmentPair<N>>),
 }
 
-/// Finds where two curves are nearest, or a place where they are farther apart than there by
-/// `slack` at most: whatever may be nearest is looked at first.
+/// Finds the nearest points of two curves. Their distance exceeds the smallest one by at most
+/// `slack`.
 pub(super) fn nearest<const N: usize>(
     net_curves: [&NetCurve<N>; 2],
     boxes: [&Boxes; 2],
@@ -82,18 +82,18 @@ pub(super) fn nearest<const N: usize>(
     let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
     let mut search =
         NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
-    search.wait(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    search.push_task(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
     search.run()?;
     Ok(search.best)
 }
 
-/// The search of two curves.
+/// The search for the nearest points of two curves.
 struct NearestPointsSearch<'a, const N: usize> {
     net_curves: [&'a NetCurve<N>; 2],
     boxes: [&'a Boxes; 2],
     slack: f64,
     best: NearestPoints,
-    /// Among equal gaps the first one that was added comes first.
+    /// Among equal gaps, the pair added first comes first.
     frontier: Frontier<Task<N>, usize>,
     added: usize,
     splits: usize,
@@ -119,7 +119,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 let of = [a.1, b.1];
                 let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
                 let whole = SegmentPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
-                self.wait(gap, Task::SegmentPair(Box::new(whole)))
+                self.push_task(gap, Task::SegmentPair(Box::new(whole)))
             }
             Task::Boxes(pair) => {
                 let taller = usize::from(pair[0].0 < pair[1].0);
@@ -128,7 +128,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                     let mut pair = pair;
                     pair[taller] = child;
                     let [a, b] = [0, 1].map(|k| boxes[k].get(pair[k]));
-                    self.wait(a.distance(&b), Task::Boxes(pair))
+                    self.push_task(a.distance(&b), Task::Boxes(pair))
                 })
             }
             Task::SegmentPair(parts) => {
@@ -139,7 +139,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 self.splits += 1;
                 parts.halves().into_iter().try_for_each(|half| {
                     let [a, b] = half.points.map(Aabb::from_points);
-                    self.wait(a.distance(&b), Task::SegmentPair(Box::new(half)))
+                    self.push_task(a.distance(&b), Task::SegmentPair(Box::new(half)))
                 })
             }
         }
@@ -147,12 +147,12 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
 }
 
 impl<const N: usize> NearestPointsSearch<'_, N> {
-    fn wait(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+    fn push_task(&mut self, gap: f64, task: Task<N>) -> Result<()> {
         self.added += 1;
         self.frontier.push(gap, self.added, task)
     }
 
-    /// Looks from the middle of parts.
+    /// Improves the best places by a descent from the middle of two parts.
     fn improve(&mut self, parts: &SegmentPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
         let found = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
@@ -164,7 +164,7 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
 }
 
 impl<const N: usize> SegmentPair<N> {
-    /// The halves of the longer one, each with the other.
+    /// Halves the longer part, and pairs each half with the other part.
     fn halves(&self) -> [SegmentPair<N>; 2] {
         let [a, b] = self.points.map(|points| Aabb::from_points(points).size().length_squared());
         let longer = usize::from(b > a);
@@ -178,8 +178,8 @@ impl<const N: usize> SegmentPair<N> {
     }
 }
 
-/// Goes from parameters of two segments to where they are nearest thereabouts: Gauss and Newton's
-/// steps, within 0 to 1.
+/// Descends from parameters of two segments to a local minimum of the distance, with Gauss-Newton
+/// steps within 0 to 1. Returns the parameters and the distance.
 fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
     let apart = |at: [f64; 2]| {
         let [[p, pd], [q, qd]] = [0, 1].map(|k| evaluate_with_slope(&segments[k], at[k]));

@@ -7,10 +7,10 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::{elevate, evaluate, restrict};
 use gusset_curve::CurveView;
 
-/// The least share of a whole that a segment is given of its parameter.
+/// Smallest fraction of the parameter of a piece that a segment takes.
 const MIN_SEGMENT_SHARE: f64 = 1e-9;
-/// Lengths of segments in the parameter may differ from those of their polygons by this, relative
-/// to the whole curve.
+/// Largest ratio between the length of a segment in the parameter and the length of its polygon,
+/// both relative to the whole curve.
 const MAX_LENGTH_DISTORTION: f64 = 16.0;
 
 /// A place on a curve of a net.
@@ -20,28 +20,28 @@ pub(super) struct CurvePlace {
     pub(super) t: f64,
 }
 
-/// Segments of degree N - 1, one after the other.
+/// Successive Bézier segments of degree N - 1.
 pub(super) struct NetCurve<const N: usize> {
     pub(super) segments: Vec<[DVec3; N]>,
-    /// The share of the parameter that each segment takes: such that derivatives are continuous,
-    /// but for their direction.
+    /// The length of the parameter that each segment takes, chosen so that the lengths of
+    /// derivatives are continuous.
     lengths: Vec<f64>,
     pub(super) closed: bool,
 }
 
 /// The part of a curve between two nodes.
-pub(super) struct Piece<const N: usize> {
+pub(super) struct CurvePiece<const N: usize> {
     pub(super) segments: Vec<[DVec3; N]>,
-    /// Where segments end, as fractions of the piece: the last is 1.
+    /// The ends of segments as fractions of the piece; the last one is 1.
     pub(super) ends: Vec<f64>,
-    /// Its length in the curve's parameter.
+    /// Length of the piece in the curve's parameter.
     pub(super) length: f64,
 }
 
-/// The highest degree of the segments of some curves, 1 at least.
+/// The highest degree of the segments of some curves, at least 1.
 ///
 /// # Errors
-/// [`Error::EmptyCurve`] for a curve without points, [`Error::OptionOutOfRange`] for a degree above
+/// [`Error::EmptyCurve`] if a curve lacks points, [`Error::OptionOutOfRange`] if a degree is above
 /// 7.
 pub(super) fn degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Result<usize> {
     curves.try_fold(1, |highest, curve| {
@@ -55,14 +55,14 @@ pub(super) fn degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Res
 }
 
 impl<const N: usize> NetCurve<N> {
-    /// A curve of degree N - 1 at most.
+    /// Converts a curve of degree N - 1 or less.
     pub(super) fn new(curve: &CurveView<'_>) -> Result<Self> {
         let mut segments = alloc::with_capacity(curve.len().max(1))?;
         for controls in curve.segments() {
             let mut points = [DVec3::ZERO; N];
             points[..controls.len()].copy_from_slice(controls);
             elevate(&mut points, controls.len() - 1);
-            // A point stays one to the bit.
+            // Exact copies keep a segment that is a single point exact.
             if is_point(controls) {
                 points = [controls[0]; N];
             }
@@ -72,18 +72,19 @@ impl<const N: usize> NetCurve<N> {
             segments.push([curve.points()[0]; N]);
         }
         let mut net_curve = NetCurve { lengths: Vec::new(), segments, closed: curve.is_closed() };
-        net_curve.lengths = net_curve.natural()?;
+        net_curve.lengths = net_curve.parameter_lengths()?;
         Ok(net_curve)
     }
 
-    /// True if it is one point.
+    /// True if the curve is a single point.
     pub(super) fn is_point(&self) -> bool {
         is_point(self.segments.as_flattened())
     }
 
-    /// Lengths in a parameter in which the curve has derivatives of continuous length: those of its
-    /// knots if it is C1 in some. Segments that are points have none.
-    fn natural(&self) -> Result<Vec<f64>> {
+    /// Lengths of segments in a parameter with continuous lengths of derivatives. For a curve that
+    /// is C1 in some knots, these are its knot intervals. Segments that are single points have
+    /// length 0.
+    fn parameter_lengths(&self) -> Result<Vec<f64>> {
         let polygon = |points: &[DVec3; N]| points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
         let polygons = alloc::collect(self.segments.iter().map(polygon))?;
         let total: f64 = polygons.iter().sum();
@@ -110,33 +111,33 @@ impl<const N: usize> NetCurve<N> {
         evaluate(&self.segments[at.segment], at.t)
     }
 
-    /// Backwards.
+    /// Reverses the curve.
     pub(super) fn reverse(&mut self) {
         self.segments.reverse();
         self.segments.iter_mut().for_each(|points| points.reverse());
         self.lengths.reverse();
     }
 
-    /// A place as it is called after [`NetCurve::reverse`].
+    /// The place that corresponds to `at` after [`NetCurve::reverse`].
     pub(super) fn reversed(&self, at: CurvePlace) -> CurvePlace {
         CurvePlace { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
     }
 
-    /// The parts between places that follow each other; of a closed one also that from the last to
-    /// the first. A curve that is one point has parts that are the same.
-    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<Piece<N>>> {
+    /// The pieces between successive places. On a closed curve, the last piece leads from the last
+    /// place to the first. The pieces of a curve that is a single point are equal.
+    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<CurvePiece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
-        alloc::try_collect((0..count).map(|k| self.between(places[k], places[(k + 1) % places.len()])))
+        alloc::try_collect((0..count).map(|k| self.piece_between(places[k], places[(k + 1) % places.len()])))
     }
 
-    /// The whole curve, one piece.
-    pub(super) fn whole(&self) -> Result<Piece<N>> {
+    /// The whole curve as one piece.
+    pub(super) fn whole(&self) -> Result<CurvePiece<N>> {
         let last = self.segments.len() - 1;
-        self.between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
+        self.piece_between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
     }
 
-    fn between(&self, from: CurvePlace, to: CurvePlace) -> Result<Piece<N>> {
-        let mut piece = Piece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
+    fn piece_between(&self, from: CurvePlace, to: CurvePlace) -> Result<CurvePiece<N>> {
+        let mut piece = CurvePiece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
         let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
             if end <= start || self.lengths[segment] == 0.0 {
                 return Ok(());
@@ -166,8 +167,8 @@ impl<const N: usize> NetCurve<N> {
     }
 }
 
-impl<const N: usize> Piece<N> {
-    /// Ends become fractions, none of them too close to the next.
+impl<const N: usize> CurvePiece<N> {
+    /// Converts ends to fractions, and keeps a minimum distance between them.
     fn spread(&mut self) {
         let min = MIN_SEGMENT_SHARE * self.length;
         let (mut before, mut total) = (0.0, 0.0);
@@ -183,8 +184,9 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// Moves its ends to points, and all else by as much as lies between.
-    pub(super) fn bend(&mut self, from: DVec3, to: DVec3) {
+    /// Moves the ends of the piece to the given points. Moves all other points by linear
+    /// interpolation.
+    pub(super) fn move_ends(&mut self, from: DVec3, to: DVec3) {
         let last = self.segments.len() - 1;
         let (start, end) = (from - self.segments[0][0], to - self.segments[last][N - 1]);
         let mut before = 0.0;
@@ -201,9 +203,9 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The segments over the spans between breaks, the last of which is 1. The breaks have all ends
-    /// of the piece among them: `ends`, as the breaks have them.
-    pub(super) fn refined(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
+    /// Appends the segments over the spans between breaks, the last of which is 1. `ends` are the
+    /// ends of the piece's segments, all of which are among the breaks.
+    pub(super) fn refine(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
         alloc::reserve(refined, breaks.len())?;
         let (mut segment, mut from) = (0, 0.0);
         let mut start = self.segments[0][0];
@@ -212,7 +214,7 @@ impl<const N: usize> Piece<N> {
             let length = ends[segment] - first;
             let [low, high] = [(from - first) / length, if to >= ends[segment] { 1.0 } else { (to - first) / length }];
             let mut points = restricted(&self.segments[segment], [low, high]);
-            // Neighbours share their ends to the bit.
+            // Neighbours share their ends exactly.
             points[0] = start;
             start = points[N - 1];
             refined.push(points);
@@ -229,7 +231,7 @@ fn is_point(points: &[DVec3]) -> bool {
     points.iter().all(|&p| p == points[0])
 }
 
-/// A segment over a part of its parameters, exactly itself over all.
+/// A segment restricted to a range of its parameters. The full range returns the segment unchanged.
 pub(super) fn restricted<const N: usize>(points: &[DVec3; N], range: [f64; 2]) -> [DVec3; N] {
     let mut part = *points;
     restrict(&mut part, range);

@@ -1,4 +1,4 @@
-//! The surface beside a surface.
+//! The offset surface of a sheet.
 
 use crate::{Grid, Nodes, Scheme, Sheet};
 use gusset_base::alloc;
@@ -11,20 +11,21 @@ use gusset_curve::frame::node_distances;
 const STAGE: &str = "offsetting";
 
 impl Sheet<'_> {
-    /// The sheet through the corners of this one's cells, each moved along the surface's normal,
-    /// and how far it is from where it should be, at most, in the middles of the cells. Places
-    /// without a normal stay.
+    /// Returns the sheet through the corners of this sheet's cells, each moved along the surface's
+    /// normal. Also returns the largest error, measured in the middles of the cells. Corners
+    /// without a normal do not move.
     ///
-    /// Normals at nodes of a grid are those of circles through neighbours,
-    /// exact on planes, spheres and cylinders; those of patches are their own.
-    /// `distances`: one for all corners, one for each line of them that runs along v, or one for
-    /// each corner; a line that closes the sheet counts, too, and moves with the first one.
+    /// Normals at nodes of a grid are computed from circles through neighbours. They are exact on
+    /// planes, spheres and cylinders. For patches, the surface's own normals are used.
+    ///
+    /// `distances` holds one distance for all corners, one for each line of corners along v, or one
+    /// for each corner. A line that closes the sheet counts, but moves with the first line.
     ///
     /// O(cells).
     ///
     /// # Errors
-    /// [`ValuesDiffer`](gusset_base::Error::ValuesDiffer) for another number of distances,
-    /// [`BadValue`](gusset_base::Error::BadValue) for one that is not finite,
+    /// [`ValuesDiffer`](gusset_base::Error::ValuesDiffer) for any other number of distances,
+    /// [`BadValue`](gusset_base::Error::BadValue) if a distance is not finite,
     /// [`NetTooSmall`](gusset_base::Error::NetTooSmall),
     /// [`NotFinite`](gusset_base::Error::NotFinite) if a corner overflows,
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -36,17 +37,18 @@ impl Sheet<'_> {
         let corner = |k: usize| self.corner(k / width, k % width);
         let normals = match self {
             Sheet::Grid(_) => {
-                // Without the lines that are repeated.
+                // Without the repeated lines.
                 let [h, w] = [height - usize::from(closed[0]), width - usize::from(closed[1])];
                 let nodes = alloc::collect((0..h * w).map(|k| self.corner(k / w, k % w)))?;
-                // Of coordinates near 1 neither squares nor their inverses leave the range.
+                // Scaled to coordinates near 1, whose squares and inverses neither overflow nor
+                // underflow.
                 let unit = common_unit(&nodes);
                 let nodes = alloc::collect(nodes.iter().map(|&p| p / unit))?;
                 let own = node_normals(&nodes, [h, w], closed)?;
                 alloc::collect((0..height * width).map(|k| own[k / width % h * w + k % width % w]))?
             }
             _ => alloc::collect((0..height * width).map(|k| {
-                let ([i, u], [j, v]) = (cell_of(k / width, rows), cell_of(k % width, columns));
+                let ([i, u], [j, v]) = (cell_at_line(k / width, rows), cell_at_line(k % width, columns));
                 self.normal(i as usize, j as usize, u, v)
             }))?,
         };
@@ -75,8 +77,8 @@ impl Sheet<'_> {
     }
 }
 
-/// The cell that a line of corners belongs to, and its parameter there.
-fn cell_of(line: usize, cells: usize) -> [f64; 2] {
+/// The cell that a line of corners belongs to, and the parameter of the line in it.
+fn cell_at_line(line: usize, cells: usize) -> [f64; 2] {
     let cell = line.min(cells - 1);
     [cell as f64, (line - cell) as f64]
 }

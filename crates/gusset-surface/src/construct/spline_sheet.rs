@@ -1,7 +1,7 @@
-//! Sheets of splines: of polynomial ones the pieces themselves, of rational ones what is near them.
+//! Sheets of splines: the exact pieces of polynomial splines, and approximations of rational ones.
 
 use super::rational;
-use super::spline::{Interval, Spline, SplineOptions, knots_of};
+use super::spline::{Interval, Spline, SplineOptions, border_knots};
 use crate::checks::finite_points;
 use crate::patches::Origin;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
@@ -11,20 +11,22 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 impl Sheet<'static> {
-    /// The Bézier patches of a spline. If it has no weights, or weights that are all equal, these
-    /// are exact but for rounding, of the greater of the two degrees or 3; else of degree 7 and
-    /// within a proven distance, [`Sheet::deviation`].
+    /// Converts a spline to Bézier patches. If the spline lacks weights, or all weights are equal,
+    /// the patches are exact within rounding, and have degree 3 or the larger of the two degrees.
+    /// Otherwise they have degree 7, and approximate the spline within a proven distance,
+    /// [`Sheet::deviation`].
     ///
-    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes a cell up to degree 3, else 1536.
+    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes for each cell up to degree 3,
+    /// otherwise 1536.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7, and for a tolerance that is not
-    /// positive and finite, or below what rounding allows; [`Error::NetTooSmall`] for fewer control
-    /// points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot
-    /// that is not finite, that is less than the one before, or that is repeated too often, or
-    /// that begins a span too short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`];
-    /// [`Error::TooLarge`] for control points and for cells; [`Error::NotFinite`] with the control
-    /// point; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if a degree is 0 or above 7, or the tolerance is not positive
+    /// and finite, or smaller than rounding allows; [`Error::NetTooSmall`] for fewer control points
+    /// than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot that is
+    /// not finite, smaller than the previous one, repeated too often, or at the start of a span too
+    /// short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`]; [`Error::TooLarge`] for
+    /// control points and for cells; [`Error::NotFinite`] with the control point;
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_spline(spline: &Spline<'_>, options: &SplineOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
@@ -41,15 +43,19 @@ impl Sheet<'static> {
             return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
         }
         if spline.axes.iter().all(|axis| axis.degree <= 3) {
-            Ok(Sheet::Cubic(exact(spline, &intervals, job)?))
+            Ok(Sheet::Cubic(exact_patches(spline, &intervals, job)?))
         } else {
-            Ok(Sheet::High(exact(spline, &intervals, job)?))
+            Ok(Sheet::High(exact_patches(spline, &intervals, job)?))
         }
     }
 }
 
-/// The pieces of a spline that is not rational.
-fn exact<const N: usize>(spline: &Spline<'_>, intervals: &[Vec<Interval>; 2], job: &Job<'_>) -> Result<Patches<N>> {
+/// The pieces of a polynomial spline.
+fn exact_patches<const N: usize>(
+    spline: &Spline<'_>,
+    intervals: &[Vec<Interval>; 2],
+    job: &Job<'_>,
+) -> Result<Patches<N>> {
     let [p, q] = [0, 1].map(|k| spline.axes[k].degree);
     let [u, v] = spline.pieces(intervals)?;
     let mut patches = alloc::with_capacity(u.len().saturating_mul(v.len()))?;
@@ -59,8 +65,9 @@ fn exact<const N: usize>(spline: &Spline<'_>, intervals: &[Vec<Interval>; 2], jo
             let net = spline.net(spline.points, rows, columns);
             let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
             packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
-            patches.push(Patch::raised(&packed[..(p + 1) * (q + 1)], [p, q]));
+            patches.push(Patch::elevated(&packed[..(p + 1) * (q + 1)], [p, q]));
         }
     }
-    Ok(Patches::of(patches, u.len(), v.len()).with(Origin { deviation: 0.0, knots: knots_of(intervals)? }))
+    Ok(Patches::from_patches(patches, u.len(), v.len())
+        .with_origin(Origin { deviation: 0.0, knots: border_knots(intervals)? }))
 }

@@ -1,20 +1,20 @@
-//! The zero set of a field over one cell, as arcs between marks, the places where it crosses sides,
-//! by [`subdivide`] into quarters.
+//! The zero set of a field over one cell, as arcs between marks. Marks are the places where the
+//! zero set crosses sides. [`subdivide`] splits the cell into quarters.
 //!
-//! Signs are those of `side`: 0 counts as positive. Round the border of a cell, or of a part of
-//! one, the sign changes an even number of times, in turn from plus to minus, where an arc enters
-//! (with plus on its left), and from minus to plus, where one leaves. A part is done when one of
-//! these holds, else it is cut into four, whose common sides get marks of their own:
-//! * *none*: the border has no marks, and all coefficients have one sign;
-//! * *graph*: the field is monotone in u, or in v. Then the zero set is a graph over the other
-//!   parameter, along which arcs follow each other: no closed loop can hide, and the k-th entry
+//! Signs follow `side`: 0 counts as positive. The sign changes an even number of times around the
+//! border of a cell or part. It changes alternately from plus to minus, where an arc enters (with
+//! plus on its left), and from minus to plus, where an arc leaves. A part is settled in one of
+//! these cases. Otherwise it is split into four parts, whose common sides get their own marks:
+//! - *none*: the border has no marks, and all coefficients have one sign;
+//! - *graph*: the field is monotone in u, or in v. The zero set is a graph over the other
+//!   parameter, so closed loops are impossible. Arcs are in order along it, and the k-th entry
 //!   belongs to the k-th exit;
-//! * *unresolved*: the field cannot be told from 0, or the part is too small. The marks are linked
-//!   by the sign in the middle, and the part is reported.
+//! - *unresolved*: the field cannot be distinguished from 0, or the part is too small. The sign in
+//!   the middle determines how marks are linked, and the part is reported.
 //!
-//! Invariant: a part's marks are those of its parent and of the lines between parts, so that arcs
-//! of neighbouring parts join to the bit. Monotonicity as a criterion of termination: Alberti,
-//! Mourrain and Wintz (2008). Cost: O(M^3) a split, [`MAX_PARTS`] parts at most.
+//! Invariant: a part takes its marks from its parent, and from the lines between parts, so that
+//! arcs of neighbouring parts join exactly. Monotonicity as a termination criterion: Alberti,
+//! Mourrain and Wintz (2008). Cost: O(M^3) for a split, at most [`MAX_PARTS`] parts.
 
 use super::side::{crossings, positive};
 use crate::subdivision::Field;
@@ -23,44 +23,44 @@ use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use gusset_base::sort;
 use std::convert::Infallible;
 
-/// Halvings of each parameter before a part is given up.
+/// Number of halvings of each parameter before a part is given up.
 const MAX_SUBDIVISION_DEPTH: u32 = 26;
-/// Parts examined for one cell.
+/// Largest number of parts examined in one cell.
 const MAX_PARTS: usize = 1024;
 
-/// The sides of a cell or part: v low, u high, v high, u low, which is once round it,
-/// counter-clockwise.
+/// Number of sides of a cell or part. Counter-clockwise, the sides are v low, u high, v high, u
+/// low.
 pub(super) const SIDES: usize = 4;
-/// By side: the corners (2 u + v) that it starts and ends with; the parameter rises between them.
+/// For each side, the corners (2 u + v) at its start and end. The parameter increases between them.
 pub(super) const CORNERS: [[usize; 2]; SIDES] = [[0, 2], [2, 3], [1, 3], [0, 1]];
 
 /// A place where the sign changes along a side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mark {
-    /// The same for all cells and parts that the side belongs to.
+    /// The key, which all cells and parts that share the side agree on.
     pub(super) key: u64,
     /// The parameters in the cell.
     pub(super) at: DVec2,
     pub(super) side: usize,
-    /// From minus to plus, as the parameter rises along the side.
+    /// True if the sign changes from minus to plus with increasing parameter along the side.
     pub(super) rising: bool,
 }
 
 impl Mark {
     /// The parameter along its side.
-    fn along(&self) -> f64 {
+    fn parameter(&self) -> f64 {
         self.at[self.side % 2]
     }
 
-    /// True if an arc begins here: once round the cell, the sign changes from plus to minus.
+    /// True if an arc begins here: counter-clockwise, the sign changes from plus to minus.
     fn is_entry(&self) -> bool {
         self.rising == (self.side >= 2)
     }
 }
 
-/// Where an arc is a graph: over u (0) or v (1), and the range of the other parameter.
+/// An arc as a graph: over u (0) or v (1), with the range of the other parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Graph {
+pub(super) struct ArcGraph {
     pub(super) over: usize,
     pub(super) range: [f64; 2],
 }
@@ -70,21 +70,21 @@ pub(super) struct Graph {
 pub(super) struct Link {
     pub(super) from: Mark,
     pub(super) to: Mark,
-    /// `None` in parts that are unresolved.
-    pub(super) graph: Option<Graph>,
+    /// The graph of the arc; `None` in unresolved parts.
+    pub(super) graph: Option<ArcGraph>,
 }
 
-/// A cell, or part of one.
+/// A cell or part with the marks on its border.
 pub(super) struct MarkedPart<const M: usize> {
     field: Field<M>,
     marks: Vec<Mark>,
-    /// Signs at the corners 2 u + v.
+    /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
     from: DVec2,
     size: f64,
 }
 
-/// Keys of marks inside cells.
+/// A generator of keys for marks inside cells.
 pub(super) struct Keys(pub(super) u64);
 
 impl Keys {
@@ -94,8 +94,8 @@ impl Keys {
     }
 }
 
-/// Finds the arcs of a cell whose marks and signs at corners are given. Values up to
-/// `rounding_error` may be 0. Returns where something is left unresolved.
+/// Finds the arcs of a cell from its marks and the signs at its corners. Values up to
+/// `rounding_error` may be 0. Returns a place that is left unresolved, if any.
 #[inline]
 pub(super) fn arcs<const M: usize>(
     field: &Field<M>,
@@ -110,7 +110,7 @@ pub(super) fn arcs<const M: usize>(
         return None;
     }
     if let Some(over) = graph(field, rounding_error) {
-        in_order(marks, Graph { over, range: [0.0, 1.0] }, &mut add);
+        link_in_order(marks, ArcGraph { over, range: [0.0, 1.0] }, &mut add);
         return None;
     }
     let marks = std::mem::take(marks);
@@ -121,12 +121,13 @@ pub(super) fn arcs<const M: usize>(
     search.unresolved.map(|(_, place)| place)
 }
 
-/// The search of one cell.
+/// The search in one cell.
 struct LinkSearch<'a, F> {
     rounding_error: f64,
     keys: &'a mut Keys,
     add: F,
-    /// The middle of the unresolved part with the least value there, and that value.
+    /// The middle of the unresolved part with the smallest absolute value there, preceded by that
+    /// value.
     unresolved: Option<(f64, DVec2)>,
 }
 
@@ -151,16 +152,16 @@ impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearc
 
     fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
         let low = part.from[1 - over];
-        in_order(&mut part.marks, Graph { over, range: [low, low + part.size] }, &mut self.add);
+        link_in_order(&mut part.marks, ArcGraph { over, range: [low, low + part.size] }, &mut self.add);
         Ok(())
     }
 
     fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
-        let middle = part.field.at(0.5, 0.5).value;
+        let middle = part.field.evaluate(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
         }
-        by_middle(&part.marks, positive(middle), &mut self.add);
+        link_around_middle(&part.marks, positive(middle), &mut self.add);
         Ok(())
     }
 
@@ -169,15 +170,15 @@ impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearc
     }
 }
 
-/// True if the field is nowhere 0, as its coefficients show.
+/// True if the coefficients prove that the field does not vanish.
 #[inline]
 pub(super) fn one_sign<const M: usize>(field: &Field<M>) -> bool {
     let [low, high] = field.range();
     low >= 0.0 || high < 0.0
 }
 
-/// The parameter, u (0) or v (1), over which the zero set is a graph, the field being monotone in
-/// the other one; the one in which it rises more steeply, if both will do.
+/// The parameter, u (0) or v (1), over which the zero set is a graph, because the field is monotone
+/// in the other one. If both are possible, the field is steeper in the other parameter.
 #[inline]
 fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize> {
     // Slopes are differences of coefficients, times the degree.
@@ -195,9 +196,9 @@ fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize>
     }
 }
 
-/// Along a graph: the k-th entry belongs to the k-th exit.
+/// Links marks along a graph: the k-th entry to the k-th exit.
 #[inline]
-fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
+fn link_in_order(marks: &mut [Mark], graph: ArcGraph, add: &mut impl FnMut(Link)) {
     if let [a, b] = *marks {
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
         return add(Link { from, to, graph: Some(graph) });
@@ -209,14 +210,14 @@ fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
     }
 }
 
-/// Round a part that is unresolved: where the middle is positive, arcs cut off what is negative,
-/// else what is positive.
-fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
+/// Links marks around an unresolved part. If the middle is positive, arcs cut off negative regions,
+/// and positive ones otherwise.
+fn link_around_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     let mut round: Vec<Mark> = Vec::with_capacity(marks.len());
     for side in 0..SIDES {
         let first = round.len();
         round.extend(marks.iter().filter(|mark| mark.side == side));
-        sort::stable(&mut round[first..], &|a, b| a.along().total_cmp(&b.along()));
+        sort::stable(&mut round[first..], &|a, b| a.parameter().total_cmp(&b.parameter()));
         if side >= 2 {
             round[first..].reverse();
         }
@@ -229,14 +230,14 @@ fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
 }
 
 impl<const M: usize> MarkedPart<M> {
-    /// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and
-    /// high v.
+    /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
     fn quarters(self, keys: &mut Keys) -> [MarkedPart<M>; 4] {
         let half = 0.5 * self.size;
         let middle = self.from + half;
-        // The signs amid the sides: those of the start, changed by the marks before.
+        // The signs at the middles of sides: the sign at the start, changed by each mark before the
+        // middle.
         let amid: [bool; SIDES] = std::array::from_fn(|side| {
-            let before = |mark: &&Mark| mark.side == side && mark.along() < middle[side % 2];
+            let before = |mark: &&Mark| mark.side == side && mark.parameter() < middle[side % 2];
             self.corners[CORNERS[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
         });
         let fields = self.field.quarters();
@@ -250,10 +251,10 @@ impl<const M: usize> MarkedPart<M> {
         ];
         let mut marks: [Vec<Mark>; 4] = std::array::from_fn(|_| Vec::new());
         for mark in self.marks {
-            let high = mark.along() >= middle[mark.side % 2];
+            let high = mark.parameter() >= middle[mark.side % 2];
             marks[[[0, 2], [2, 3], [1, 3], [0, 1]][mark.side][usize::from(high)]].push(mark);
         }
-        // The lines between the parts: before, behind, and the side of the part before.
+        // The lines between the parts, as (part before, part after, side of the part before).
         for (low, high, side) in [(0, 2, 1), (1, 3, 1), (0, 1, 2), (2, 3, 2)] {
             let along = side % 2;
             let c: [f64; M] = match side {

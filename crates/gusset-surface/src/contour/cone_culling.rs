@@ -1,45 +1,46 @@
-//! The blocks whose normals may make given angles with a direction: one descent through the cones
-//! of normals.
+//! Finds the blocks whose normals may make given angles with a direction, in one descent through
+//! the cones of normals.
 //!
-//! Invariant: the cone of a block contains the normals of all its cells, so that no cell with the
-//! angle is dropped. Cost: O(blocks visited).
+//! Invariant: the cone of a block contains the normals of all its cells, so no cell with the angle
+//! is discarded. Cost: O(blocks visited).
 
-use super::source::between;
+use super::source::levels_between;
 use crate::index::Cones;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::f64::consts::PI;
 
-/// By how much an angle may be off where a curve is still found within rounding, in radians: the
-/// zero set of an angle is that of a function that has the slope sin 2 alpha across it.
+/// Tolerance of an angle within which rounding may still produce a curve, in radians. The zero set
+/// of an angle is computed from a function whose slope across it is sin 2 alpha.
 const ANGLE_SLACK: f64 = 1e-9;
-/// Slopes below that are no slopes.
+/// Slopes below this count as zero.
 const MIN_SLOPE: f64 = 1e-8;
 
-/// That much about an angle.
-fn interval_of(angle: f64) -> [f64; 2] {
+/// The interval of the tolerance around an angle.
+fn tolerance_interval(angle: f64) -> [f64; 2] {
     let slope = libm::sin(2.0 * angle).abs();
     let slack = if slope > MIN_SLOPE { ANGLE_SLACK / slope } else { ANGLE_SLACK };
     [angle - slack, angle + slack]
 }
 
-/// True if normals at angles from `low` to `high` may have one of those given, which rise.
-pub(super) fn may_have(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
+/// True if normals at angles between `low` and `high` may have one of the given angles, which are
+/// sorted.
+pub(super) fn may_have_angle(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
     let near = |[low, high]: [f64; 2]| {
         let meets = |&angle: &f64| {
-            let [from, to] = interval_of(angle);
+            let [from, to] = tolerance_interval(angle);
             low <= to && from <= high
         };
-        // Of many angles most need not be looked at.
-        !between(goals, [low, high], 0.0).is_empty()
-            || goals[between(goals, [low, high], ANGLE_SLACK / MIN_SLOPE)].iter().any(meets)
+        // With many angles, most of them need not be tested.
+        !levels_between(goals, [low, high], 0.0).is_empty()
+            || goals[levels_between(goals, [low, high], ANGLE_SLACK / MIN_SLOPE)].iter().any(meets)
     };
     near([low, high]) || (unsigned && near([PI - high, PI - low]))
 }
 
-/// The blocks, row after row, whose normals' least and greatest angle with a direction are
-/// `wanted`; those of a larger range are if those of a smaller one are.
+/// The blocks, row by row, for which `wanted` accepts the smallest and largest angle of the normals
+/// with a direction. If `wanted` accepts a range, it must accept every larger one.
 pub(super) fn blocks(cones: &Cones, direction: DVec3, wanted: impl Fn([f64; 2]) -> bool) -> Result<Vec<[u32; 2]>> {
     let mut found = Vec::new();
     let mut waiting: Vec<[usize; 3]> = Vec::new();
@@ -127,10 +128,10 @@ mod tests {
         all
     }
 
-    /// Blocks that cones drop have no part in an answer: its bits are the same with cones that
-    /// exclude nothing.
+    /// Blocks that cones exclude do not contribute to a result: it has the same bits with cones
+    /// that exclude nothing.
     #[test]
-    fn answers_are_the_same_without_cones() {
+    fn results_are_equal_without_cones() {
         let (job, mut random) = (Job::default(), fastrand::Rng::with_seed(5));
         for (number, sheet) in sheets().into_iter().enumerate().step_by(if cfg!(debug_assertions) { 5 } else { 1 }) {
             let sharp = Surface::new(vec![sheet.clone()], None, &job).unwrap();

@@ -1,10 +1,12 @@
-//! Paths of a sheet: its arcs, linked by the marks that they share, open and closed, in order.
+//! Links the arcs of a sheet to open and closed paths by the marks that they share, and sorts the
+//! paths.
 //!
-//! Invariant: an arc ends with the key that the next one begins with, since cells that share a side
-//! share its marks. Cost: O(arcs) a level, and O(arcs log arcs) where fields jump.
+//! Invariant: an arc ends with the key with which the next one begins, because cells that share a
+//! side share its marks. Cost: O(arcs) for each level, O(arcs log arcs) if fields are
+//! discontinuous.
 
-use super::contour_lattice::Lattice;
-use super::contour_search::{Arc, FoundArcs};
+use super::contour_lattice::ContourLattice;
+use super::contour_search::{ContourArc, ContourArcs};
 use crate::Place;
 use glam::DVec2;
 use gusset_base::error::{Error, Result};
@@ -13,16 +15,16 @@ use gusset_base::sort::Buckets;
 use gusset_base::{alloc, par};
 use std::collections::VecDeque;
 
-/// A curve of a sheet.
+/// A curve on a sheet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContourPath {
     pub(super) level: u32,
     pub(super) closed: bool,
-    /// From where to where among the places.
+    /// The range of its points among the places.
     pub(super) range: [usize; 2],
 }
 
-/// The curves of sheets, one sheet after the other, each by level and lowest cell.
+/// The curves on sheets, sheet by sheet, each sorted by level and lowest cell.
 #[derive(Debug, Default)]
 pub(super) struct ContourPaths {
     pub(super) paths: Vec<ContourPath>,
@@ -31,7 +33,7 @@ pub(super) struct ContourPaths {
 
 impl ContourPaths {
     pub(super) fn append(&mut self, other: ContourPaths) -> Result<()> {
-        // Of one level and sheet, as it is.
+        // With one level and sheet, no copy is needed.
         if self.paths.is_empty() {
             *self = other;
             return Ok(());
@@ -45,15 +47,15 @@ impl ContourPaths {
 
 const NONE: u32 = u32::MAX;
 
-/// Arcs by the keys of the marks where they begin: open addressing.
+/// A hash table of arcs by the keys of the marks where they begin, with open addressing.
 struct Table<'a> {
-    arcs: &'a [Arc],
+    arcs: &'a [ContourArc],
     slots: Vec<u32>,
     shift: u32,
 }
 
 impl<'a> Table<'a> {
-    fn new(arcs: &'a [Arc]) -> Result<Self> {
+    fn new(arcs: &'a [ContourArc]) -> Result<Self> {
         let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
         let mut table = Table { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
@@ -63,7 +65,7 @@ impl<'a> Table<'a> {
         Ok(table)
     }
 
-    /// Where a key is, or would be.
+    /// The slot of a key, or the free slot for it.
     fn slot(&self, key: u64) -> usize {
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
         while self.slots[at] != NONE && self.arcs[self.slots[at] as usize].keys[0] != key {
@@ -78,17 +80,17 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Adds the paths of a sheet, whose arcs it links. `jumps`: whether the cells at a side have marks
-/// of their own, which are linked first.
+/// Links the arcs of a sheet, and adds its paths. `jumps` tells whether the cells at a side have
+/// separate marks, which are linked first.
 pub(super) fn chain(
     sheet: u32,
-    found: &mut FoundArcs,
-    lattice: &Lattice,
+    found: &mut ContourArcs,
+    lattice: &ContourLattice,
     jumps: bool,
     threads: usize,
     made: &mut ContourPaths,
 ) -> Result<()> {
-    by_level(&mut found.arcs)?;
+    sort_by_level(&mut found.arcs)?;
     if jumps {
         link_arcs(&mut found.arcs, lattice)?;
     }
@@ -97,9 +99,9 @@ pub(super) fn chain(
     parts.into_iter().try_for_each(|part| made.append(part?))
 }
 
-/// Sorts arcs by level: cells come as the search finds them, with their levels one after the other.
-/// Arcs of a level keep their order.
-fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
+/// Sorts arcs by level. Cells come in the order of the search, each with its levels. The sort is
+/// stable.
+fn sort_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
     if arcs.is_sorted_by_key(|arc| arc.level) {
         return Ok(());
     }
@@ -109,8 +111,8 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
     Ok(())
 }
 
-/// The arc that follows each, or [`NONE`], and whether one comes before it.
-fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
+/// For each arc, the index of its successor or [`NONE`], and whether it has a predecessor.
+fn successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
@@ -123,14 +125,14 @@ fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
     Ok((next, entered))
 }
 
-/// The paths of one level, by the lowest cell of each and the key of its mark.
-fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
+/// The paths of one level, sorted by the lowest cell of each and the key of its mark.
+fn paths(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPaths> {
     let (next, entered) = successors(arcs)?;
     let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
     let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
     let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
     let mut used = alloc::filled(false, arcs.len())?;
-    // Open ones from their beginnings, then closed ones.
+    // First open paths from their beginnings, then closed ones.
     let open = (0..arcs.len()).filter(|&k| !entered[k]);
     for head in open.chain(0..arcs.len()) {
         if used[head] {
@@ -171,11 +173,11 @@ fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
     Ok(ContourPaths { paths: alloc::collect(paths.into_iter().map(|(_, path)| path))?, places })
 }
 
-/// An end of an arc on a side between cells whose fields may jump.
+/// An end of an arc on a side between cells with discontinuous fields.
 #[derive(Clone, Copy)]
-struct End {
+struct SideEnd {
     level: u32,
-    /// The side, or the corner.
+    /// The index of the side or the corner.
     group: u64,
     t: f64,
     key: u64,
@@ -183,39 +185,39 @@ struct End {
     exit: bool,
 }
 
-/// Links what leaves one cell with what enters the next, or the same one again: along each side,
-/// the k-th that leaves with the k-th that enters. Where the fields have no sign in common, the
-/// side itself belongs to the zero set between the two. What is left over then, because the cells
-/// at a corner disagree on the sign there, is linked round the corner that it is nearer to.
-fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
+/// Links the ends of arcs that leave one cell to those that enter the adjacent one, or the same one
+/// again. Along each side, the k-th exit is linked to the k-th entry. Where the two fields have
+/// opposite signs, the side itself belongs to the zero set between exit and entry. Cells may
+/// disagree on the sign at a corner, which leaves some ends over. They are linked around the
+/// nearest corner.
+fn link_arcs(arcs: &mut [ContourArc], lattice: &ContourLattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
         for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {
             let side = key >> 7;
             let inside = key >> 63 == 1;
             if !inside && !lattice.on_edge_side(arc.cell, side) {
-                ends.push(End { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
+                ends.push(SideEnd { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
             }
         }
     }
-    let mut left = pair(ends, arcs)?;
+    let mut left = link_pairs(ends, arcs)?;
     for end in &mut left {
         end.group = lattice.node(end.group, end.t >= 0.5);
-        // How far from the corner.
+        // The distance from the corner.
         end.t = end.t.min(1.0 - end.t);
     }
-    pair(left, arcs)?;
+    link_pairs(left, arcs)?;
     Ok(())
 }
 
-/// Links exits with entries of the same level and group, in order; returns the ends that are left
-/// over.
-fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
+/// Links exits to entries of the same level and group, in order. Returns the remaining ends.
+fn link_pairs(mut ends: Vec<SideEnd>, arcs: &mut [ContourArc]) -> Result<Vec<SideEnd>> {
     sort::stable(&mut ends, &|a, b| {
-        let by = |end: &End| (end.level, end.group);
+        let by = |end: &SideEnd| (end.level, end.group);
         by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
     });
-    let mut waiting: VecDeque<End> = VecDeque::new();
+    let mut waiting: VecDeque<SideEnd> = VecDeque::new();
     let mut left = Vec::new();
     for group in ends.chunk_by(|a, b| (a.level, a.group) == (b.level, b.group)) {
         let bytes = size_of_val(group) as u64;

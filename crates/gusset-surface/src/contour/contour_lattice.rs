@@ -1,22 +1,22 @@
-//! Numbering of the cells of a sheet and of their sides, across closed directions too.
+//! Indices of the cells of a sheet and of their sides, also across closed directions.
 
 use crate::Sheet;
 use crate::cells::{BLOCK, block_range};
 use std::ops::Range;
 
-/// Cells in rows and columns.
+/// The cells of a sheet in rows and columns.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lattice {
-    /// Cells in u and in v.
+pub(super) struct ContourLattice {
+    /// The numbers of cells in u and in v.
     pub(super) counts: [usize; 2],
-    /// Whether the last line is the first one again.
+    /// Whether the last line repeats the first one, in u and in v.
     pub(super) closed: [bool; 2],
 }
 
-impl Lattice {
-    /// The lattice of a sheet.
-    pub(super) fn of(sheet: &Sheet<'_>) -> Self {
-        Lattice { counts: sheet.cells(), closed: sheet.seams() }
+impl ContourLattice {
+    /// Returns the lattice of a sheet.
+    pub(super) fn new(sheet: &Sheet<'_>) -> Self {
+        ContourLattice { counts: sheet.cells(), closed: sheet.seams() }
     }
 
     /// The numbers of blocks in u and in v.
@@ -24,12 +24,12 @@ impl Lattice {
         self.counts.map(|count| count.div_ceil(BLOCK))
     }
 
-    /// The cells of a block.
+    /// The ranges of rows and columns of a block.
     pub(super) fn block(&self, [row, column]: [u32; 2]) -> [Range<usize>; 2] {
         [block_range(row as usize, self.counts[0]), block_range(column as usize, self.counts[1])]
     }
 
-    /// The number of a side of a cell: the same from both cells that it belongs to.
+    /// The index of a side of a cell. Both cells at the side agree on it.
     pub(super) fn side(&self, [i, j]: [usize; 2], side: usize) -> u64 {
         let next = |k: usize, d: usize| if self.closed[d] && k + 1 == self.counts[d] { 0 } else { k + 1 };
         let (i, j) = match side {
@@ -41,7 +41,7 @@ impl Lattice {
         2 * (i as u64 * (self.counts[1] as u64 + 1) + j as u64) + (side % 2) as u64
     }
 
-    /// The number of the corner that a side starts with, or ends with.
+    /// The index of the corner at the start of a side, or at its end.
     pub(super) fn node(&self, side: u64, end: bool) -> u64 {
         let width = self.counts[1] as u64 + 1;
         let (node, d) = (side / 2, (side % 2) as usize);
@@ -53,8 +53,9 @@ impl Lattice {
         at[0] * width + at[1]
     }
 
-    /// The cell that decides about the start of side numbers: of two cells at a side, and of four
-    /// at a corner, the one after; at an open edge, the one before.
+    /// The cell that owns the side or corner after a cell in the given directions. The last of the
+    /// two cells at a side, or of the four at a corner, owns it; at an open edge, the first one.
+    /// Also returns whether the side is at the high end of its owner.
     pub(super) fn owner(&self, [i, j]: [usize; 2], [after_u, after_v]: [bool; 2]) -> ([usize; 2], [bool; 2]) {
         let along = |k: usize, after: bool, d: usize| match (after, k + 1 == self.counts[d]) {
             (false, _) => (k, false),
@@ -74,13 +75,13 @@ impl Lattice {
         })
     }
 
-    /// True if a side of a cell, of which the number is given, is on an open edge.
+    /// True if the side of a cell with the given index is on an open edge.
     pub(super) fn on_edge_side(&self, [i, j]: [u32; 2], side: u64) -> bool {
         let cell = [i as usize, j as usize];
         (0..4).find(|&which| self.side(cell, which) == side).is_some_and(|which| self.is_open(cell, which))
     }
 
-    /// True if one of the four sides of a cell is on an open edge.
+    /// True if side 0 to 3 of a cell is on an open edge.
     #[inline]
     pub(super) fn is_open(&self, [i, j]: [usize; 2], side: usize) -> bool {
         match side {

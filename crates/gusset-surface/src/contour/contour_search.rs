@@ -1,11 +1,11 @@
-//! The arcs of a sheet: block by block, cell by cell, level by level.
+//! Finds the arcs of a sheet: block by block, cell by cell, level by level.
 //!
-//! Invariant: a cell is passed over only if its corners, grown by the deviation of the surface from
-//! the bilinear one, exclude the level. Cost: O(1) a cell looked at, O(M^3) a cell that is crossed
-//! and not simple; memory in proportion to the arcs.
+//! Invariant: a cell is skipped only if its corners, with the deviation of the surface from the
+//! bilinear one, exclude the level. Cost: O(1) for each cell examined, O(M^3) for each crossed cell
+//! that is not simple; memory is proportional to the number of arcs.
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{is_straight, middle, refine, stays_near};
 use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
 use super::side::{crossings, positive};
@@ -18,43 +18,44 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
-/// Blocks that are one thread's work.
+/// Number of blocks that a thread searches in one task.
 const CHUNK: usize = 16;
-/// Blocks times levels that are no more than a moment's work.
+/// Number of blocks times levels that makes a short task.
 const MANY: usize = 1024;
-/// Chunks whose arcs are put together at once.
+/// Number of tasks whose arcs are merged at once.
 const CHUNKS: usize = 256;
 
 /// An arc of a level's zero set over a cell.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
+pub(super) struct ContourArc {
     pub(super) level: u32,
     pub(super) cell: [u32; 2],
-    /// The keys of the marks that it begins and ends with.
+    /// The keys of the marks at its ends.
     pub(super) keys: [u64; 2],
-    /// Where these are.
+    /// The places of the marks.
     pub(super) ends: [DVec2; 2],
-    /// The places between: from where to where among all.
+    /// The range of its inner places.
     pub(super) inner: [u32; 2],
-    /// True if the next arc begins elsewhere than this one ends: across a side where fields jump.
+    /// True if the next arc begins at another place than this one ends, across a side with
+    /// discontinuous fields.
     pub(super) jumps: bool,
 }
 
 /// The arcs of a sheet.
 #[derive(Debug, Default)]
-pub(super) struct FoundArcs {
-    pub(super) arcs: Vec<Arc>,
+pub(super) struct ContourArcs {
+    pub(super) arcs: Vec<ContourArc>,
     pub(super) inner: Vec<DVec2>,
-    /// Cells, and where in them, that are unresolved.
+    /// Cells, and places in them, that are unresolved.
     pub(super) unresolved: Vec<([u32; 2], DVec2)>,
 }
 
-impl FoundArcs {
-    fn append(&mut self, other: &FoundArcs) -> Result<()> {
+impl ContourArcs {
+    fn append(&mut self, other: &ContourArcs) -> Result<()> {
         let shift = self.inner.len() as u32;
         alloc::append(&mut self.inner, &other.inner)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
-        let moved = |arc: &Arc| Arc { inner: arc.inner.map(|k| k + shift), ..*arc };
+        let moved = |arc: &ContourArc| ContourArc { inner: arc.inner.map(|k| k + shift), ..*arc };
         alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))
     }
 }
@@ -63,26 +64,26 @@ impl FoundArcs {
 pub(super) struct ContourSearch<'a, C, S, const N: usize, const M: usize> {
     pub(super) cells: &'a C,
     pub(super) source: &'a S,
-    pub(super) lattice: Lattice,
-    /// How far chords may be from the curve; `None`: marks only.
+    pub(super) lattice: ContourLattice,
+    /// Largest distance of chords from the curve. `None` means that only marks are computed.
     pub(super) chord: Option<f64>,
 }
 
-/// Cache for the work on a cell.
+/// Memory that the work on cells reuses.
 #[derive(Default)]
-struct Workspace {
+struct CellWorkspace {
     marks: Vec<Mark>,
     links: Vec<Link>,
-    /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of
-    /// the polynomials along sides.
+    /// Arcs of simple cells (arc, end, side) whose ends are still to be computed as roots of the
+    /// polynomials along sides.
     open: Vec<(u32, u8, u8)>,
     sides: Vec<[f64; 4]>,
     roots: Vec<f64>,
 }
 
-impl Workspace {
-    /// Finds the ends that are left.
-    fn solve_open_ends(&mut self, arcs: &mut [Arc]) {
+impl CellWorkspace {
+    /// Computes the ends that are still open.
+    fn solve_open_ends(&mut self, arcs: &mut [ContourArc]) {
         roots(&self.sides, &mut self.roots);
         for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
             arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
@@ -93,7 +94,7 @@ impl Workspace {
     }
 }
 
-/// The place on a side of a cell.
+/// The place at parameter t on a side of a cell.
 #[inline]
 fn on_side(side: usize, t: f64) -> DVec2 {
     match side {
@@ -110,31 +111,31 @@ struct CellLevel<'a, const M: usize> {
     level: usize,
     field: &'a Field<M>,
     rounding_error: f64,
-    /// How far it and the surface are from bilinear.
+    /// Bound of the deviation of the field and the surface from bilinear ones.
     deviation: f64,
     /// Polynomials along the sides.
     sides: [[f64; M]; SIDES],
-    /// Signs at the corners 2 u + v.
+    /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
 }
 
 impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
-    /// The arcs in the given blocks, `(row, column)` of `block(k)` for k < `count`.
+    /// Finds the arcs in the blocks `block(k)` for k < `count`, given as (row, column).
     pub(super) fn run(
         &self,
         count: usize,
         block: impl Fn(usize) -> [u32; 2] + Sync,
         job: &Job<'_>,
-    ) -> Result<FoundArcs> {
-        let mut found = FoundArcs::default();
+    ) -> Result<ContourArcs> {
+        let mut found = ContourArcs::default();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             let blocks = (count - first).min(CHUNK * CHUNKS);
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
-            // Of many levels a block is long work.
+            // With many levels, a single block takes long.
             let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
             let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
-                let mut part = FoundArcs::default();
-                let (mut workspace, mut cache) = (Workspace::default(), S::Cache::default());
+                let mut part = ContourArcs::default();
+                let (mut workspace, mut cache) = (CellWorkspace::default(), S::Cache::default());
                 for k in range {
                     self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
                 }
@@ -142,7 +143,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
                 Ok(part)
             });
             for part in parts? {
-                let part: FoundArcs = part?;
+                let part: ContourArcs = part?;
                 if found.arcs.is_empty() && found.unresolved.is_empty() {
                     found = part;
                 } else {
@@ -157,8 +158,8 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         &self,
         block: [u32; 2],
         cache: &mut S::Cache,
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<()> {
         let [rows, columns] = self.lattice.block(block);
         let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
@@ -169,16 +170,16 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
             let CellBase { levels, rounding_error, data } = self.source.base(&block, cell, cache);
             let mut patch = None;
             for level in levels {
-                let field = snapped(self.source.field(&data, level), rounding_error);
+                let field = snap_field(self.source.field(&data, level), rounding_error);
                 let [low, high] = field.range();
-                // With rounding: where sides are alike only, a neighbour's may have marks that this
-                // cell's own have not.
+                // Includes rounding: if sides agree only within rounding, the neighbour may have
+                // marks on a side that this cell lacks.
                 if low > rounding_error || high < -rounding_error {
                     continue;
                 }
                 if self.source.continuity() != Continuity::UpToRounding && one_sign(&field) {
                     if high - low <= rounding_error {
-                        // All of the cell, as far as one can tell.
+                        // Within rounding, the whole cell belongs to the zero set.
                         alloc::push(&mut found.unresolved, (cell.map(|k| k as u32), DVec2::splat(0.5)))?;
                     }
                     continue;
@@ -195,15 +196,15 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         Ok(())
     }
 
-    /// The arcs of a cell, if it is simple for all levels, and these need no points between; else
-    /// false, and nothing is done.
+    /// Adds the arcs of a cell if it is simple for all levels, and no arc needs inner points.
+    /// Otherwise returns false, and adds nothing.
     #[inline]
     fn crossing_by_corners(
         &self,
         block: &S::Block,
         cell: [usize; 2],
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<bool> {
         if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
             return Ok(false);
@@ -235,8 +236,8 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         Ok(true)
     }
 
-    /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field
-    /// being as steep as `slope` at least.
+    /// True if an arc that is a graph over u (0) or v (1) in a cell needs no inner points. `slope`
+    /// is a lower bound of the field's slope.
     #[inline]
     fn is_straight(&self, block: &S::Block, cell: [usize; 2], over: usize, slope: f64) -> bool {
         let stays = |chord| stays_near(&self.corners(cell), over, slope, self.source.deviation(block), chord);
@@ -256,27 +257,30 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         level: usize,
         sides: [usize; 2],
         (corners, rounding_error): ([f64; 4], f64),
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<()> {
         let arc = found.arcs.len() as u32;
         let inner = found.inner.len() as u32;
         let keys = sides.map(|side| (2 * self.lattice.side(cell, side)) << 6);
-        // Strands have the ends of arcs only where nothing follows, which is at open edges.
+        // The end of an arc matters only if no arc follows, which happens at open edges.
         let ends = sides.map(|side| on_side(side, chord_root(corners, side)));
         for (end, side) in sides.into_iter().enumerate() {
             if end == 0 || self.lattice.is_open(cell, side) {
                 alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
-                let along = self.source.along(cell, side, level);
+                let along = self.source.side_coefficients(cell, side, level);
                 alloc::push(&mut workspace.sides, along.map(|x| snap(x, rounding_error)))?;
             }
         }
         let cell = cell.map(|k| k as u32);
-        alloc::push(&mut found.arcs, Arc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false })
+        alloc::push(
+            &mut found.arcs,
+            ContourArc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false },
+        )
     }
 
-    /// The polynomials along a cell's sides and the signs at its corners, as the cells have them
-    /// that own them.
+    /// The polynomials along a cell's sides and the signs at its corners, as computed from the
+    /// cells that own them.
     fn common_border(
         &self,
         block: &S::Block,
@@ -292,7 +296,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
                 *own
             } else {
                 let base = self.source.base(block, owner, cache);
-                snapped(self.source.field(&base.data, level), base.rounding_error)
+                snap_field(self.source.field(&base.data, level), base.rounding_error)
             };
             let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
             corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(field.c[a][b]);
@@ -305,16 +309,16 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         ([low_v, high_u, high_v, low_u], corners)
     }
 
-    /// The arcs of one level in one cell.
+    /// Adds the arcs of one level in one cell.
     fn cell_level(
         &self,
         cell_level: &CellLevel<'_, M>,
         patch: &mut Option<Patch<N>>,
-        workspace: &mut Workspace,
-        found: &mut FoundArcs,
+        workspace: &mut CellWorkspace,
+        found: &mut ContourArcs,
     ) -> Result<()> {
         let CellLevel { cell: at, level, field, rounding_error, deviation, corners, .. } = *cell_level;
-        let Workspace { marks, links, .. } = workspace;
+        let CellWorkspace { marks, links, .. } = workspace;
         links.clear();
         self.marks(cell_level, marks);
         let cell = at.map(|k| k as u32);
@@ -325,9 +329,9 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         }
         for link in links.iter() {
             let [from, to] = [link.from.at, link.to.at];
-            // Places of the arc itself: what is amid its ends need not be near it.
+            // Places on the arc itself, because the midpoint of its ends may be far from it.
             let places = || [from, middle(field, link, rounding_error).unwrap_or(from), to];
-            let keeps = self.source.keeps(at, level, places);
+            let keeps = self.source.keeps_arc(at, level, places);
             if keeps.is_none() {
                 alloc::push(&mut found.unresolved, (cell, from))?;
             }
@@ -344,20 +348,20 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
                 }
             }
             let (keys, inner) = ([link.from.key, link.to.key], [first, found.inner.len() as u32]);
-            let arc = Arc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
+            let arc = ContourArc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
             alloc::push(&mut found.arcs, arc)?;
         }
         Ok(())
     }
 
-    /// Where a level crosses the sides of a cell.
+    /// Finds the marks of a level on the sides of a cell.
     fn marks(&self, cell_level: &CellLevel<'_, M>, marks: &mut Vec<Mark>) {
         marks.clear();
         let jumps = self.source.continuity() == Continuity::Discontinuous;
         let [c00, c01, c10, c11] = cell_level.corners;
         let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
         for (side, (c, ends)) in cell_level.sides.iter().zip(ends).enumerate() {
-            // Where fields jump, the two cells at a side have marks of their own.
+            // Where fields are discontinuous, the two cells at a side have separate marks.
             let which = u64::from(jumps && (side == 1 || side == 2));
             let key = (2 * self.lattice.side(cell_level.cell, side) + which) << 6;
             let mut count = 0;
@@ -369,10 +373,10 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
     }
 }
 
-/// Sets values within rounding of 0 to 0: a piece that lies in a plane to rounding then lies in it,
-/// and gives no tiny curves. Equal coefficients stay equal.
+/// Rounds values within the rounding error to 0. A piece that lies in a plane within rounding then
+/// lies in it exactly, and produces no tiny curves. Equal coefficients remain equal.
 #[inline]
-fn snapped<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
+fn snap_field<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
     Field { c: field.c.map(|row| row.map(|x| snap(x, rounding_error))) }
 }
 
@@ -381,7 +385,7 @@ fn snap(x: f64, rounding_error: f64) -> f64 {
     if x.abs() <= rounding_error { 0.0 } else { x }
 }
 
-/// As the cell has it itself.
+/// The polynomials along the sides and the signs at the corners, computed from the cell itself.
 #[inline]
 fn own_border<const M: usize>(field: &Field<M>) -> ([[f64; M]; SIDES], [bool; 4]) {
     let c = &field.c;

@@ -1,8 +1,8 @@
-//! Sides between cells along which normals jump past an angle: they belong to the isophote
-//! themselves, and no cell shows it.
+//! Creases: sides between cells across which the angle of the normals jumps past a given one. They
+//! belong to the isophote, but no cell contains the angle.
 
 use super::cone_culling;
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::projected_normals::ProjectedNormals;
 use crate::cells::{BLOCK, Cells};
 use crate::index::Cones;
@@ -12,12 +12,12 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::f64::consts::PI;
 
-/// Cells and the middles of their sides at whose ends the angle is less than one of `angles` in one
-/// cell and greater in the other.
+/// Finds creases, each as a cell and the middle of its side. At both ends of the side, the angle is
+/// below one of `angles` in one of the two cells, and above it in the other.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,
-    lattice: &Lattice,
+    lattice: &ContourLattice,
     angles: &[f64],
     unsigned: bool,
     job: &Job<'_>,
@@ -27,13 +27,13 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
         let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
         libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
     };
-    // An angle is jumped past only where it is between those of a block and the blocks behind.
+    // An angle can be skipped only if it is in the joint range of a block and the blocks behind it.
     let may_jump = |r: usize, c: usize| {
         let behind = |k: usize, d: usize| if k + 1 == lattice.blocks()[d] { 0 } else { k + 1 };
         let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
         let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
         let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
-        cone_culling::may_have(angles, unsigned, whole)
+        cone_culling::may_have_angle(angles, unsigned, whole)
     };
     let [rows, columns] = lattice.counts;
     let (mut found, mut jumps_in) = (Vec::new(), Vec::new());
@@ -49,7 +49,8 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
                 if end != [false; 2] {
                     continue;
                 }
-                // A place of the side, which is line 1 of the cell and line 0 of the one behind.
+                // A place of the side, which is line 1 of the cell and line 0 of the cell behind
+                // it.
                 let at = |t: f64, line: f64| if direction == 0 { [line, t] } else { [t, line] };
                 let [[a, b], [c, d]] =
                     [([i, j], 1.0), (behind, 0.0)].map(|(cell, line)| [0.0, 1.0].map(|t| angle(cell, at(t, line))));

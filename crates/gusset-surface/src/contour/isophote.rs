@@ -1,22 +1,22 @@
-//! Curves of points whose normals make given angles with a direction: silhouettes at 90 degrees, in
-//! general isophotes.
+//! Isophotes: curves of points whose normals make given angles with a direction. At 90 degrees they
+//! are the silhouettes.
 //!
-//! With H the component of N = S_u x S_v along the direction and P the square of what is across it,
-//! the angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90
-//! degrees where H = 0; at 0 and 180 where both components across are 0, which is so at single
-//! points. None of it suffers from cancellation, whatever the angle.
+//! Let H be the component of N = S_u x S_v along the direction, and P the squared length of the
+//! component across it. The angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 =
+//! cos^2 alpha P. At 90 degrees this is H = 0. At 0 and 180 degrees, both components across vanish,
+//! which happens at isolated points. These equations do not suffer from cancellation at any angle.
 
 use super::cone_culling;
-use super::contour_lattice::Lattice;
-use super::contour_search::{ContourSearch, FoundArcs};
+use super::contour_lattice::ContourLattice;
+use super::contour_search::{ContourArcs, ContourSearch};
 use super::creases::creases;
 use super::normals::squares;
 use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::source::{CellBase, Continuity, Source, between};
+use super::source::{CellBase, Continuity, Source, levels_between};
 use crate::cells::Cells;
-use crate::checks::{direction, rising};
+use crate::checks::{check_ascending, unit_vector};
 use crate::ranges::angles;
 use crate::subdivision::Field;
 use crate::{NormalKind, Paths, Place, Sheet, Surface};
@@ -27,14 +27,14 @@ use gusset_base::{alloc, par};
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// Sines and cosines smaller than that are 0.
+/// Sines and cosines below this count as 0.
 const MIN_SINE: f64 = 1e-8;
-/// By how much the angles of points may be off for rounding, in radians.
+/// Largest error of the angles of points caused by rounding, in radians.
 const ANGLE_TOLERANCE: f64 = 1e-6;
-/// Blocks that are one thread's work.
+/// Number of blocks that a thread searches in one task.
 const CHUNK: usize = 64;
 
-/// H = 0.
+/// The equation H = 0.
 struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
@@ -71,27 +71,28 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
     }
 }
 
-/// sin^2 alpha H^2 = cos^2 alpha P.
+/// The equation sin^2 alpha H^2 = cos^2 alpha P.
 struct Isophotes<'a, C, const N: usize, const H: usize> {
     normals: &'a ProjectedNormals<'a, C, N>,
     classes: &'a AngleClasses,
 }
 
-/// The squares that the angles of a cell share.
+/// The squares that the equations of a cell's angles share.
 struct Squares<const M: usize> {
     along: Field<M>,
     across: Field<M>,
 }
 
 impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
-    /// The angles that are in a range, or whose supplements are, and what lies between them.
+    /// The indices of the angles in a range, or whose supplements are in it, and of all angles
+    /// between them.
     fn levels_in(&self, [low, high]: [f64; 2]) -> Range<usize> {
         let AngleClasses { radians, unsigned, .. } = self.classes;
-        let own = between(radians, [low, high], 0.0);
+        let own = levels_between(radians, [low, high], 0.0);
         if !unsigned {
             return own;
         }
-        match between(radians, [PI - high, PI - low], 0.0) {
+        match levels_between(radians, [PI - high, PI - low], 0.0) {
             others if others.is_empty() => own,
             others if own.is_empty() => others,
             others => own.start.min(others.start)..own.end.max(others.end),
@@ -133,18 +134,18 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         self.classes.others.len().max(1)
     }
 
-    /// Rising with the cosine of the angle, where this has the sign of cos alpha.
+    /// Increases with the cosine of the angle, where H has the sign of cos alpha.
     fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
         let [sin, cos] = self.classes.others[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
-        base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
+        base.along.linear_combination(sign * sin * sin, &base.across, -sign * cos * cos)
     }
 
-    /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos
-    /// alpha. The sign is one along an arc, since H and P vanish together only where the normal is
-    /// none, as at poles, where it says nothing. Next to such a place within a cell, what is linked
-    /// without being resolved may have both.
-    fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+    /// Accepts the arcs on which H has the sign of cos alpha, because pi - alpha satisfies the same
+    /// equation. The sign is constant along an arc: H and P vanish together only where the normal
+    /// does not exist, as at poles, where the sign is undetermined. Close to such a place inside a
+    /// cell, arcs that were linked without being resolved may have both signs.
+    fn keeps_arc(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         if self.classes.unsigned {
             return Some(true);
         }
@@ -161,46 +162,47 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     }
 }
 
-/// The angles of a query, by kind.
+/// The angles of a query by kind.
 #[derive(Default)]
 struct AngleClasses {
     silhouettes: Vec<u32>,
-    /// Of 0 and 180 degrees: the sign of the cosine.
+    /// The angles 0 and 180 degrees, with the sign of the cosine.
     poles: Vec<(u32, f64)>,
-    /// Of the others the sines and cosines, and in radians.
+    /// Sines and cosines of the other angles, and the angles in radians.
     others: Vec<[f64; 2]>,
     radians: Vec<f64>,
-    /// All but those of 0 and 180 degrees.
+    /// All angles except 0 and 180 degrees.
     crossed: Vec<f64>,
     numbers: Vec<u32>,
-    /// Whether a normal and its opposite are the same.
+    /// Whether a normal and its opposite are equivalent.
     unsigned: bool,
 }
 
 impl Surface<'_> {
-    /// Where the surface's normal makes given angles with a direction: curves in the order of the
-    /// angles (`levels` of the paths) and of their lowest cells. At 90 degrees they are the
-    /// silhouettes of the surface seen along the direction. At 0 and 180 degrees there are points
-    /// in place of curves: paths of one point each. To the left of curves, seen from where the
-    /// normals point to, angles are smaller.
+    /// Finds the curves on which the surface's normal makes given angles with a direction. Curves
+    /// are sorted by angle (`levels` of the paths), then by lowest cell. At 90 degrees they are the
+    /// silhouettes of the surface seen along the direction. At 0 and 180 degrees, isolated points
+    /// take the place of curves, and are returned as paths of one point each. Seen from the side of
+    /// the normals, smaller angles are to the left of a curve.
     ///
-    /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the
-    /// same, and angles end at pi / 2.
+    /// `angles` are in radians, ascending, from 0 to pi. If `unsigned`, a normal and its opposite
+    /// are equivalent, and the largest angle is pi / 2.
     ///
-    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes
-    /// are of order four, and so are the [`Surface::contours`] of their cosines.
+    /// The angles refer to the interpolant's normals, which are of third order. Normals at nodes
+    /// are of fourth order, and so are the [`Surface::contours`] of their cosines.
     ///
-    /// Every curve is found, as [`Surface::section`] finds them, if the surface is regular. On
-    /// sheets of patches and of the four-point scheme, whose normals jump between cells, curves run
-    /// along the side between cells where the angle jumps past the one asked for; where that goes
-    /// on for more than a cell they end, and the ends and the sides are listed as unresolved. At
-    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle
-    /// itself is listed as unresolved. The first such question builds the cones of normals,
-    /// O(cells); after that about O(cells that are crossed).
+    /// Finds every curve of a regular surface, like [`Surface::section`]. The normals of Bézier
+    /// patches and of the four-point scheme are discontinuous across sides. Where the angle jumps
+    /// past a given one, the curve runs along the side between the cells. If this continues for
+    /// more than a cell, the curve ends, and the ends and the sides are listed as unresolved.
+    ///
+    /// At a pole, where the normal does not exist, a curve ends or passes. A pole that may have the
+    /// angle itself is listed as unresolved. The first query builds the cones of normals in
+    /// O(cells). After that, a query takes about O(cells that are crossed).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do
-    /// not rise or are out of range; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if the direction is zero or not finite, or the angles are out of
+    /// range or not ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn isophotes(
         &self,
         axis: DVec3,
@@ -209,8 +211,8 @@ impl Surface<'_> {
         spacing: PointSpacing,
         job: &Job<'_>,
     ) -> Result<Paths> {
-        let axis = direction(axis, "direction")?;
-        rising(angles, "levels")?;
+        let axis = unit_vector(axis, "direction")?;
+        check_ascending(angles, "levels")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "levels", angle))?;
         let mut search = IsophoteSearch {
@@ -236,8 +238,8 @@ impl Surface<'_> {
         add_leus_points(found, spacing)
     }
 
-    /// Reports the places of curves where the normal is regular and makes another angle: once for
-    /// points of a cell that follow each other.
+    /// Reports places of curves where the normal is regular, but makes another angle: once for
+    /// successive points of a cell.
     fn report_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
         let mut last: Option<Place> = None;
         for k in 0..paths.len() {
@@ -285,7 +287,7 @@ impl AngleClasses {
     }
 }
 
-/// The search of all sheets, and what it has found.
+/// The search of all sheets, and its results.
 struct IsophoteSearch<'a> {
     surface: &'a Surface<'a>,
     frame: [DVec3; 3],
@@ -305,14 +307,14 @@ impl IsophoteSearch<'_> {
     ) -> Result<()> {
         let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
         let (sheet, cones, job) = (surface.sheet(k), surface.cones(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
-        let lattice = Lattice::of(sheet);
+        let lattice = ContourLattice::new(sheet);
         let is_smooth = matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.is_smooth()));
         let jumps = !is_smooth;
         let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
         let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
-        // The blocks that may have one of some angles, row after row.
+        // The blocks, row by row, that may have one of some angles.
         let blocks = |angles: &[f64]| {
-            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have(angles, classes.unsigned, range))
+            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have_angle(angles, classes.unsigned, range))
         };
         let passes = classes.silhouettes.len()
             + usize::from(!classes.others.is_empty())
@@ -341,7 +343,7 @@ impl IsophoteSearch<'_> {
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);
             let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
-            let found = FoundArcs { unresolved, ..FoundArcs::default() };
+            let found = ContourArcs { unresolved, ..ContourArcs::default() };
             curves.add(k, found, &lattice, true, job.threads())?;
         }
         for &(number, sign) in &classes.poles {
@@ -356,12 +358,12 @@ impl IsophoteSearch<'_> {
     }
 }
 
-/// The places in some blocks where the normal has the direction (`sign` 1), or the opposite one,
-/// and those that are unresolved.
+/// Finds the places in some blocks where the normal has the direction (`sign` 1), or the opposite
+/// one, and the unresolved places.
 fn poles<C: Cells<N>, const N: usize, const H: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     sheet: u32,
-    lattice: &Lattice,
+    lattice: &ContourLattice,
     blocks: &[[u32; 2]],
     sign: f64,
     job: &Job<'_>,

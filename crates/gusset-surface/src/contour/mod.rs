@@ -1,23 +1,23 @@
-//! Tasks d) and b) of the paper: sections by planes, contours of scalar fields, and curves of
-//! points whose normals make a given angle with a direction. All are zero sets of polynomials over
-//! the cells.
+//! Tasks d) and b) of the paper: plane sections, contours of scalar fields, and isophotes. All of
+//! them are zero sets of polynomials over the cells.
 //!
-//! * `sections`: sections and contours; `isophote`: curves of equal angle, silhouettes among them;
-//!   `nearest`: the angle nearest to a given one.
-//! * `source`: the polynomials; `normals`, `projected_normals`: those of normals. `normal_frames`:
-//!   points with their normals. `planes`, `cone_culling`: the blocks that they may vanish in, found
-//!   by descent of the index.
-//! * `contour_search`: block by block, cell by cell, level by level. `cell`: the arcs of a cell, by
-//!   subdivision with proofs; `side`: where they cross its sides, by Descartes' rule;
-//!   `corner_crossing`: those that the corners alone show. `contour_refinement`: the points between.
-//! * `contour_chain`: arcs linked to paths; `paths`: those of all sheets joined; `creases`: sides that
-//!   normals jump at. `contour_lattice`: numbers of cells and sides. `point_spacing`: the
+//! - `sections`: sections and contours; `isophote`: isophotes and silhouettes; `nearest`: the angle
+//!   nearest to a given one.
+//! - `source`: the polynomials; `normals`, `projected_normals`: the polynomials of normals.
+//!   `normal_frames`: points with their normals. `planes`, `cone_culling`: the blocks in which the
+//!   polynomials may vanish, found by descent of the index.
+//! - `contour_search`: the search, block by block, cell by cell, level by level. `cell`: the arcs
+//!   of a cell, by subdivision with proofs; `side`: their marks on the sides, by Descartes' rule;
+//!   `corner_crossing`: arcs that follow from the corners alone. `contour_refinement`: points
+//!   between the marks.
+//! - `contour_chain`: arcs linked to paths; `paths`: paths joined across sheets; `creases`: sides
+//!   at which normals jump. `contour_lattice`: indices of cells and sides. `point_spacing`: the
 //!   paper's approximation of a section.
 //!
-//! Points are computed on the interpolant: they are of its order, four; the order of chords between
-//! them is two, whence the refinement. Invariant: the sign of a polynomial at a corner, and its
-//! changes along a side, are decided once for all cells that share them, so that arcs join to the
-//! bit. Cost: about O(blocks that a level may cross), and O(1) an arc.
+//! Points are computed on the interpolant, so they are of fourth order. Chords between marks are of
+//! second order, so arcs are refined. Invariant: the sign of a polynomial at a corner, and its
+//! changes along a side, are decided once for all cells there. Arcs therefore join exactly. Cost:
+//! about O(blocks that a level may cross), and O(1) for each arc.
 
 mod cell;
 mod cone_culling;

@@ -1,22 +1,23 @@
-//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that
-//! is nearest to a given one.
+//! Task b) of the paper as a minimum: the place whose normal makes the angle nearest to a given one
+//! with a direction.
 //!
-//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a
-//! region by curvature times diameter; here the bounds are cones of normals, then those of the
-//! components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2
-//! - cos^2 theta P (see `isophote`), which tell on which side of theta all angles of a part are.
+//! Branch and bound over blocks, cells and parts of cells. The paper bounds the angle over a region
+//! by curvature times diameter. Here, the bounds are the cones of normals, then the ranges of the
+//! components of N. Close to the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2
+//! theta P (see `isophote`) are sharper. They tell whether all angles of a part are on one side of
+//! theta.
 //!
-//! Invariant: the deviation of every part that is dropped is at least the best one less
-//! [`TOLERANCE`], or is in the bound that is returned. Cost: about O(cells whose bound is below the
-//! answer), [`MAX_PARTS`] parts for each at most.
+//! Invariant: the deviation of every discarded part is at least the best deviation less
+//! [`TOLERANCE`], or is included in the returned bound. Cost: about O(cells whose bound is below
+//! the answer), at most [`MAX_PARTS`] parts for each.
 
 use super::cone_culling;
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;
 use crate::cells::Cells;
-use crate::checks::direction;
+use crate::checks::unit_vector;
 use crate::index::Cones;
 use crate::ranges::angles;
 use crate::subdivision::Field;
@@ -30,58 +31,58 @@ use gusset_base::{alloc, par};
 use std::convert::Infallible;
 use std::f64::consts::PI;
 
-/// To which the answer is proved, in radians.
+/// Accuracy to which the answer is proven, in radians.
 const TOLERANCE: f64 = 1e-9;
-/// Halvings of each parameter of a cell, and parts examined in one.
+/// Largest number of halvings of each parameter of a cell, and of parts examined in it.
 const MAX_SUBDIVISION_DEPTH: u32 = 40;
 const MAX_PARTS: usize = 4096;
-/// Blocks that are one thread's work, and such works between two reports of progress.
+/// Number of blocks that a thread searches in one task, and of tasks between two progress reports.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
-/// Blocks of each level that are searched for a first bound.
+/// Number of blocks of each level that are searched for a first bound.
 const BLOCKS_FOR_FIRST_BOUND: usize = 16;
 
-/// Where a normal's angle is nearest to a given one.
+/// The place where a normal's angle is nearest to a given one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearestAngle {
-    /// Where it is.
+    /// The place.
     pub place: Place,
     /// The point.
     pub point: DVec3,
     /// The unit normal.
     pub normal: DVec3,
-    /// Its angle with the direction, in radians.
+    /// The angle between the normal and the direction, in radians.
     pub angle: f64,
-    /// How far this is from the angle asked for.
+    /// The difference of this angle from the given one.
     pub deviation: f64,
-    /// No normal's angle is nearer than this.
+    /// A lower bound of the deviation of all normals.
     pub bound: f64,
 }
 
-/// The angle asked for.
+/// The given angle.
 #[derive(Clone, Copy)]
 struct TargetAngle {
     angle: f64,
     unsigned: bool,
 }
 
-/// The best that was found.
+/// The best place so far.
 #[derive(Clone, Copy)]
 struct Best {
     deviation: f64,
     place: Option<Place>,
 }
 
-/// A cell that may hold something better.
-struct Candidate {
+/// A cell that may contain a better place.
+struct CandidateCell {
     bound: f64,
     sheet: u32,
     cell: [u32; 2],
 }
 
 impl TargetAngle {
-    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be
-    /// 0, but for `rounding_error`.
+    /// The difference between the angle of a vector in the frame and the target. Infinite for a
+    /// vector that vanishes within `rounding_error`.
     fn deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
         if x.abs() <= rounding_error && y.abs() <= rounding_error && z.abs() <= rounding_error {
             return f64::INFINITY;
@@ -90,25 +91,25 @@ impl TargetAngle {
         (libm::atan2((x * x + y * y).sqrt(), along) - self.angle).abs()
     }
 
-    /// How near angles from `low` to `high` can be.
+    /// A lower bound of the deviation of angles between `low` and `high`.
     fn bound(&self, [low, high]: [f64; 2]) -> f64 {
         let outside = |goal: f64| (low - goal).max(goal - high).max(0.0);
         if self.unsigned { outside(self.angle).min(outside(PI - self.angle)) } else { outside(self.angle) }
     }
 
-    /// True if the coefficients show that no angle is nearer than `by`.
+    /// True if the coefficients prove that no angle deviates by less than `by`.
     fn is_beyond<const H: usize, const M: usize>(&self, normal: &[Field<H>; 3], by: f64) -> bool {
         let [first, second, along] = normal;
         let (h, p): (Field<M>, Field<M>) = (squares(&[*along]), squares(&[*first, *second]));
         let front = along.range()[0] >= 0.0;
         let behind = along.range()[1] <= 0.0;
-        // All angles are at least theta, or at most theta.
+        // Tests whether all angles are at least theta, or, if `below`, at most theta.
         let is_beyond = |theta: f64, below: bool| {
             if !(0.0..=PI).contains(&theta) {
                 return false;
             }
             let (sin, cos) = (libm::sin(theta), libm::cos(theta));
-            let [low, high] = h.combined(sin * sin, &p, -cos * cos).range();
+            let [low, high] = h.linear_combination(sin * sin, &p, -cos * cos).range();
             match (below, cos >= 0.0) {
                 (false, true) => behind || high <= 0.0,
                 (false, false) => behind && low >= 0.0,
@@ -122,11 +123,11 @@ impl TargetAngle {
 }
 
 /// True if all components are within the rounding error.
-fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
+fn all_vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
     ranges.iter().all(|&[low, high]| low >= -rounding_error && high <= rounding_error)
 }
 
-/// Part of a cell.
+/// A part of a cell with the normals over it.
 struct NormalPart<const H: usize> {
     normal: [Field<H>; 3],
     from: DVec2,
@@ -138,7 +139,7 @@ struct NormalPart<const H: usize> {
 
 impl<const H: usize> NormalPart<H> {
     fn new(normal: [Field<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
-        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), rounding_error);
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].evaluate(0.5, 0.5).value), rounding_error);
         NormalPart { normal, from, size, rounding_error, deviation }
     }
 
@@ -153,7 +154,7 @@ impl<const H: usize> NormalPart<H> {
     }
 }
 
-/// A sheet's normals, of which the nearest is sought.
+/// The search among a sheet's normals.
 struct AngleSearch<'a, C, const N: usize> {
     normals: ProjectedNormals<'a, C, N>,
     sheet: u32,
@@ -166,9 +167,9 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         AngleSearch { normals, sheet: k as u32, goal }
     }
 
-    /// The blocks that may hold an angle no worse than the best, and than those found in the most
-    /// promising of them.
-    fn blocks(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>> {
+    /// The blocks that may contain an angle as good as the best one. Searches the most promising
+    /// blocks first, to improve the best angle.
+    fn blocks(&self, cones: &Cones, lattice: &ContourLattice, best: &Best) -> Result<Vec<[u32; 2]>> {
         let direction = self.normals.frame[2];
         let mut front = vec![[0; 2]];
         for level in (0..cones.levels()).rev() {
@@ -187,13 +188,13 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         cone_culling::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
     }
 
-    /// The best at the middles of cells, and the cells that may hold something better.
+    /// Evaluates the middles of cells, and collects the cells that may contain a better place.
     fn candidates(
         &self,
         cones: &Cones,
-        lattice: &Lattice,
+        lattice: &ContourLattice,
         best: &mut Best,
-        candidates: &mut Vec<Candidate>,
+        candidates: &mut Vec<CandidateCell>,
         job: &Job<'_>,
     ) -> Result<()> {
         let blocks = self.blocks(cones, lattice, best)?;
@@ -218,7 +219,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
                 Ok((best, candidates))
             })?;
             for part in parts {
-                let (found, some): (Best, Vec<Candidate>) = part?;
+                let (found, some): (Best, Vec<CandidateCell>) = part?;
                 if found.deviation < best.deviation {
                     *best = found;
                 }
@@ -229,12 +230,12 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         Ok(())
     }
 
-    fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()> {
+    fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<CandidateCell>) -> Result<()> {
         let (cell, patch) = ([i as u32, j as u32], self.normals.cells.patch(i, j));
         let of = Hodographs::new(&patch, &self.normals.frame);
         let (ranges, rounding_error) = (of.ranges(), self.normals.rounding_error(&of));
         let bound = self.goal.bound(angles(&ranges, 0.0));
-        if bound >= best.deviation || vanish(&ranges, rounding_error) {
+        if bound >= best.deviation || all_vanish(&ranges, rounding_error) {
             return Ok(());
         }
         let normal = patch.jet(0.5, 0.5).normal();
@@ -242,10 +243,10 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         if deviation < best.deviation {
             *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
         }
-        alloc::push(candidates, Candidate { bound, sheet: self.sheet, cell })
+        alloc::push(candidates, CandidateCell { bound, sheet: self.sheet, cell })
     }
 
-    /// Improves the best within a cell; returns what no angle there is nearer than.
+    /// Improves the best place within a cell. Returns a lower bound of the deviations in the cell.
     fn search<const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64 {
         let of = self.normals.hodographs(cell.map(|k| k as usize));
         let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
@@ -257,13 +258,13 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
     }
 }
 
-/// The search of one cell. M: one more than the degree of squares of normals.
+/// The search of one cell. M is the degree of squares of normals plus one.
 struct CellSearch<'a, const M: usize> {
     goal: &'a TargetAngle,
     sheet: u32,
     cell: [u32; 2],
     best: &'a mut Best,
-    /// No angle of the parts that are done is nearer than this.
+    /// A lower bound of the deviations in settled parts.
     bound: f64,
 }
 
@@ -279,8 +280,8 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
             *self.best = Best { deviation: part.deviation, place: Some(place) };
         }
         let ranges = part.normal.map(|field| field.range());
-        if vanish(&ranges, part.rounding_error) {
-            // Here is no normal.
+        if all_vanish(&ranges, part.rounding_error) {
+            // The normal does not exist here.
             return Ok(BoxTest::Empty);
         }
         let proved = (self.best.deviation - TOLERANCE).max(0.0);
@@ -302,7 +303,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
         Ok(())
     }
 
-    /// The most promising last, to be taken first.
+    /// Sorts the most promising part last, so that it is taken first.
     fn split(&mut self, part: NormalPart<H>, (): ()) -> [NormalPart<H>; 4] {
         let mut quarters = part.quarters(self.goal);
         sort::stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
@@ -311,14 +312,16 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
 }
 
 impl Surface<'_> {
-    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to
-    /// pi; to pi / 2 if `unsigned`, a normal and its opposite then being the same. Proved to 1e-9,
-    /// unless the bound says otherwise. `None` if there is no normal at all. The first such
-    /// question builds the cones of normals, O(cells); after that about O(cells that come near to
-    /// the angle).
+    /// Finds the place where the angle between normal and direction is nearest to `angle`, in
+    /// radians from 0 to pi. If `unsigned`, a normal and its opposite are equivalent, and the
+    /// largest angle is pi / 2. The result is proven to 1e-9, unless its bound says otherwise.
+    /// Returns `None` if no normal exists.
+    ///
+    /// The first query builds the cones of normals in O(cells). After that, a query takes about
+    /// O(cells whose angles are close to the target).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of
+    /// [`Error::OptionOutOfRange`] if the direction is zero or not finite, or the angle is out of
     /// range; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn nearest_angle(
         &self,
@@ -327,7 +330,7 @@ impl Surface<'_> {
         unsigned: bool,
         job: &Job<'_>,
     ) -> Result<Option<NearestAngle>> {
-        let axis = direction(axis, "direction")?;
+        let axis = unit_vector(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
         let (goal, frame) = (TargetAngle { angle, unsigned }, frame(axis));
@@ -338,10 +341,10 @@ impl Surface<'_> {
             let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             each_sheet!(sheet, cells => {
                 let search = AngleSearch::new(self, k, cells, frame, goal);
-                search.candidates(cones, &Lattice::of(sheet), &mut best, &mut candidates, &part)
+                search.candidates(cones, &ContourLattice::new(sheet), &mut best, &mut candidates, &part)
             })?;
         }
-        let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
+        let order = |candidate: &CandidateCell| (candidate.sheet, candidate.cell);
         sort::stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
         let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {

@@ -1,11 +1,12 @@
-//! Points with their normals, without making patches.
+//! Points with their normals, computed without patches.
 
 use crate::axis::{Axis, TAPS, Weights};
 use crate::{Grid, Jet, Place, Sheet, Surface};
 use glam::DVec3;
 use gusset_base::simd::{self, Kernel};
 
-/// The nodes that a parameter within a cell depends on, their weights, and those of the derivative.
+/// The nodes that a parameter within a cell depends on, their weights, and the weights of the
+/// derivative.
 #[inline(always)]
 fn weights(axis: &Axis, cell: usize, t: f64) -> ([usize; TAPS], [[f64; TAPS]; 2]) {
     let (lines, weights) = axis.taps(cell);
@@ -15,7 +16,7 @@ fn weights(axis: &Axis, cell: usize, t: f64) -> ([usize; TAPS], [[f64; TAPS]; 2]
     (lines, [blend(&bernstein, weights), blend(&slopes, weights)])
 }
 
-/// Sums of the weights of nodes that four Bézier points have.
+/// Sums of the nodes' weights in four Bézier points.
 #[inline(always)]
 fn blend(by: &[f64; 4], weights: &Weights) -> [f64; TAPS] {
     let mut sum = [0.0; TAPS];
@@ -26,14 +27,13 @@ fn blend(by: &[f64; 4], weights: &Weights) -> [f64; TAPS] {
 }
 
 impl Grid<'_> {
-    /// The point at parameters (u, v) of a cell, S_u and S_v.
+    /// The point at parameters (u, v) of a cell, then S_u and S_v.
     #[inline(always)]
     fn frame(&self, [i, j]: [usize; 2], u: f64, v: f64) -> [DVec3; 3] {
         let [across, along] = self.axes();
         let ((rows, [by_u, slopes_u]), (columns, [by_v, slopes_v])) = (weights(across, i, u), weights(along, j, v));
         let node = self.nodes().quads();
-        // On a line of the surface, as most places are, the other lines that the point depends on
-        // have no weight.
+        // Most places are on a line of the surface, where the other lines have weight 0.
         if v == 0.0 || v == 1.0 {
             let [point, along_v, along_u] =
                 sums([&by_v, &slopes_v], [&by_u, &slopes_u], |column, row| node(rows[row], columns[column]));
@@ -43,8 +43,8 @@ impl Grid<'_> {
     }
 }
 
-/// The sum of nodes with the products of two weights each, and the sums with the one or the other
-/// weight replaced by that of the derivative. Lines of weight 0 are passed over.
+/// The sum of nodes, weighted by products of two weights. Then the sums in which the first or the
+/// second weight is replaced by the weight of the derivative. Skips lines of weight 0.
 #[inline(always)]
 fn sums(
     [outer, outer_slopes]: [&[f64; TAPS]; 2],
@@ -60,7 +60,7 @@ fn sums(
         if weight == 0.0 && slope == 0.0 {
             continue;
         }
-        // Along the line first, as its points are sums of no other nodes.
+        // Sums along the line come first, so that its points depend on no other nodes.
         let (mut sum, mut slopes) = ([0.0; 4], [0.0; 4]);
         for i in 0..TAPS {
             let node = node(o, i);
@@ -75,7 +75,7 @@ fn sums(
     [cut(point), cut(along_outer), cut(along_inner)]
 }
 
-/// Points and normals at places of a grid.
+/// Computes points and normals at places of a grid.
 struct Frames<'a> {
     surface: &'a Surface<'a>,
     places: &'a [Place],
@@ -95,12 +95,12 @@ impl Kernel for Frames<'_> {
 }
 
 impl Surface<'_> {
-    /// [`Surface::point_and_normal`] of many places.
+    /// Computes [`Surface::point_and_normal`] for many places.
     pub(super) fn points_and_normals(&self, places: &[Place], points: &mut [DVec3], normals: &mut [DVec3]) {
         simd::run(Frames { surface: self, places, points, normals });
     }
 
-    /// The point at a place and the unit normal there, or its limit at a pole.
+    /// The point at a place, and the unit normal there or its limit at a pole.
     #[inline(always)]
     pub(super) fn point_and_normal(&self, place: Place) -> (DVec3, DVec3) {
         let cell = place.cell.map(|k| k as usize);

@@ -1,8 +1,8 @@
-//! Normals over a cell as polynomials: N = S_u x S_v has degree 2 n - 1 in each parameter, n that
-//! of the patch, and no root or division is needed to say which angle it makes with a direction.
+//! Normals over a cell as polynomials. N = S_u x S_v has degree 2 n - 1 in each parameter, where n
+//! is the degree of the patch. The angle with a direction follows without roots or divisions.
 //!
-//! Products are sums of products of the coefficients times their binomials (Farouki and Rajan
-//! 1988).
+//! The coefficients of a product are sums of products of coefficients, scaled by their binomials
+//! (Farouki and Rajan 1988).
 
 use crate::Patch;
 use crate::ranges::cross;
@@ -14,7 +14,7 @@ use gusset_base::geom::bernstein::binomial_row;
 /// Coefficients times their binomials.
 type Scaled<const M: usize> = [[f64; M]; M];
 
-/// Adds a * b.
+/// Adds the product a b to `sum`.
 fn add_product<const A: usize, const M: usize>(a: &Scaled<A>, b: &Scaled<A>, sum: &mut Scaled<M>) {
     for (i, row) in a.iter().enumerate() {
         for (j, &x) in row.iter().enumerate().filter(|&(_, &x)| x != 0.0) {
@@ -27,7 +27,7 @@ fn add_product<const A: usize, const M: usize>(a: &Scaled<A>, b: &Scaled<A>, sum
     }
 }
 
-/// The field of scaled coefficients of degree M - 1.
+/// The field with the given scaled coefficients of degree M - 1.
 fn unscaled<const M: usize>(scaled: &Scaled<M>) -> Field<M> {
     let by = const { binomial_row::<M>(M - 1) };
     let mut c = *scaled;
@@ -37,7 +37,7 @@ fn unscaled<const M: usize>(scaled: &Scaled<M>) -> Field<M> {
     Field { c }
 }
 
-/// Coefficients times factors by row and by column.
+/// Coefficients multiplied by factors for rows and columns.
 fn scaled<const N: usize>(c: &Scaled<N>, by_u: &[f64; N], by_v: &[f64; N]) -> Scaled<N> {
     let mut scaled = *c;
     for (row, a) in scaled.iter_mut().zip(by_u) {
@@ -46,8 +46,8 @@ fn scaled<const N: usize>(c: &Scaled<N>, by_u: &[f64; N], by_v: &[f64; N]) -> Sc
     scaled
 }
 
-/// S_u and S_v of a patch along three directions, by control point; row or column N - 1 of the
-/// derivative is 0.
+/// The control vectors of S_u and S_v of a patch along three directions. The unused last row or
+/// column of a derivative is 0.
 pub(super) struct Hodographs<const N: usize> {
     u: [[[f64; N]; N]; 3],
     v: [[[f64; N]; N]; 3],
@@ -73,7 +73,7 @@ impl<const N: usize> Hodographs<N> {
         made
     }
 
-    /// Ranges of the three components of N, from the ranges of those of S_u and S_v.
+    /// Ranges of the three components of N, from the ranges of the components of S_u and S_v.
     pub(super) fn ranges(&self) -> [[f64; 2]; 3] {
         let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
             range(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
@@ -81,7 +81,7 @@ impl<const N: usize> Hodographs<N> {
         cross(self.u.each_ref().map(|of| part(of, N - 1, N)), self.v.each_ref().map(|of| part(of, N, N - 1)))
     }
 
-    /// The greatest lengths of S_u and S_v, as control points bound them.
+    /// Upper bounds of the lengths of S_u and S_v, from control vectors.
     pub(super) fn speeds(&self) -> [f64; 2] {
         [&self.u, &self.v].map(|of| {
             let square = |a: usize, b: usize| (0..3).map(|k| of[k][a][b] * of[k][a][b]).sum::<f64>();
@@ -89,7 +89,7 @@ impl<const N: usize> Hodographs<N> {
         })
     }
 
-    /// Component k of N, as a field of degree 2 N - 3.
+    /// Component k of N as a field of degree 2 N - 3.
     pub(super) fn normal<const M: usize>(&self, k: usize) -> Field<M> {
         const { assert!(M == 2 * N - 2) };
         let (lower, full) = const { (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1)) };
@@ -117,7 +117,7 @@ fn add_trimmed<const N: usize, const M: usize>(u: &Scaled<N>, v: &Scaled<N>, fac
     }
 }
 
-/// The sum of the squares of fields, of twice their degree.
+/// The sum of the squares of fields, which has twice their degree.
 pub(super) fn squares<const H: usize, const M: usize>(fields: &[Field<H>]) -> Field<M> {
     const { assert!(M == 2 * H - 1) };
     let by = const { binomial_row::<H>(H - 1) };
@@ -146,10 +146,10 @@ mod tests {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);
             let truth = patch.jet(u, v).normal();
             for axis in 0..3 {
-                assert!((fields[axis].at(u, v).value - truth[axis]).abs() < 1e-12);
+                assert!((fields[axis].evaluate(u, v).value - truth[axis]).abs() < 1e-12);
                 assert!(ranges[axis][0] <= truth[axis] && truth[axis] <= ranges[axis][1]);
             }
-            assert!((square.at(u, v).value - truth.length_squared()).abs() < 1e-11);
+            assert!((square.evaluate(u, v).value - truth.length_squared()).abs() < 1e-11);
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Joins the paths of single sheets across sheet boundaries, and adds points and normals.
 //!
-//! Cost: O(n log n) for n paths of sheets, and O(1) a point.
+//! Cost: O(n log n) for n paths of sheets, and O(1) for each point.
 
 use super::contour_chain::{ContourPath, ContourPaths, chain};
-use super::contour_lattice::Lattice;
-use super::contour_search::FoundArcs;
+use super::contour_lattice::ContourLattice;
+use super::contour_search::ContourArcs;
 use crate::{Paths, Place, Surface};
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;
@@ -12,10 +12,10 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::{alloc, par};
 
-/// Places that are one thread's work.
+/// Number of places that a thread evaluates in one task.
 const CHUNK: usize = 1024;
 
-/// The paths of sheets, and unresolved places.
+/// The paths of all sheets, and unresolved places.
 #[derive(Default)]
 pub(super) struct ContourSet {
     sheets: ContourPaths,
@@ -26,8 +26,8 @@ impl ContourSet {
     pub(super) fn add(
         &mut self,
         sheet: usize,
-        mut found: FoundArcs,
-        lattice: &Lattice,
+        mut found: ContourArcs,
+        lattice: &ContourLattice,
         jumps: bool,
         threads: usize,
     ) -> Result<()> {
@@ -36,7 +36,7 @@ impl ContourSet {
         chain(sheet as u32, &mut found, lattice, jumps, threads, &mut self.sheets)
     }
 
-    /// The paths of all sheets joined, by level and then by first path.
+    /// Joins the paths of all sheets. Sorts them by level, then by first path.
     pub(super) fn paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
         let all = SheetContours::new(surface, self.sheets, job)?;
         let tolerance = surface.tolerance();
@@ -44,7 +44,7 @@ impl ContourSet {
         let mut entered = alloc::filled(false, after.len())?;
         after.iter().flatten().for_each(|&k| entered[k] = true);
         let mut used = alloc::filled(false, after.len())?;
-        // Open sequences from their beginnings, then closed ones; by their lowest parts.
+        // First open sequences from their beginnings, then closed ones; both by their lowest parts.
         let mut sequences: Vec<(usize, usize)> = Vec::new();
         for k in (0..after.len()).filter(|&k| !entered[k]).chain(0..after.len()) {
             let (mut lowest, mut at) = (k, Some(k));
@@ -82,7 +82,7 @@ impl ContourSet {
     }
 }
 
-/// The paths of all sheets.
+/// The paths of all sheets, with points and normals.
 struct SheetContours {
     contours: Vec<ContourPath>,
     places: Vec<Place>,
@@ -103,8 +103,8 @@ impl SheetContours {
         Ok(SheetContours { contours, places, points, normals })
     }
 
-    /// The path that follows each: open ones whose ends are within `tolerance`, the nearest first
-    /// come.
+    /// The successor of each path. Joins open paths whose ends are within `tolerance`, each to the
+    /// nearest free one.
     fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
@@ -138,8 +138,8 @@ impl SheetContours {
         Ok(after)
     }
 
-    /// Adds one path, of sheets' paths that follow each other. Points nearer than `tolerance` to
-    /// the one before are left out; what is no larger than a point is unresolved.
+    /// Adds one path that consists of successive paths of sheets. Skips points within `tolerance`
+    /// of the previous one. A path as small as a point is listed as unresolved.
     fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
         let all = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
@@ -158,7 +158,7 @@ impl SheetContours {
                 paths.truncate(paths.points.len() - 1);
             }
         } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
-            // The end itself is kept, and what is near it left out.
+            // The end itself is kept, and points close to it are skipped.
             paths.truncate(paths.points.len() - 1);
             push(last, paths)?;
         }
@@ -170,10 +170,11 @@ impl SheetContours {
         paths.end(closed, self.contours[contours[0]].level)
     }
 
-    /// Ends that are on no open edge are unresolved: where fields jump, and nothing goes on.
+    /// Lists ends that are not on an open edge as unresolved. They occur where fields are
+    /// discontinuous.
     fn report_inner(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
         for place in ends.map(|end| self.places[end]) {
-            let sheet = Lattice::of(surface.sheet(place.sheet as usize));
+            let sheet = ContourLattice::new(surface.sheet(place.sheet as usize));
             if !sheet.on_edge(place.cell, [place.u, place.v]) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
@@ -182,8 +183,8 @@ impl SheetContours {
     }
 }
 
-/// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves,
-/// there may be many.
+/// Keeps the first place of each cell, in order. Several levels, or pieces of curves, may list the
+/// same cell.
 fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
@@ -194,9 +195,9 @@ fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     Ok(())
 }
 
-/// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points
-/// nearer than the tolerance to others of their level are the same: those on sides come from both
-/// cells.
+/// Adds paths of one point each with the given levels, and sorts all paths by level. Points of one
+/// level within the tolerance of each other are merged, because both cells find a point on their
+/// common side.
 pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
     if points.is_empty() {
         return Ok(());
@@ -221,12 +222,12 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
         paths.push(points[k].1, frames[k].0, frames[k].1)?;
         paths.end(false, points[k].0)?;
     }
-    *paths = by_level(std::mem::take(paths))?;
+    *paths = sort_by_level(std::mem::take(paths))?;
     Ok(())
 }
 
-/// The same paths by rising level.
-fn by_level(mut given: Paths) -> Result<Paths> {
+/// The paths sorted by level.
+fn sort_by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
     sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
     let unresolved = std::mem::take(&mut given.unresolved);

@@ -1,7 +1,7 @@
-//! The blocks that a stack of parallel planes crosses: one descent for all planes, with the range
-//! of the planes' function over boxes.
+//! Finds the blocks that a stack of parallel planes crosses, in one descent for all planes. Uses
+//! the ranges of the planes' function over boxes.
 
-use super::source::between;
+use super::source::levels_between;
 use crate::index::Pyramid;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -12,14 +12,14 @@ use gusset_base::error::Result;
 pub struct Planes<'a> {
     /// A point of the plane of level 0.
     pub point: DVec3,
-    /// Not 0; of any length.
+    /// The normal: nonzero, of any length.
     pub normal: DVec3,
-    /// How far the planes are from the point, along the normal; rising.
+    /// Signed distances of the planes from the point along the normal, ascending.
     pub levels: &'a [f64],
 }
 
-/// The blocks, row and column, that planes at `offsets` from `point` may cross; `counts`: of blocks
-/// in u and in v.
+/// The blocks (row, column) that planes at `offsets` from `point` may cross. `counts` are the
+/// numbers of blocks in u and in v.
 pub(super) fn blocks(
     index: &Pyramid,
     counts: [usize; 2],
@@ -30,7 +30,7 @@ pub(super) fn blocks(
 ) -> Result<Vec<[u32; 2]>> {
     // Boxes are relative to the index's origin.
     let shift = (index.origin() - point).dot(normal);
-    let crossed = |[low, high]: [f64; 2]| !between(offsets, [low + shift, high + shift], slack).is_empty();
+    let crossed = |[low, high]: [f64; 2]| !levels_between(offsets, [low + shift, high + shift], slack).is_empty();
     let levels = index.levels();
     let mut found = Vec::new();
     let mut waiting = vec![(levels.len(), 0, 0)];
@@ -40,14 +40,14 @@ pub(super) fn blocks(
             continue;
         }
         let below = &levels[level - 1];
-        let ranges = below.child_boxes(row, column).along(normal);
-        // In the order of the blocks, the stack's last first.
+        let ranges = below.child_boxes(row, column).ranges_along(normal);
+        // Pushed in reverse, so that blocks are popped in their order.
         for (child, range) in ranges.into_iter().enumerate().rev() {
             let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
             let there = (row << (level - 1)) < counts[0] && (column << (level - 1)) < counts[1];
             if there
                 && crossed(range)
-                && below.oriented(row, column).is_none_or(|oriented| crossed(oriented.along(normal)))
+                && below.oriented(row, column).is_none_or(|oriented| crossed(oriented.range_along(normal)))
             {
                 waiting.push((level - 1, row, column));
             }

@@ -1,36 +1,37 @@
-//! The paper's own approximation of a section: the chord between two crossings with lines of the
-//! surface, and, of higher order, the curve through the crossings with the neighbouring lines too.
+//! The paper's own approximations of a section. The simple one is the chord between two crossings
+//! with lines of the surface. The one of higher order is the curve through the adjacent crossings
+//! too.
 //!
-//! Cost: O(1) a point.
+//! Cost: O(1) for each point.
 
 use crate::{Paths, Surface};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 
-/// The points between those where a curve crosses the lines of the surface.
+/// The points inserted between the places where a curve crosses the lines of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum PointSpacing {
-    /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the
-    /// surface's box.
+    /// Enough points of the surface to keep chords within 1e-4 of the diagonal of the surface's
+    /// bounding box.
     #[default]
     Auto,
-    /// As many points of the surface as keep the chords within this length.
+    /// Enough points of the surface to keep chords within this length.
     Chord(f64),
-    /// Nothing: chords, as the paper has them at first. Their order is two.
+    /// No points: chords between crossings, as in the paper's first approximation, of second order.
     CellEdges,
-    /// As many points of the paper's approximation of higher order: on the cubic through the
-    /// crossings with the neighbouring lines of the surface, two before and two behind, over their
-    /// chords. These points are near the surface, not on it: of order four where crossings are
-    /// evenly spaced, and less reliable where they cluster. Each has the place of the crossing
-    /// before it.
+    /// This number of points of the paper's approximation of higher order. They lie on the cubic
+    /// through the crossings with four lines of the surface, two before and two behind,
+    /// parametrised by chord length. The points are close to the surface, but not on it. They are
+    /// of fourth order if crossings are evenly spaced, and less reliable if crossings cluster. Each
+    /// has the place of the crossing before it.
     Leus(u32),
 }
 
-/// The most points between two crossings.
+/// Largest number of points between two crossings.
 pub(super) const MAX_POINTS: u32 = 1000;
 
 impl Surface<'_> {
-    /// The length that chords are held to.
+    /// The chord tolerance; `None` if no points are inserted on the surface.
     pub(super) fn chord(&self, spacing: PointSpacing) -> Result<Option<f64>> {
         match spacing {
             PointSpacing::Auto => Ok(Some(1e-4 * self.diagonal())),
@@ -43,8 +44,8 @@ impl Surface<'_> {
     }
 }
 
-/// Adds the points of [`PointSpacing::Leus`] to paths that consist of crossings; other paths stay
-/// as they are.
+/// Inserts the points of [`PointSpacing::Leus`] into paths that consist of crossings. With other
+/// spacings, returns the paths unchanged.
 pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Paths> {
     let count = match spacing {
         PointSpacing::Leus(count) if count > 0 => count as usize,
@@ -74,8 +75,8 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
     Ok(made)
 }
 
-/// The cubic through points i - 1 to i + 2, or as many as there are, over their chords: at part t
-/// of the way from point i to the next.
+/// The cubic through points i - 1 to i + 2, or fewer if they do not exist, parametrised by chord
+/// length. Evaluated at fraction t of the way from point i to the next.
 fn cubic(points: &[DVec3], closed: bool, i: usize, t: f64) -> DVec3 {
     let n = points.len();
     let (first, count) = if closed {
@@ -90,7 +91,7 @@ fn cubic(points: &[DVec3], closed: bool, i: usize, t: f64) -> DVec3 {
     }
     let own = if closed { usize::from(n >= 4) } else { i - first };
     let x = knots[own] + t * (knots[own + 1] - knots[own]);
-    // Lagrange's form.
+    // Lagrange interpolation.
     let weight = |k: usize| -> f64 {
         (0..count).filter(|&other| other != k).map(|other| (x - knots[other]) / (knots[k] - knots[other])).product()
     };

@@ -1,8 +1,8 @@
-//! Normals of a sheet, seen along a direction: what is known of a cell's without much work.
+//! Normals of a sheet relative to a direction: ranges over cells at little cost.
 //!
-//! Cost: O(N^2) a cell by its corners or its hodographs; roots as [`roots`].
+//! Cost: O(N^2) for a cell by its corners or its hodographs; roots as in [`roots`].
 
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::normals::Hodographs;
 use super::source::Continuity;
 use crate::Surface;
@@ -15,23 +15,23 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::Range;
 
-/// Normals of a sheet, seen along a direction.
+/// Normals of a sheet relative to a direction.
 pub(super) struct ProjectedNormals<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     index: &'a Pyramid,
-    /// Two directions across the given one, and that one.
+    /// Two perpendicular directions across the given one, then the given one.
     pub(super) frame: [DVec3; 3],
-    /// Of the greatest coordinates.
+    /// The largest absolute coordinate.
     max_coordinate: f64,
     pub(super) continuity: Continuity,
 }
 
-/// The corners of a block's cells, seen in the frame.
+/// The corners of a block's cells, in the frame.
 pub(super) struct Corners {
     at: [[DVec3; BLOCK + 1]; BLOCK + 1],
     start: [usize; 2],
-    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at
-    /// most.
+    /// Bound of the difference between control vectors of S_u and S_v and the sides of the
+    /// quadrilateral.
     slack: f64,
 }
 
@@ -50,7 +50,7 @@ impl Corners {
 }
 
 impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
-    /// Those of sheet k of a surface, whose cells are given.
+    /// Creates the normals of sheet k of a surface, given its cells.
     pub(super) fn new(
         surface: &'a Surface<'_>,
         k: usize,
@@ -62,13 +62,14 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         ProjectedNormals { cells, index, frame, max_coordinate, continuity }
     }
 
-    /// The corners of a block, which exclude most cells without making their patches.
+    /// The corners of a block. They exclude most cells without computing their patches.
     ///
-    /// With c the control points of the difference of surface and bilinear patch, S_u differs from
-    /// a side of the quadrilateral, or from what is between two, by n |c_a+1 - c_a| <= 2 n max |c|,
-    /// n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4 (L
-    /// A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its
-    /// weights, which is nowhere more than 1.42 L: by 2 deviations at most.
+    /// Let c be the control points of the difference between surface and bilinear patch, and n the
+    /// degree. S_u differs from a side of the quadrilateral, or a mean of two sides, by n |c_a+1 -
+    /// c_a| <= 2 n max |c|. For patches, the index's deviation is max |c| itself. For grids, the
+    /// deviation is 3/4 (L A + B). A control point may be off by L' A + B, where L' is the sum of
+    /// the absolute values of its weights. L' is at most 1.42 L, so a control point is off by at
+    /// most 2 deviations.
     pub(super) fn corners(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners {
         let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
         let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
@@ -83,10 +84,10 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         Corners { at, start: [rows.start, columns.start], slack }
     }
 
-    /// The corners of a block, and its cells, row after row.
+    /// The corners of a block, and its cells, row by row.
     pub(super) fn block(
         &self,
-        lattice: &Lattice,
+        lattice: &ContourLattice,
         block: [u32; 2],
     ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>) {
         let [rows, columns] = lattice.block(block);
@@ -94,13 +95,13 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
     }
 
-    /// S_u and S_v over a cell.
+    /// The control vectors of S_u and S_v over a cell.
     pub(super) fn hodographs(&self, [i, j]: [usize; 2]) -> Hodographs<N> {
         Hodographs::new(&self.cells.patch(i, j), &self.frame)
     }
 
-    /// Where in a cell both components across are 0 and the one along has the given sign: simple
-    /// roots, and what is unresolved, which may have it.
+    /// Finds the places in a cell where both components across vanish, and the component along the
+    /// direction has the given sign. Returns simple roots, and unresolved places that may be roots.
     pub(super) fn roots<const H: usize>(
         &self,
         corners: &Corners,
@@ -127,14 +128,14 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         Ok([found.simple, alloc::collect(unresolved)?])
     }
 
-    /// By what components of normals may be wrong for rounding.
+    /// Bound of the rounding error of components of normals.
     pub(super) fn rounding_error(&self, of: &Hodographs<N>) -> f64 {
         let [u, v] = of.speeds();
         32.0 * f64::EPSILON * (self.max_coordinate * (u + v) + u * v)
     }
 }
 
-/// Two directions across one, and that one: right-handed.
+/// A right-handed frame whose third axis is `axis`.
 pub(super) fn frame(axis: DVec3) -> [DVec3; 3] {
     let first = axis.any_orthonormal_vector();
     [first, axis.cross(first), axis]

@@ -1,10 +1,10 @@
 //! Sections by parallel planes, and contours of scalar fields that are given at the corners of
 //! cells.
 //!
-//! Both are zero sets of a scalar that is interpolated as the surface is: of a plane, of its
-//! distance. See [`super::contour_search`].
+//! Both are zero sets of a scalar that is interpolated like the surface. For a plane, the scalar is
+//! the signed distance. See [`super::contour_search`].
 
-use super::contour_lattice::Lattice;
+use super::contour_lattice::ContourLattice;
 use super::contour_search::ContourSearch;
 use super::paths::ContourSet;
 use super::planes::{self, Planes};
@@ -12,39 +12,40 @@ use super::point_spacing::{PointSpacing, add_leus_points};
 use super::source::{Nodal, Plane};
 use crate::axis::{Axis, Scheme};
 use crate::cells::BLOCK;
-use crate::checks::{direction, finite, rising};
+use crate::checks::{check_ascending, check_finite, unit_vector};
 use crate::{Paths, Sheet, Surface, each_sheet};
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 
 impl Surface<'_> {
-    /// Where parallel planes cut the surface: curves in the order of the planes (`levels` of the
-    /// paths) and of their lowest cells. They run along the cross product of the planes' normal and
-    /// the surface's.
+    /// Finds the sections of the surface with parallel planes. Curves are sorted by plane (`levels`
+    /// of the paths), then by lowest cell. They run along the cross product of the planes' normal
+    /// and the surface's normal.
     ///
-    /// Every curve is found, also one within a cell; on a closed surface all are closed. A plane
-    /// that passes through a corner is taken as infinitely little below it: one that touches the
-    /// surface in corners from below gives nothing there, one that touches it from above closed
-    /// curves round the contact, however narrow. Where the plane touches the surface elsewhere or
-    /// contains a piece of it, so that curves cannot be told within rounding, the cells are listed
-    /// as unresolved; a curve no larger than the tolerance too. Open ends of sheets that meet
-    /// within the tolerance are joined.
+    /// Finds every curve, also inside a cell. On a closed surface all curves are closed. A plane
+    /// through a corner of cells is treated as if it were infinitesimally below the corner. A plane
+    /// that touches the surface at corners from below therefore yields no curve. A plane that
+    /// touches it from above yields closed curves around the contact, however narrow.
+    ///
+    /// Cells are listed as unresolved where the plane touches the surface elsewhere, or contains a
+    /// piece of it, so that rounding decides. Curves as small as the tolerance are listed as
+    /// unresolved too. Open ends on different sheets that meet within the tolerance are joined.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for planes that are not finite, have no normal, or do not rise;
-    /// and as [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if the planes are not finite, lack a normal, or are not
+    /// ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn section(&self, planes: &Planes<'_>, spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
-        let normal = direction(planes.normal, "normal")?;
-        finite(planes.point, "point")?;
-        rising(planes.levels, "levels")?;
+        let normal = unit_vector(planes.normal, "normal")?;
+        check_finite(planes.point, "point")?;
+        check_ascending(planes.levels, "levels")?;
         let chord = self.chord(spacing)?;
         let max_coordinate = self.max_coordinate().max(planes.point.abs().max_element());
-        // A few roundings of coordinates of this size.
+        // A few rounding errors of coordinates of this size.
         let rounding_error = 16.0 * f64::EPSILON * max_coordinate;
         let mut contours = ContourSet::default();
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
-            let lattice = Lattice::of(sheet);
+            let lattice = ContourLattice::new(sheet);
             let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.levels, rounding_error)?;
             let block = |k: usize| blocks[k];
             let jumps = !matches!(sheet, Sheet::Grid(_));
@@ -53,8 +54,8 @@ impl Surface<'_> {
                     let axes = grid.axes();
                     let value = |i: usize, j: usize| (grid.nodes().get(i, j) - planes.point).dot(normal);
                     let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
-                    // The normal is a unit vector: what the surface deviates by, its product with
-                    // the normal does at most.
+                    // The normal is a unit vector, so the deviation of the surface bounds the
+                    // deviation of the product.
                     let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + rounding_error;
                     let source = Nodal { axes, value, levels: planes.levels, rounding_error, excess, deviation };
                     ContourSearch { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
@@ -73,28 +74,28 @@ impl Surface<'_> {
         add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)
     }
 
-    /// The contours of a scalar field that is given at the corners of the cells: where it takes the
-    /// values of `levels`, which rise. Between corners it is interpolated as a sheet through nodes
-    /// is; for patches, with the scheme of six taps. Greater values are to the left of the curves,
-    /// seen from where the normals point to.
+    /// Finds the contours of a scalar field that is given at the corners of the cells: the curves
+    /// where it has one of the values `levels`, which are ascending. Between corners, the field is
+    /// interpolated like a sheet through nodes; on sheets of patches, by the six-tap scheme. Seen
+    /// from the side of the normals, larger values are to the left of a curve.
     ///
-    /// `values`: of all sheets, one after the other, each row after row: one more row and column
-    /// than there are cells; the last line of a closed direction repeats the first and is not read.
-    /// For the rest, as [`Surface::section`].
+    /// `values` holds the values of all sheets, one after the other, each row by row. A sheet has
+    /// one row and one column more than cells. In a closed direction the last line repeats the
+    /// first one, and is not read. Otherwise, the search is like [`Surface::section`].
     ///
     /// # Errors
-    /// [`Error::ArrayTooShort`], or [`Error::TooLarge`] if there are too many; [`Error::NotFinite`]
-    /// with the number of the value; [`Error::OptionOutOfRange`] for levels that are not finite or
-    /// do not rise; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::ArrayTooShort`] or [`Error::TooLarge`] if the number of values is wrong;
+    /// [`Error::NotFinite`] with the index of the value; [`Error::OptionOutOfRange`] if levels are
+    /// not finite or not ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn contours(&self, values: &[f64], levels: &[f64], spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
-        rising(levels, "levels")?;
+        check_ascending(levels, "levels")?;
         let chord = self.chord(spacing)?;
         self.check_values(values)?;
         let mut contours = ContourSet::default();
         let mut first = 0;
         for k in 0..self.len() {
             let (part, (sheet, _)) = (self.sheet_job(k, job), self.indexed(k));
-            let lattice = Lattice::of(sheet);
+            let lattice = ContourLattice::new(sheet);
             let [rows, columns] = sheet.cells().map(|count| count + 1);
             let own = &values[first..first + rows * columns];
             first += rows * columns;
@@ -117,7 +118,7 @@ impl Surface<'_> {
         add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)
     }
 
-    /// The share of sheet k in the search.
+    /// The job of sheet k: its share of the search.
     pub(super) fn sheet_job<'a>(&self, k: usize, job: &Job<'a>) -> Job<'a> {
         job.part(0.0, 0.9).share(k, self.len())
     }

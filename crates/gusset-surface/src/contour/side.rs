@@ -1,32 +1,32 @@
-//! Where a polynomial in Bernstein form changes its sign between 0 and 1.
+//! Sign changes of a polynomial in Bernstein form between 0 and 1.
 //!
-//! Values of 0 count as positive, as if an infinitely small number were added to the polynomial:
-//! then no coefficient is 0, and Descartes' rule in Bernstein form (Farouki and Rajan 1987) is
-//! exact: no change of sign among the coefficients, no root; one change, one simple root; otherwise
-//! the interval is halved. What is found fits the signs at the ends in any case, rounding or not:
-//! whoever relies on parity may.
+//! The value 0 counts as positive, as if an infinitesimal number were added to the polynomial. No
+//! coefficient is then 0, and Descartes' rule in Bernstein form (Farouki and Rajan 1987) is exact.
+//! Without sign changes among the coefficients, the polynomial lacks roots. With one change, it has
+//! one simple root. Otherwise the interval is halved. The results always agree with the signs at
+//! the ends, even with rounding, so callers may rely on parity.
 
 use gusset_base::geom::bernstein::{bisect, sign_changes, value_and_slope_by_differences as value_and_slope};
 
-/// Intervals of this length are not halved: roots nearer to each other are one, or none.
+/// Intervals of this length are not halved: roots closer to each other count as one, or none.
 const MIN_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
 
-/// A change of sign.
+/// A sign change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crossing {
     pub(super) t: f64,
-    /// From minus to plus, as t rises.
+    /// True if the sign changes from minus to plus with increasing t.
     pub(super) rising: bool,
 }
 
-/// The sign of a value: 0 is positive.
+/// Whether a value counts as positive. 0 does.
 #[inline(always)]
 pub(super) fn positive(value: f64) -> bool {
     value >= 0.0
 }
 
-/// The changes of sign by rising t. `ends`: whether the ends count as positive; where the
-/// polynomial has another sign there, it changes at the end itself.
+/// Finds the sign changes in ascending order. `ends` tells whether the ends count as positive. If
+/// the polynomial has another sign at an end, the sign changes at the end itself.
 #[inline]
 pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(Crossing)) {
     let [start, end] = [positive(c[0]), positive(c[M - 1])];
@@ -39,7 +39,7 @@ pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found
     }
 }
 
-/// The changes of sign inside.
+/// Finds the sign changes in the interior.
 #[inline]
 fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(Crossing)) {
     bisect(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
@@ -55,20 +55,20 @@ fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(Crossing)) {
     });
 }
 
-/// How near to the ends the first guess of a root may be, in parts of the interval.
+/// Smallest distance of the first guess of a root from the ends, as a fraction of the interval.
 const MIN_SHARE: f64 = 1.0 / 1024.0;
 
-/// A root between `from` and `to`, where the polynomial has different signs and changes its sign
-/// once: Newton's method, kept between by halving.
+/// The root between `low` and `high`, where the polynomial has opposite signs and changes sign
+/// once. Newton's method, safeguarded by bisection.
 ///
-/// A value of 0 at an end counts as positive. If the polynomial is positive next to it, the sign
-/// changes elsewhere: neither a secant nor a tangent may end there.
+/// The value 0 at an end counts as positive. If the polynomial is positive next to such an end, the
+/// root is elsewhere, and secants and tangents must not end there.
 #[inline]
 pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> f64 {
     let ([start, first], [end, last]) = (value_and_slope(c, low), value_and_slope(c, high));
     let rising = positive(end);
     if positive(start) == rising {
-        // Nothing to bracket but rounding: whoever calls judges the value.
+        // Rounding removed the sign change. The caller must judge the value.
         return if start.abs() <= end.abs() { low } else { high };
     }
     // The sign changes at the end itself.
@@ -88,7 +88,7 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
             from = t;
         }
         let newton = t - value / slope;
-        // NaN and infinity of slope 0 fail the test too.
+        // NaN and infinity, from slope 0, fail this test too.
         let inside = newton >= from && newton <= to && newton > low && newton < high;
         let next = if inside { newton } else { 0.5 * (from + to) };
         let step = (next - t).abs();
@@ -104,7 +104,7 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
 mod tests {
     use super::*;
 
-    fn found<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<Crossing> {
+    fn all_crossings<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<Crossing> {
         let mut list = Vec::new();
         crossings(&c, ends, |crossing| list.push(crossing));
         list
@@ -114,9 +114,9 @@ mod tests {
     fn signs_at_the_ends_are_kept() {
         // A line through 1/2, with true and with false signs at its ends.
         let line = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];
-        assert_eq!(found(line, [false, true]), [Crossing { t: 0.5, rising: true }]);
+        assert_eq!(all_crossings(line, [false, true]), [Crossing { t: 0.5, rising: true }]);
         for ends in [[true, true], [false, false], [true, false]] {
-            let list = found(line, ends);
+            let list = all_crossings(line, ends);
             let mut sign = ends[0];
             for crossing in &list {
                 assert_eq!(crossing.rising, !sign);
@@ -124,31 +124,32 @@ mod tests {
             }
             assert!(sign == ends[1] && list.iter().any(|crossing| crossing.t == 0.5), "{list:?}");
         }
-        // 0 all along is positive; 0 at the start of what is negative is a root there.
-        assert!(found([0.0; 4], [true, true]).is_empty());
-        assert_eq!(found([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
-        // 0 at an end of what is positive there, and changes its sign elsewhere.
-        let [inner] = found([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
+        // The zero polynomial is positive. A value 0 at the start of a negative polynomial is a
+        // root there.
+        assert!(all_crossings([0.0; 4], [true, true]).is_empty());
+        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
+        // The polynomial is 0 at an end, positive next to it, and changes sign elsewhere.
+        let [inner] = all_crossings([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
         assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
-        let [inner] = found([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
+        let [inner] = all_crossings([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
         assert!(!inner.rising && inner.t > 0.1 && value_and_slope(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
         // A double root, touched from above and from below.
-        assert!(found([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
-        assert!(found([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());
-        let two = found([0.25 - 1e-12, -0.25, 0.25], [true, true]);
+        assert!(all_crossings([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
+        assert!(all_crossings([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());
+        let two = all_crossings([0.25 - 1e-12, -0.25, 0.25], [true, true]);
         assert!(two.len() == 2 && two[1].t - two[0].t < 3e-6 && two[1].t > two[0].t);
     }
 
     #[test]
-    fn all_roots_of_a_product() {
-        // (t - 0.2) (t - 0.5) (t - 0.9) as a cubic: the blossom at 0 and 1.
+    fn all_roots_of_a_product_are_found() {
+        // (t - 0.2) (t - 0.5) (t - 0.9) as a cubic, from its blossom at 0 and 1.
         let (a, b, d) = (0.2, 0.5, 0.9);
         let blossom = |x: f64, y: f64, z: f64| {
             x * y * z - (a + b + d) / 3.0 * (x * y + y * z + z * x) + (a * b + b * d + d * a) / 3.0 * (x + y + z)
                 - a * b * d
         };
         let c = [blossom(0., 0., 0.), blossom(0., 0., 1.), blossom(0., 1., 1.), blossom(1., 1., 1.)];
-        let list = found(c, [false, true]);
+        let list = all_crossings(c, [false, true]);
         assert_eq!(list.len(), 3);
         for (crossing, root) in list.iter().zip([a, b, d]) {
             assert!((crossing.t - root).abs() < 1e-14, "{list:?}");

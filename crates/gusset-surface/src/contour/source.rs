@@ -1,4 +1,4 @@
-//! Where fields over cells come from, one for each question.
+//! Sources of the fields over cells, one for each kind of query.
 
 use crate::axis::{Axis, TAPS};
 use crate::cells::{BLOCK, Cells};
@@ -7,14 +7,14 @@ use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
 use std::ops::Range;
 
-/// How the fields of two cells fit along their common side.
+/// How the fields of two cells agree along their common side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Continuity {
-    /// To the bit.
+    /// The coefficients are equal to the last bit.
     Exact,
-    /// But for rounding.
+    /// The coefficients are equal except for rounding.
     UpToRounding,
-    /// They may jump.
+    /// The fields may be discontinuous across the side.
     Discontinuous,
 }
 
@@ -24,96 +24,96 @@ pub(super) trait Source<const M: usize>: Sync {
     type Block;
     /// The data that the levels of a cell share.
     type Base;
-    /// Cache for the work on blocks, one after the other.
+    /// Memory that the work on successive blocks reuses.
     type Cache: Default;
 
-    /// A block of cells; `None` if no level crosses it.
+    /// Prepares a block of cells; `None` if no level crosses it.
     fn block(&self, cells: [Range<usize>; 2], cache: &mut Self::Cache) -> Option<Self::Block>;
 
-    /// False if it is plain that no level crosses a cell.
+    /// False if no level crosses a cell, by a cheap test.
     fn may_cross(&self, _block: &Self::Block, _cell: [usize; 2]) -> bool {
         true
     }
 
-    /// The test of a cell by its corners alone, where they bound the field closely.
+    /// The data to test a cell by its corners, if they bound the field closely.
     #[inline]
     fn corner_test(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<CornerTest> {
         None
     }
 
-    /// Of sources that have glances: the coefficients of the field along a side, to the bit those
-    /// that the cell's field has.
+    /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
+    /// sources with [`Source::corner_test`].
     #[inline]
-    fn along(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
+    fn side_coefficients(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
     }
 
-    /// The value that a level subtracts.
+    /// The value that is subtracted for a level.
     #[inline]
     fn level(&self, _level: usize) -> f64 {
         0.0
     }
 
-    /// A cell, whether or not a level crosses it.
+    /// Prepares a cell, whether or not a level crosses it.
     fn base(&self, block: &Self::Block, cell: [usize; 2], cache: &mut Self::Cache) -> CellBase<Self::Base>;
 
-    /// How many levels there are, at least 1.
+    /// The number of levels, at least 1.
     fn level_count(&self) -> usize {
         1
     }
 
-    /// The field whose zero set is one level's.
+    /// The field whose zero set belongs to a level.
     fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
 
-    /// False if an arc of the zero set of a cell's field, three places of which are given, is not
-    /// of the level; `None` if it is in part only.
-    fn keeps(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+    /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
+    /// places on it. `None` if only a part of it does.
+    fn keeps_arc(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         Some(true)
     }
 
-    /// How far the surface over a cell of the block, and the field too, may be from the bilinear
-    /// ones through the cell's corners.
+    /// Bound of the deviation of the surface over a cell of the block, and of the field, from the
+    /// bilinear ones through the cell's corners.
     fn deviation(&self, _block: &Self::Block) -> f64 {
         f64::INFINITY
     }
 
-    /// How cells fit.
+    /// How cells agree along their sides.
     fn continuity(&self) -> Continuity;
 }
 
-/// A cell as its levels see it.
+/// The data of a cell that its levels share.
 pub(super) struct CellBase<B> {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
-    /// Values up to that may be 0.
+    /// Values up to this may be 0.
     pub(super) rounding_error: f64,
     /// The data that the levels share.
     pub(super) data: B,
 }
 
 impl<const M: usize> CellBase<Field<M>> {
-    /// A field from which levels are taken.
+    /// Prepares a field from which levels are subtracted.
     #[inline]
-    fn of(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
-        CellBase { levels: between(levels, field.range(), rounding_error), rounding_error, data: field }
+    fn from_field(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
+        CellBase { levels: levels_between(levels, field.range(), rounding_error), rounding_error, data: field }
     }
 }
 
-/// A field over a cell, as its corners show it.
+/// A field over a cell, known from its corners.
 pub(super) struct CornerTest {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
-    /// The values at the corners 2 u + v, from which levels are taken.
+    /// The values at the corners 2 u + v, from which levels are subtracted.
     pub(super) corners: [f64; 4],
-    /// How far coefficients may be from those of the bilinear field.
+    /// Bound of the difference between the coefficients of the field and of the bilinear field.
     pub(super) slack: f64,
-    /// Values up to that may be 0.
+    /// Values up to this may be 0.
     pub(super) rounding_error: f64,
 }
 
-/// The levels, which rise, from `low` to `high`, with some slack.
+/// The indices of the levels between `low` and `high`, with some slack. Levels are ascending.
 #[inline]
-pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
+pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
     if let &[level] = levels {
         return 0..usize::from(low - slack <= level && level <= high + slack);
     }
@@ -122,23 +122,23 @@ pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Rang
     first..first + count
 }
 
-/// Nodes in one direction that the cells of a block depend on.
+/// Number of nodes in one direction that the cells of a block depend on.
 const WINDOW: usize = BLOCK + TAPS - 1;
 
-/// The scalars that the cells of a block depend on, and the weights.
-pub(super) struct Window {
+/// The scalars that the cells of a block depend on, and their weights.
+pub(super) struct ScalarWindow {
     start: [usize; 2],
     values: [[f64; WINDOW]; WINDOW],
-    /// By direction and cell: where its nodes begin.
+    /// By direction and cell: the index of its first node.
     first: [[usize; BLOCK]; 2],
     rows: [[[f64; TAPS]; 4]; BLOCK],
     /// By cell, node and coefficient.
     columns: [[[f64; 4]; TAPS]; BLOCK],
 }
 
-impl Window {
+impl ScalarWindow {
     fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
-        let mut window = Window {
+        let mut window = ScalarWindow {
             start: [cells[0].start, cells[1].start],
             values: [[0.0; WINDOW]; WINDOW],
             first: [[0; BLOCK]; 2],
@@ -167,7 +167,7 @@ impl Window {
                 *at = value(i, j);
             }
         }
-        // Missing values repeat the last ones.
+        // The last values repeat in place of missing ones.
         for values in &mut window.values[..counts[0]] {
             let last = values[counts[1] - 1];
             values[counts[1]..].fill(last);
@@ -177,13 +177,13 @@ impl Window {
         window
     }
 
-    /// The least and the greatest scalar.
+    /// The smallest and the largest scalar.
     fn range(&self) -> [f64; 2] {
         range(self.values.as_flattened().iter().copied())
     }
 
-    /// The field over a cell. Along the rows first, then across: the coefficients of a common side
-    /// have the same bits in both cells.
+    /// The field over a cell. Sums along the rows come first, then across, so that the coefficients
+    /// of a common side have the same bits in both cells.
     #[inline]
     fn field(&self, [i, j]: [usize; 2]) -> Field<4> {
         let (r, c) = (i - self.start[0], j - self.start[1]);
@@ -208,23 +208,23 @@ impl Window {
     }
 }
 
-/// A block of cells of nodal scalars.
-pub(super) struct Nodes {
+/// A block of cells with scalars at nodes.
+pub(super) struct NodalBlock {
     cells: [Range<usize>; 2],
     /// The scalars at the corners of cells, if the deviation is finite.
     corners: [[f64; BLOCK + 1]; BLOCK + 1],
-    /// How far the field over a cell may be from the corners' range.
+    /// Bound of how far the field over a cell may be outside the range of its corners.
     deviation: f64,
 }
 
-/// A window, made when a cell of a block needs more than its corners, and the first cell of that
-/// block.
-type CachedWindow = Option<([usize; 2], Window)>;
+/// The window of a block, with the block's first cell. It is computed when a cell needs more than
+/// its corners.
+type CachedWindow = Option<([usize; 2], ScalarWindow)>;
 
-impl Nodes {
+impl NodalBlock {
     /// The scalars at the corners 2 u + v of a cell.
     #[inline(always)]
-    fn around(&self, [i, j]: [usize; 2]) -> [f64; 4] {
+    fn corner_values(&self, [i, j]: [usize; 2]) -> [f64; 4] {
         let (r, c) = (i - self.cells[0].start, j - self.cells[1].start);
         let [low, high] = [&self.corners[r], &self.corners[r + 1]];
         [low[c], low[c + 1], high[c], high[c + 1]]
@@ -232,26 +232,26 @@ impl Nodes {
 
     /// A range of the field over a cell, from its corners.
     #[inline(always)]
-    fn near(&self, cell: [usize; 2]) -> [f64; 2] {
-        let [a, b, c, d] = self.around(cell);
-        // Comparisons, not f64::min: what is NaN may be passed over.
+    fn value_range(&self, cell: [usize; 2]) -> [f64; 2] {
+        let [a, b, c, d] = self.corner_values(cell);
+        // Comparisons instead of f64::min, because NaN may be ignored.
         let min = |a: f64, b: f64| if a < b { a } else { b };
         let max = |a: f64, b: f64| if a > b { a } else { b };
         [min(min(a, b), min(c, d)) - self.deviation, max(max(a, b), max(c, d)) + self.deviation]
     }
 }
 
-/// The same interpolation of scalars as of nodes.
+/// Scalars at nodes, interpolated like the nodes.
 pub(super) struct Nodal<'a, F, D> {
     pub(super) axes: [&'a Axis; 2],
     pub(super) value: F,
     pub(super) levels: &'a [f64],
     pub(super) rounding_error: f64,
-    /// How far values of cells may be outside those of their nodes, in parts of the half range: |w|
-    /// sums to at most 1 + `excess`.
+    /// Bound of how far values of cells may be outside the range of their nodes, relative to half
+    /// of the range. The weights satisfy sum |w| <= 1 + `excess`.
     pub(super) excess: f64,
-    /// By the first cell of a block: how far the field over its cells may be from the ranges of
-    /// their corners.
+    /// For the first cell of a block: bound of how far the field over its cells may be outside the
+    /// ranges of their corners.
     pub(super) deviation: D,
 }
 
@@ -260,14 +260,14 @@ where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
 {
-    type Block = Nodes;
+    type Block = NodalBlock;
     type Base = Field<4>;
     type Cache = CachedWindow;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<Nodes> {
+    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
-        let mut block = Nodes { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
+        let mut block = NodalBlock { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
         if deviation.is_finite() {
             let [rows, columns] = &block.cells;
             for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
@@ -279,21 +279,21 @@ where
         }
         let [low, high] = self.window(&block, cache).range();
         let slack = 0.5 * self.excess * (high - low) + self.rounding_error;
-        (!between(self.levels, [low, high], slack).is_empty()).then_some(block)
+        (!levels_between(self.levels, [low, high], slack).is_empty()).then_some(block)
     }
 
     #[inline]
-    fn may_cross(&self, block: &Nodes, cell: [usize; 2]) -> bool {
-        !between(self.levels, block.near(cell), self.rounding_error).is_empty()
+    fn may_cross(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
+        !levels_between(self.levels, block.value_range(cell), self.rounding_error).is_empty()
     }
 
-    /// A control point of the surface may be 2 deviations from that of the bilinear patch: see
+    /// A control point of the surface may differ by 2 deviations from the bilinear patch: see
     /// `projected_normals`.
     #[inline]
-    fn corner_test(&self, block: &Nodes, cell: [usize; 2]) -> Option<CornerTest> {
+    fn corner_test(&self, block: &NodalBlock, cell: [usize; 2]) -> Option<CornerTest> {
         block.deviation.is_finite().then(|| CornerTest {
-            levels: between(self.levels, block.near(cell), self.rounding_error),
-            corners: block.around(cell),
+            levels: levels_between(self.levels, block.value_range(cell), self.rounding_error),
+            corners: block.corner_values(cell),
             slack: 2.0 * block.deviation,
             rounding_error: self.rounding_error,
         })
@@ -305,7 +305,7 @@ where
     }
 
     #[inline]
-    fn along(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
+    fn side_coefficients(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
         let along_u = side.is_multiple_of(2);
         let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
         let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
@@ -314,15 +314,15 @@ where
         for (value, line) in values.iter_mut().zip(lines) {
             *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
         }
-        // In the order in which the window sums them: they have the same bits.
+        // Sums in the same order as the window, so that results have the same bits.
         let sum = |weights: &[f64; TAPS]| weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x);
         let (inner, level) = ([sum(&weights[1]), sum(&weights[2])], self.levels[level]);
         [values[place] - level, inner[0] - level, inner[1] - level, values[place + 1] - level]
     }
 
     #[inline]
-    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
-        CellBase::of(self.window(block, cache).field(cell), self.levels, self.rounding_error)
+    fn base(&self, block: &NodalBlock, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
+        CellBase::from_field(self.window(block, cache).field(cell), self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
@@ -331,11 +331,11 @@ where
 
     #[inline]
     fn field(&self, base: &Field<4>, level: usize) -> Field<4> {
-        shifted(base, self.levels[level])
+        subtract_level(base, self.levels[level])
     }
 
     #[inline]
-    fn deviation(&self, block: &Nodes) -> f64 {
+    fn deviation(&self, block: &NodalBlock) -> f64 {
         block.deviation
     }
 
@@ -345,22 +345,22 @@ where
 }
 
 impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
-    fn window<'a>(&self, block: &Nodes, cache: &'a mut CachedWindow) -> &'a Window {
+    fn window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
         let first = [block.cells[0].start, block.cells[1].start];
         if cache.as_ref().is_some_and(|(of, _)| *of != first) {
             *cache = None;
         }
-        &cache.get_or_insert_with(|| (first, Window::new(self.axes, &block.cells, &self.value))).1
+        &cache.get_or_insert_with(|| (first, ScalarWindow::new(self.axes, &block.cells, &self.value))).1
     }
 }
 
-/// Less a number.
+/// The field minus a number.
 #[inline]
-fn shifted<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
+fn subtract_level<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
     Field { c: base.c.map(|row| row.map(|x| x - level)) }
 }
 
-/// A plane's function on patches.
+/// The signed distance from a plane, on patches.
 pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) normal: DVec3,
@@ -381,7 +381,7 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> CellBase<Field<N>> {
         let patch = self.cells.patch(i, j);
         let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
-        CellBase::of(heights, self.levels, self.rounding_error)
+        CellBase::from_field(heights, self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
@@ -389,7 +389,7 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     }
 
     fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
-        shifted(base, self.levels[level])
+        subtract_level(base, self.levels[level])
     }
 
     fn continuity(&self) -> Continuity {

@@ -1,4 +1,4 @@
-//! Control nets of any shape: patches, segments of curves (one column), single points.
+//! Control nets of any shape: patches, segments of curves (one column), and single points.
 //!
 //! Bounds follow from the nets of derivatives, which are differences of control points: their
 //! vectors lie in the balls of [`Balls`]. O(points) each.
@@ -8,14 +8,14 @@ use glam::DVec3;
 use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::{halve, reduce};
 
-/// The greatest number of control points of a row or a column.
+/// Largest number of control points in a row or a column.
 const MAX_LINE: usize = gusset_curve::MAX_DEGREE + 1;
-/// That of patches, and of most segments.
+/// Largest number of control points in a row or a column of a patch, and of most segments.
 const SHORT_LINE: usize = crate::MAX_DEGREE + 1;
 
-/// A control net, row after row; a parameter in which it has one point alone does not exist.
+/// A control net, row by row. A direction with a single control point lacks a parameter.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Net<'a> {
+pub(super) struct ControlNet<'a> {
     pub(super) points: &'a [DVec3],
     pub(super) shape: [usize; 2],
 }
@@ -28,7 +28,7 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    fn of(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
+    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
         let bounds = Aabb::from_points(vectors.clone());
         if bounds.is_empty() {
             return Ball::default();
@@ -37,13 +37,13 @@ impl Ball {
         Ball { centre, radius: vectors.map(|v| v.distance_squared(centre)).fold(0.0, f64::max).sqrt() }
     }
 
-    /// The longest vector in it.
+    /// The length of the longest vector in the ball.
     pub(super) fn reach(&self) -> f64 {
         self.centre.length() + self.radius
     }
 }
 
-/// Balls round the points and the derivatives of a net: by the parameters (uu, uv, vv).
+/// Balls around the points and the derivatives of a net. Second derivatives are uu, uv, vv.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Balls {
     pub(super) point: Ball,
@@ -52,27 +52,27 @@ pub(super) struct Balls {
 }
 
 impl Balls {
-    /// How much a split at the middle of each parameter may bring the net nearer to its points:
-    /// the part of its second derivatives, which is what it is away from being flat.
+    /// For each parameter, how much closer the net may come to its points after a split at the
+    /// middle, which is proportional to the second derivatives.
     pub(super) fn flatness(&self) -> [f64; 2] {
         let [uu, uv, vv] = self.second.map(|ball| ball.reach());
         [uu + uv, vv + uv].map(|sum| 0.125 * sum)
     }
 
-    /// Bounds of how far the net goes along each parameter.
+    /// Bounds of the extent of the net along each parameter.
     pub(super) fn lengths(&self) -> [f64; 2] {
         self.first.map(|ball| ball.reach())
     }
 }
 
-impl<'a> Net<'a> {
-    fn at(&self, a: usize, b: usize) -> DVec3 {
+impl<'a> ControlNet<'a> {
+    fn control_point(&self, a: usize, b: usize) -> DVec3 {
         self.points[a * self.shape[1] + b]
     }
 
     /// Position and derivatives.
     pub(super) fn jet(&self, at: [f64; 2]) -> Jet {
-        // Of most nets, without clearing room for the longest lines.
+        // Most nets have short lines, which saves clearing memory for the longest lines.
         if self.shape[0].max(self.shape[1]) <= SHORT_LINE {
             self.jet_within::<SHORT_LINE>(at)
         } else {
@@ -85,7 +85,7 @@ impl<'a> Net<'a> {
         let mut work = [DVec3::ZERO; LINE];
         let mut across = [[DVec3::ZERO; LINE]; 3];
         for b in 0..columns {
-            (0..rows).for_each(|a| work[a] = self.at(a, b));
+            (0..rows).for_each(|a| work[a] = self.control_point(a, b));
             let found = derivatives(&mut work[..rows], u);
             across.iter_mut().zip(found).for_each(|(row, found)| row[b] = found);
         }
@@ -95,12 +95,12 @@ impl<'a> Net<'a> {
         Jet { point, u: u1, v: v1, uu, uv, vv }
     }
 
-    /// Balls round the vectors of all nets of derivatives.
+    /// Balls around the vectors of all nets of derivatives.
     pub(super) fn balls(&self) -> Balls {
         let [rows, columns] = self.shape;
         let degree = self.shape.map(|count| (count - 1) as f64);
         let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
-        let p = |a: usize, b: usize| self.at(a, b);
+        let p = |a: usize, b: usize| self.control_point(a, b);
         let u = all(rows - 1, columns).map(|(a, b)| degree[0] * (p(a + 1, b) - p(a, b)));
         let v = all(rows, columns - 1).map(|(a, b)| degree[1] * (p(a, b + 1) - p(a, b)));
         let again = degree.map(|degree| degree * (degree - 1.0));
@@ -111,13 +111,13 @@ impl<'a> Net<'a> {
         let uv = all(rows - 1, columns - 1);
         let uv = uv.map(|(a, b)| degree[0] * degree[1] * (p(a + 1, b + 1) - p(a + 1, b) - p(a, b + 1) + p(a, b)));
         Balls {
-            point: Ball::of(self.points.iter().copied()),
-            first: [Ball::of(u), Ball::of(v)],
-            second: [Ball::of(uu), Ball::of(uv), Ball::of(vv)],
+            point: Ball::from_vectors(self.points.iter().copied()),
+            first: [Ball::from_vectors(u), Ball::from_vectors(v)],
+            second: [Ball::from_vectors(uu), Ball::from_vectors(uv), Ball::from_vectors(vv)],
         }
     }
 
-    /// Writes the two halves along a parameter, one after the other, each as long as the net.
+    /// Writes the two halves along a parameter, one after the other, each the size of the net.
     pub(super) fn halves(&self, parameter: usize, out: &mut [DVec3]) {
         let [rows, columns] = self.shape;
         let (low, high) = out.split_at_mut(self.points.len());
@@ -134,8 +134,7 @@ impl<'a> Net<'a> {
         }
     }
 
-    /// The parameters of a control point by Greville: where the net would have it if it were
-    /// affine.
+    /// The Greville parameters of a control point, at which an affine net has this point.
     pub(super) fn parameters(&self, point: usize) -> [f64; 2] {
         let [rows, columns] = self.shape;
         let share = |k: usize, count: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };

@@ -1,12 +1,11 @@
-//! The distance of the points of two nets: descent to a place where it is least, and proofs that
-//! it is nowhere less.
+//! The distance between points of two nets: descent to a local minimum, and proofs of lower bounds.
 //!
-//! f = |A(u, v) - B(s, t)|^2 / 2 over all parameters that the nets have, from 0 to 1. Descent:
-//! projected Newton steps as in `nearest::foot`. Proof: where the Hessian of f is positive definite
-//! all over, f is convex, and nowhere less than its tangent plane at any place: so there the place
-//! that descent leads to is the nearest. Bounds of the Hessian are products of balls. O(1).
+//! The function is f = |A(u, v) - B(s, t)|^2 / 2 over all parameters of the nets, from 0 to 1. The
+//! descent takes projected Newton steps as in `nearest::foot`. If the Hessian of f is positive
+//! definite everywhere, f is convex, and nowhere below its tangent plane at any place. Descent then
+//! leads to the nearest points. Products of balls bound the Hessian. O(1).
 
-use super::control_net::{Ball, Balls, Net};
+use super::control_net::{Ball, Balls, ControlNet};
 use crate::Jet;
 use glam::DVec3;
 
@@ -14,14 +13,14 @@ use glam::DVec3;
 pub(super) type Parameters = [f64; 4];
 type Square = [[f64; 4]; 4];
 
-/// Length in the parameters of a step that is the last.
+/// A step shorter than this, in parameters, is the last one.
 const LAST_STEP: f64 = 1e-13;
-/// The shortest part of a step that is tried.
+/// The smallest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-4;
-/// The least pivot, of a matrix of unit diagonal, that counts as above 0.
+/// Smallest pivot of a matrix with unit diagonal that counts as positive.
 const MIN_PIVOT: f64 = 1e-10;
 
-/// The function at a place.
+/// The function and its derivatives at a place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Value {
     pub(super) at: Parameters,
@@ -34,13 +33,13 @@ pub(super) struct Value {
 /// Two nets.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NetPair<'a> {
-    pub(super) a: Net<'a>,
-    pub(super) b: Net<'a>,
+    pub(super) a: ControlNet<'a>,
+    pub(super) b: ControlNet<'a>,
 }
 
 impl NetPair<'_> {
     /// Which parameters exist.
-    fn exist(&self) -> [bool; 4] {
+    fn existing_parameters(&self) -> [bool; 4] {
         let [a, b] = [self.a.shape, self.b.shape].map(|shape| shape.map(|count| count > 1));
         [a[0], a[1], b[0], b[1]]
     }
@@ -52,9 +51,9 @@ impl NetPair<'_> {
         Value { at, distance: difference.length(), difference, a, b }
     }
 
-    /// The place that descent leads to, in so many steps at most.
+    /// Descends to a local minimum in at most `steps` steps.
     pub(super) fn minimise(&self, start: Value, steps: usize) -> Value {
-        let exist = self.exist();
+        let exist = self.existing_parameters();
         let mut best = start;
         for _ in 0..steps {
             let gradient = best.gradient();
@@ -84,22 +83,22 @@ impl NetPair<'_> {
         best
     }
 
-    /// True if f is convex.
+    /// True if f is proven to be convex.
     pub(super) fn is_convex(&self, balls: [&Balls; 2]) -> bool {
-        is_convex(self.exist(), balls)
+        is_convex(self.existing_parameters(), balls)
     }
 }
 
 impl Value {
-    /// The tangents of the difference.
+    /// The derivatives of the difference.
     fn tangents(&self) -> [DVec3; 4] {
         [self.a.u, self.a.v, -self.b.u, -self.b.v]
     }
 
-    /// If f is convex: no points of the nets are nearer than this.
+    /// A lower bound of the distance, if f is convex.
     pub(super) fn convex_bound(&self) -> f64 {
         let gradient = self.gradient();
-        // The tangent plane's least value over the box.
+        // The smallest value of the tangent plane over the box.
         let fall: f64 = gradient.iter().zip(self.at).map(|(&slope, at)| (slope * at).max(slope * (at - 1.0))).sum();
         (self.distance * self.distance - 2.0 * fall).max(0.0).sqrt()
     }
@@ -108,14 +107,15 @@ impl Value {
         self.tangents().map(|tangent| tangent.dot(self.difference))
     }
 
-    /// The length of the gradient, without what leads out of the box.
+    /// The squared length of the gradient, without components that lead out of the box.
     fn slope(&self, exist: [bool; 4]) -> f64 {
         let gradient = self.gradient();
         let free = (0..4).filter(|&k| exist[k] && !is_blocked(self.at[k], gradient[k]));
         free.map(|k| gradient[k] * gradient[k]).sum::<f64>()
     }
 
-    /// Newton's step in the free parameters, or one that goes down where it would not.
+    /// The Newton step in the free parameters, or a Gauss-Newton step if Newton's would not go
+    /// down.
     fn step(&self, gradient: &Parameters, free: [bool; 4]) -> Option<Parameters> {
         let tangents = self.tangents();
         let mut first: Square = std::array::from_fn(|i| std::array::from_fn(|k| tangents[i].dot(tangents[k])));
@@ -133,13 +133,13 @@ impl Value {
     }
 }
 
-/// True where the descent would leave the box.
+/// True if the descent would leave the box.
 fn is_blocked(at: f64, slope: f64) -> bool {
     (at <= 0.0 && slope > 0.0) || (at >= 1.0 && slope < 0.0)
 }
 
-/// The solution of the equations of the free parameters by Cholesky's method, if the matrix is
-/// positive definite beyond doubt; 0 for the others.
+/// Solves the equations of the free parameters by Cholesky factorisation. Returns `None` unless the
+/// matrix is clearly positive definite. The other parameters are 0.
 fn solve(matrix: &Square, right: &Parameters, free: [bool; 4]) -> Option<Parameters> {
     let scale: Parameters = std::array::from_fn(|k| matrix[k][k].max(0.0).sqrt().recip());
     if (0..4).any(|k| free[k] && !scale[k].is_finite()) {
@@ -162,7 +162,7 @@ fn solve(matrix: &Square, right: &Parameters, free: [bool; 4]) -> Option<Paramet
     Some(std::array::from_fn(|k| if free[k] { x[k] * scale[k] } else { 0.0 }))
 }
 
-/// The lower factor of a matrix of unit diagonal, if it is positive definite beyond rounding.
+/// The lower Cholesky factor of a matrix with unit diagonal, if it is clearly positive definite.
 fn cholesky(matrix: &Square) -> Option<Square> {
     let mut factor = [[0.0; 4]; 4];
     for i in 0..4 {
@@ -178,8 +178,8 @@ fn cholesky(matrix: &Square) -> Option<Square> {
     Some(factor)
 }
 
-/// True if the Hessian is positive definite for all vectors in the balls: the matrix of their
-/// centres is, less the norm of what it may be off by, parameters scaled to a unit diagonal.
+/// True if the Hessian is positive definite for all vectors in the balls. Subtracts the norm of the
+/// possible deviation from the matrix of the centres, after scaling it to a unit diagonal.
 fn is_convex(exist: [bool; 4], [a, b]: [&Balls; 2]) -> bool {
     let product = |p: &Ball, q: &Ball| {
         let [x, y] = [p, q].map(|ball| ball.centre.length());

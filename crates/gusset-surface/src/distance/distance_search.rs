@@ -1,13 +1,14 @@
 //! The search for the nearest points of two sides: pairs of pieces by rising lower bounds.
 //!
-//! The bound of a pair is the distance of the hulls of its pieces. Of a pair that may hold nearer
-//! points the coarser piece is divided; pairs of nets also lead down to nearer points, and are
-//! settled where the distance is a convex function of the parameters. Invariant: no points are
-//! nearer than the nearest pair so far less the tolerance, than `settled`, or than the bound of the
-//! first pair that waits. Where all of two pieces is equally far, as of concentric spheres, no
-//! bound tells pairs apart: the search ends without proof at [`MAX_PAIRS`] pairs, at
-//! [`MAX_POINTS`] control points, or at [`MIN_PAIRS`] once there was no gain for long and little is
-//! left to gain.
+//! The bound of a pair is the distance between the hulls of its pieces. If a pair may contain
+//! closer points, its coarser piece is divided. A pair of nets also yields closer points by
+//! descent. It is settled if the distance is a convex function of the parameters. Invariant: no
+//! points are closer than the best pair so far less the tolerance, than `settled`, or than the
+//! bound of the first waiting pair.
+//!
+//! If all points of two pieces are equally far, as on concentric spheres, bounds cannot separate
+//! pairs. The search then ends without proof at [`MAX_PAIRS`] pairs or [`MAX_POINTS`] control
+//! points. It ends at [`MIN_PAIRS`] if the last gain is long past and little is left to gain.
 
 use super::descent::{NetPair, Parameters, Value};
 use super::pieces::{Pieces, Whereabouts};
@@ -16,26 +17,27 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::hull_distance::hull_distance;
 use gusset_base::job::Job;
 
-/// Pairs that are examined at most.
+/// Largest number of pairs examined.
 const MAX_PAIRS: usize = 50_000;
-/// Pairs that are examined before a search may end without proof, half of them since the last gain,
-/// if the gap to the lower bound is a small part of the distance.
+/// Number of pairs examined before a search may end without proof. The gap to the lower bound must
+/// be a small fraction of the distance, and half of the pairs must have been examined since the
+/// last gain.
 const MIN_PAIRS: usize = 1 << 13;
 const SMALL_RELATIVE_GAP: f64 = 1e-3;
 const MIN_RELATIVE_GAIN: f64 = 1e-6;
-/// Control points of pieces, 24 bytes each.
+/// Largest number of control points of pieces, 24 bytes each.
 const MAX_POINTS: usize = 1 << 22;
-/// Steps of descent where that proves the pair, and where it does not.
+/// Largest number of descent steps if the descent proves the pair, and otherwise.
 const MAX_STEPS: usize = 24;
 const MAX_STEPS_WITHOUT_PROOF: usize = 8;
-/// Parts of cells and segments that are not divided any more.
+/// Parts of cells and segments of this size are not divided.
 const MIN_SIZE: f64 = 1e-12;
-/// Pairs between two looks at the job.
+/// Number of pairs between two progress reports.
 const PAIRS_PER_STEP: usize = 256;
 
 pub(super) const STAGE: &str = "distance";
 
-/// A pair of pieces, and where descent may begin.
+/// A pair of pieces, and a start for the descent.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
     a: usize,
@@ -43,7 +45,7 @@ pub(super) struct Pair {
     start: Parameters,
 }
 
-/// A point of each side.
+/// A point on each side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Nearest {
     pub(super) distance: f64,
@@ -51,18 +53,18 @@ pub(super) struct Nearest {
     pub(super) b: Whereabouts,
 }
 
-/// The search, in the unit of the views.
+/// The search, in the scaled coordinates of the views.
 pub(super) struct DistanceSearch<'a> {
     pub(super) a: Pieces<'a>,
     pub(super) b: Pieces<'a>,
-    /// The length to which the distance is to be proved, and the rounding of distances.
+    /// The length to which the distance is proven, and the rounding of distances.
     pub(super) tolerance: f64,
     pub(super) rounding: f64,
     pub(super) job: &'a Job<'a>,
     pub(super) best: Option<Nearest>,
-    /// The pair that it is of, and the place there.
+    /// The pair of pieces of `best`, and its place there.
     last: Option<(Pair, Value)>,
-    /// The least bound of the pairs that were settled.
+    /// The smallest bound of settled pairs.
     pub(super) settled: f64,
     pub(super) pairs: usize,
     pairs_at_gain: usize,
@@ -89,7 +91,7 @@ impl<'a> DistanceSearch<'a> {
         }
     }
 
-    /// Searches; no points are nearer than the bound that is returned.
+    /// Searches for the nearest points. Returns a lower bound of the distance.
     pub(super) fn find(&mut self) -> Result<f64> {
         self.consider(0, 0)?;
         let left = self.run()?.unwrap_or(f64::INFINITY);
@@ -97,8 +99,9 @@ impl<'a> DistanceSearch<'a> {
         Ok(left.min(self.settled).min(self.distance()))
     }
 
-    /// Leads the answer on to where the distance is least in its pieces: where it was proved without
-    /// that, it is as near, but may be beside the nearest points.
+    /// Descends from the best points to a local minimum in their pieces. If the pair was settled
+    /// without a descent, the distance is within the tolerance, but the points may be beside the
+    /// nearest ones.
     fn finish(&mut self) {
         let Some((pair, value)) = self.last else { return };
         let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return };
@@ -110,8 +113,8 @@ impl<'a> DistanceSearch<'a> {
         self.best.map_or(f64::INFINITY, |best| best.distance)
     }
 
-    /// Pairs of this bound need not be examined: half the tolerance, so that sums of rounding errors
-    /// stay within it.
+    /// Pairs with at least this bound need not be examined. Half of the tolerance is reserved for
+    /// sums of rounding errors.
     fn limit(&self) -> f64 {
         self.distance() - 0.5 * self.tolerance
     }
@@ -120,7 +123,7 @@ impl<'a> DistanceSearch<'a> {
         self.settled = self.settled.min(bound);
     }
 
-    /// Takes note of a pair: settled by its bound, or to be examined.
+    /// Settles a pair by its bound, or adds it to the frontier.
     fn consider(&mut self, a: usize, b: usize) -> Result<()> {
         let limit = self.limit();
         let apart = self.a.bounds(a).distance(self.b.bounds(b)) - self.rounding;
@@ -135,15 +138,18 @@ impl<'a> DistanceSearch<'a> {
             return Ok(());
         }
         let corners = &found.corners[..found.count];
-        let ([u, v], [s, t]) =
-            (self.a.start(a, corners, |corner| corner.a), self.b.start(b, corners, |corner| corner.b));
+        let ([u, v], [s, t]) = (
+            self.a.start_parameters(a, corners, |corner| corner.a),
+            self.b.start_parameters(b, corners, |corner| corner.b),
+        );
         let pair = Pair { a, b, start: [u, v, s, t] };
-        // Of equal bounds the latest first: where hulls meet, straight down to points that do.
+        // Among equal bounds, the latest pair comes first: where hulls meet, this leads straight to
+        // points that meet.
         self.depth = self.depth.saturating_add(1);
         self.frontier.push(bound, (u32::MAX - self.depth, a, b), pair)
     }
 
-    /// Takes note of a point of each side.
+    /// Records a point on each side, if it is closer than the best pair.
     fn add(&mut self, pair: &Pair, value: &Value) {
         let [u, v, s, t] = value.at;
         let found =
@@ -157,7 +163,7 @@ impl<'a> DistanceSearch<'a> {
         }
     }
 
-    /// Examines a pair of nets: a bound of it, perhaps better than the one known.
+    /// Examines a pair of nets. Returns its bound, which may be better than the known one.
     fn examine(&mut self, pair: &Pair, bound: f64) -> f64 {
         let balls = [self.a.balls(pair.a), self.b.balls(pair.b)];
         let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return bound };
@@ -176,8 +182,8 @@ impl<'a> DistanceSearch<'a> {
         bound.max(proven)
     }
 
-    /// Which piece is divided, and along which parameter.
-    fn choose(&mut self, pair: &Pair) -> (bool, usize) {
+    /// Selects the piece to divide (true for A), and the parameter to divide it along.
+    fn choose_division(&mut self, pair: &Pair) -> (bool, usize) {
         let (of_a, of_b) = (self.a.coarseness(pair.a), self.b.coarseness(pair.b));
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
@@ -223,13 +229,13 @@ impl BranchAndBound for DistanceSearch<'_> {
                 return Ok(());
             }
         }
-        let (of_a, parameter) = self.choose(&pair);
+        let (of_a, parameter) = self.choose_division(&pair);
         if of_a {
-            for part in self.a.divided(pair.a, parameter)? {
+            for part in self.a.divide(pair.a, parameter)? {
                 self.consider(part, pair.b)?;
             }
         } else {
-            for part in self.b.divided(pair.b, parameter)? {
+            for part in self.b.divide(pair.b, parameter)? {
                 self.consider(pair.a, part)?;
             }
         }

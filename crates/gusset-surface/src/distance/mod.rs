@@ -1,21 +1,21 @@
-//! Nearest points of a surface and a line, a plane, a curve or another surface: what tasks c) to e)
-//! of the paper leave where there is no intersection.
+//! Nearest points of a surface and a line, a plane, a curve or another surface: tasks c) to e) of
+//! the paper for objects that do not intersect.
 //!
-//! * `control_net`: control nets of patches and segments. `pieces`: what both sides are divided into, with
-//!   hulls. `descent`: nearest points of two nets, and where these are proved. `distance_search`: pairs of
-//!   pieces by rising lower bounds.
+//! - `control_net`: control nets of patches and segments. `pieces`: the pieces that both sides are
+//!   divided into, with hulls. `descent`: nearest points of two nets, and their proofs.
+//!   `distance_search`: pairs of pieces by rising lower bounds.
 //!
-//! A plane and an infinite line are points of the space in which only what is across them is seen,
-//! so that their parameters need no search; rays and segments are curves, cut off where the surface
-//! ends. Invariant, the study's theorem T5: pairs of pieces are excluded by hulls that contain them
-//! and are farther apart than the answer, so that the bound holds whatever the search finds.
+//! A plane and an infinite line are projected to a point, so their parameters need no search. Rays
+//! and segments are curves, cut off where the surface ends. Invariant, the study's theorem T5: a
+//! pair of pieces is excluded only if hulls that contain the pieces are farther apart than the
+//! answer. The bound therefore holds for any result of the search.
 
 mod control_net;
 mod descent;
 mod distance_search;
 mod pieces;
 
-use super::checks::{direction, finite};
+use super::checks::{check_finite, unit_vector};
 use super::line_intersection::{Line, MAX_COORDINATE};
 use super::{Place, Surface};
 use distance_search::{DistanceSearch, STAGE};
@@ -28,32 +28,32 @@ use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place as CurvePlace};
 use pieces::{Pieces, Source, View, Whereabouts};
 
-/// The nearest points of a surface and something else. `T`: a place on that.
+/// The nearest points of a surface and another object. `T` is the type of places on the object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approach<T> {
-    /// Where the nearest point of the surface is.
+    /// The place of the nearest point on the surface.
     pub place: Place,
     /// The point.
     pub point: DVec3,
-    /// The unit normal there, or its limit at a pole; 0 if there is none.
+    /// The unit normal there, or its limit at a pole; zero if no normal exists.
     pub normal: DVec3,
-    /// Where the nearest point of the other is.
+    /// The place of the nearest point on the object.
     pub other: T,
-    /// That point.
+    /// The nearest point on the object.
     pub other_point: DVec3,
-    /// Their distance: 0 if they meet.
+    /// The distance of the two points; 0 if they meet.
     pub distance: f64,
-    /// No points of the two are nearer to each other than this.
+    /// A lower bound of the distance between surface and object.
     pub bound: f64,
-    /// True if the bound is within the tolerance of the distance, or within the rounding of
-    /// coordinates; false if the proof would take too many pairs of pieces, as it may where much of
-    /// the surface is equally near.
+    /// True if the distance exceeds the bound by at most the tolerance, or the rounding of
+    /// coordinates. False if the proof would need too many pairs of pieces, which may happen if a
+    /// large part of the surface is equally close.
     pub proven: bool,
-    /// True if the two meet there, but for the rounding of coordinates.
+    /// True if surface and object meet there within the rounding of coordinates.
     pub meets: bool,
 }
 
-/// What a search has found, in the unit of the caller.
+/// The result of a search, in the caller's unit.
 struct Found {
     a: Whereabouts,
     b: Whereabouts,
@@ -72,32 +72,33 @@ impl Found {
     }
 }
 
-/// A place on a surface.
+/// Converts the position to a place on a surface.
 fn place(at: &Whereabouts) -> Place {
     Place { sheet: at.number as u32, cell: at.cell.map(|k| k as u32), u: at.at[0], v: at.at[1] }
 }
 
-/// Coordinates that searches refuse: their squares would overflow.
+/// Refuses coordinates whose squares would overflow.
 fn check_size(point: DVec3, option: &'static str) -> Result<()> {
-    finite(point, option)?;
+    check_finite(point, option)?;
     let largest = point.abs().max_element();
     Error::require(largest <= MAX_COORDINATE, option, largest)
 }
 
 impl Surface<'_> {
-    /// The nearest points of the surface and a line, ray or segment; the other place is the line's
-    /// parameter. `tolerance`: a length, to which the distance is proved; `None`: the surface's.
+    /// Finds the nearest points of the surface and a line, ray or segment. The place on the line is
+    /// its parameter. `tolerance` is the length to which the distance is proven; `None` means the
+    /// surface's tolerance.
     ///
-    /// Of several pairs of points that are equally near, the one that the search comes upon; always
-    /// the same. O(log cells) and some tens to hundreds of pairs of pieces; bounded where much of
-    /// the surface is equally near.
+    /// If several pairs of points are equally close, the result is one of them, chosen
+    /// deterministically. O(log cells) and some tens to hundreds of pairs of pieces; limited if a
+    /// large part of the surface is equally close.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, or a tolerance
-    /// that is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction, or the tolerance
+    /// is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<Approach<f64>> {
         line.check()?;
-        let (along, length) = line.along();
+        let (along, length) = line.direction_and_length();
         let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
         let at = |t: f64| line.origin + (t * length) * along;
         let box_ends: [f64; 8] = self.corners().map(parameter);
@@ -105,10 +106,11 @@ impl Surface<'_> {
             box_ends.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &t| [low.min(t), high.max(t)]);
         let is_cut = ends[0] == line.from || ends[1] == line.to;
         let found = if is_cut {
-            // Beyond the surface's box no point of the line is the nearest of any of the surface.
+            // Beyond the surface's bounding box, no point of the line is nearest to a point of the
+            // surface.
             let points = ends.map(at);
             let view = CurveView::new(&points, &[0, 1], false)?;
-            self.distance_to(Source::Curve(&view), self.view_of_space(), &points, tolerance, job)?
+            self.distance_to(Source::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
         } else {
             let (u, v) = along.any_orthonormal_pair();
             let near = at(0.5 * (ends[0] + ends[1]));
@@ -124,14 +126,14 @@ impl Surface<'_> {
         Ok(approach)
     }
 
-    /// The point of the surface nearest to the plane through a point, across a direction; the other
-    /// place is how far the surface's point is on the side that the direction points to, negative on
-    /// the other one. Where the surface meets the plane, a point of the section. As
-    /// [`Surface::distance_to_line`] otherwise.
+    /// Finds the point of the surface nearest to a plane, given by a point and a normal. The place
+    /// on the plane is the signed distance of the surface's point, positive on the side of the
+    /// normal. If surface and plane meet, the point is on the section. Otherwise like
+    /// [`Surface::distance_to_line`].
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a point or direction that is not finite or a direction that is
-    /// 0, or the tolerance; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if the point or the normal is not finite, the normal is zero, or
+    /// the tolerance is invalid; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn distance_to_plane(
         &self,
         point: DVec3,
@@ -140,7 +142,7 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Approach<f64>> {
         check_size(point, "point")?;
-        let normal = direction(normal, "normal")?;
+        let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
         let found = self.distance_to(Source::Point, (point, across), &[point], tolerance, job)?;
         let mut approach = found.approach(self, 0.0, DVec3::ZERO);
@@ -150,12 +152,12 @@ impl Surface<'_> {
         Ok(approach)
     }
 
-    /// The nearest points of the surface and a curve, of any degrees. As
-    /// [`Surface::distance_to_line`] otherwise.
+    /// Finds the nearest points of the surface and a curve of any degree. Otherwise like
+    /// [`Surface::distance_to_line`].
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] for a coordinate above 1e150 or the
-    /// tolerance, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] for a coordinate above 1e150 or an
+    /// invalid tolerance, [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn distance_to_curve(
         &self,
         curve: &CurveView<'_>,
@@ -166,16 +168,17 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
-        let found = self.distance_to(Source::Curve(curve), self.view_of_space(), curve.points(), tolerance, job)?;
+        let found = self.distance_to(Source::Curve(curve), self.unprojected_view(), curve.points(), tolerance, job)?;
         let at = CurvePlace { segment: found.b.number as u32, t: found.b.at[0] };
         Ok(found.approach(self, at, curve.point(at)?))
     }
 
-    /// The nearest points of two surfaces; the tolerance is the greater of both if none is given. As
-    /// [`Surface::distance_to_line`] otherwise.
+    /// Finds the nearest points of two surfaces. The default tolerance is the larger of the two.
+    /// Otherwise like [`Surface::distance_to_line`].
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for the tolerance, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for an invalid tolerance, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn distance_to_surface(
         &self,
         other: &Surface<'_>,
@@ -184,23 +187,23 @@ impl Surface<'_> {
     ) -> Result<Approach<Place>> {
         let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
         let source = Source::Surface(other);
-        let found = self.distance_to(source, self.view_of_space(), &other.corners(), Some(tolerance), job)?;
+        let found = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
         let at = place(&found.b);
         Ok(found.approach(self, at, other.jet(at).point))
     }
 
-    /// The corners of the box.
+    /// The corners of the bounding box.
     fn corners(&self) -> [DVec3; 8] {
         pieces::corners(&Aabb::from_points(self.bounds()))
     }
 
-    /// Space as it is, from the middle of the surface.
-    fn view_of_space(&self) -> (DVec3, DMat3) {
+    /// The view without projection, with its origin in the middle of the surface.
+    fn unprojected_view(&self) -> (DVec3, DMat3) {
         let [low, high] = self.bounds();
         (0.5 * (low + high), DMat3::IDENTITY)
     }
 
-    /// Searches in a view; `extent`: points whose hull the other is in.
+    /// Searches in a view. `extent` are points whose hull contains the other side.
     fn distance_to(
         &self,
         other: Source<'_>,
@@ -222,7 +225,7 @@ impl Surface<'_> {
         let sides = [Pieces::new(Source::Surface(self), view)?, Pieces::new(other, view)?];
         let mut search = DistanceSearch::new(sides, tolerance, rounding, job);
         let bound = search.find()?;
-        // Every search comes to a pair of nets before it may end.
+        // Every search examines a pair of nets before it may end.
         let (distance, a, b) = search.best.map_or_else(Default::default, |best| (best.distance, best.a, best.b));
         let meets = distance <= rounding;
         let (distance, bound) = if meets { (0.0, 0.0) } else { (distance, bound.min(distance)) };

@@ -1,11 +1,11 @@
 //! The pieces that the two sides of a search are divided into, each with a hull that contains it.
 //!
-//! A surface is divided into its sheets, the blocks of their indices, cells, and halves of cells; a
-//! curve into segments and halves of these. Ranges and blocks have the corners of a box as their
-//! hull, the others their control points. A piece is divided once and its parts are shared by all
-//! pairs that it is in. Memory: the control points of all pieces.
+//! A surface is divided into sheets, blocks of their indices, cells, and halves of cells; a curve
+//! into segments and halves of segments. The hull of a range or block is given by the corners of a
+//! box, the hull of any other piece by its control points. A piece is divided once, and all its
+//! pairs share the parts. Memory: the control points of all pieces.
 
-use super::control_net::{Balls, Net};
+use super::control_net::{Balls, ControlNet};
 use crate::cells::{Cells, cells_of_block};
 use crate::index::OrientedBox;
 use crate::{Surface, each_sheet};
@@ -18,8 +18,8 @@ use gusset_base::geom::hull_distance::Corner;
 use gusset_curve::CurveView;
 use std::ops::Range;
 
-/// An affine map by which points are seen: of a plane, what is along its normal; of an infinite
-/// line, what is across it; and powers of two as units of length.
+/// An affine map applied to all points. For a plane it keeps the component along the normal, for an
+/// infinite line the components across it. Units of length are powers of two.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct View {
     pub(super) origin: DVec3,
@@ -33,7 +33,7 @@ impl View {
     }
 }
 
-/// What is divided.
+/// One side of a search.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Source<'a> {
     Surface(&'a Surface<'a>),
@@ -42,10 +42,10 @@ pub(super) enum Source<'a> {
     Point,
 }
 
-/// What a piece is.
+/// The kind of a piece.
 #[derive(Debug, Clone, Copy)]
 enum Kind {
-    /// Sheets or segments.
+    /// Consecutive sheets or segments.
     Range {
         from: usize,
         to: usize,
@@ -56,10 +56,10 @@ enum Kind {
         row: usize,
         column: usize,
     },
-    Net,
+    ControlNet,
 }
 
-/// Where something is: on a sheet or segment, in a cell.
+/// A position: the sheet or segment, the cell, and parameters in it.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 pub(super) struct Whereabouts {
     pub(super) number: usize,
@@ -70,20 +70,20 @@ pub(super) struct Whereabouts {
 #[derive(Debug, Clone)]
 pub(super) struct Piece {
     kind: Kind,
-    /// Its hull among the points.
+    /// The range of its hull among the points.
     first: usize,
     shape: [usize; 2],
     bounds: Aabb,
-    /// Its parts, of nets those along each parameter; empty as long as it was not divided.
+    /// The ranges of its parts; for nets, along each parameter. Empty until the piece is divided.
     parts: [[usize; 2]; 2],
-    /// Of nets: where it begins, how much of the cell or segment it is, and its balls, once they are
-    /// asked for.
+    /// For nets: the position of the start, the size as a fraction of the cell or segment, and the
+    /// balls, once computed.
     whereabouts: Whereabouts,
     size: [f64; 2],
     balls: Option<Balls>,
 }
 
-/// One side of a search.
+/// The pieces of one side of a search.
 #[derive(Debug)]
 pub(super) struct Pieces<'a> {
     source: Source<'a>,
@@ -93,7 +93,7 @@ pub(super) struct Pieces<'a> {
 }
 
 impl<'a> Pieces<'a> {
-    /// The whole, which is piece 0.
+    /// Creates piece 0, which is the whole side.
     pub(super) fn new(source: Source<'a>, view: View) -> Result<Self> {
         let mut made = Pieces { source, view, points: Vec::new(), pieces: Vec::new() };
         match source {
@@ -104,7 +104,7 @@ impl<'a> Pieces<'a> {
         Ok(made)
     }
 
-    /// The balls of a net.
+    /// The balls of a net. Computed once.
     pub(super) fn balls(&mut self, piece: usize) -> Balls {
         if let Some(known) = self.pieces[piece].balls {
             return known;
@@ -123,18 +123,18 @@ impl<'a> Pieces<'a> {
         &self.pieces[piece].bounds
     }
 
-    /// The control net, if the piece has one.
-    pub(super) fn net(&self, piece: usize) -> Option<Net<'_>> {
+    /// The control net, if the piece is a net.
+    pub(super) fn net(&self, piece: usize) -> Option<ControlNet<'_>> {
         let found = &self.pieces[piece];
-        matches!(found.kind, Kind::Net).then(|| Net { points: self.hull(piece), shape: found.shape })
+        matches!(found.kind, Kind::ControlNet).then(|| ControlNet { points: self.hull(piece), shape: found.shape })
     }
 
-    /// The control points that are kept.
+    /// The number of control points stored.
     pub(super) fn point_count(&self) -> usize {
         self.points.len()
     }
 
-    /// Where the point of parameters of a net is.
+    /// The position of given parameters of a net.
     pub(super) fn place(&self, piece: usize, at: [f64; 2]) -> Whereabouts {
         let Piece { whereabouts, size, .. } = self.pieces[piece];
         let at = [0, 1].map(|k| (whereabouts.at[k] + size[k] * at[k]).clamp(0.0, 1.0));
@@ -146,14 +146,19 @@ impl<'a> Pieces<'a> {
         self.pieces[piece].size == [1.0; 2]
     }
 
-    /// The longer side of a net as part of its cell or segment.
+    /// The longer side of a net, as a fraction of its cell or segment.
     pub(super) fn size(&self, piece: usize) -> f64 {
         self.pieces[piece].size[0].max(self.pieces[piece].size[1])
     }
 
-    /// Parameters near the point of a net that control points with weights make up: `side` tells
-    /// which of each corner's.
-    pub(super) fn start(&self, piece: usize, corners: &[Corner], side: impl Fn(&Corner) -> usize) -> [f64; 2] {
+    /// Parameters close to the point of a net that is a weighted sum of control points. `side`
+    /// selects the control point of this piece from each corner.
+    pub(super) fn start_parameters(
+        &self,
+        piece: usize,
+        corners: &[Corner],
+        side: impl Fn(&Corner) -> usize,
+    ) -> [f64; 2] {
         let Some(net) = self.net(piece) else { return [0.5; 2] };
         let mut sum = [0.0; 2];
         for corner in corners {
@@ -163,26 +168,26 @@ impl<'a> Pieces<'a> {
         sum.map(|t| t.clamp(0.0, 1.0))
     }
 
-    /// How much there is to gain by dividing, and along which parameter: the size of boxes, and of
-    /// nets how far they are from flat.
+    /// How much dividing a piece may gain, and along which parameter: the size of a box, or the
+    /// deviation of a net from flatness.
     pub(super) fn coarseness(&mut self, piece: usize) -> (f64, usize) {
         let [u, v] = match self.pieces[piece].kind {
-            Kind::Net => self.balls(piece).flatness(),
+            Kind::ControlNet => self.balls(piece).flatness(),
             _ => [self.pieces[piece].bounds.diagonal(), 0.0],
         };
         if u >= v { (u, 0) } else { (v, 1) }
     }
 
-    /// The same of nets that are as good as flat, by their lengths.
+    /// The length of a net that is practically flat, and the longer parameter.
     pub(super) fn length(&mut self, piece: usize) -> (f64, usize) {
         let [u, v] = self.balls(piece).lengths();
         if u >= v { (u, 0) } else { (v, 1) }
     }
 
-    /// The parts of a piece: those along a parameter if it is a net.
-    pub(super) fn divided(&mut self, piece: usize, parameter: usize) -> Result<Range<usize>> {
+    /// The parts of a piece. A net is divided along the given parameter.
+    pub(super) fn divide(&mut self, piece: usize, parameter: usize) -> Result<Range<usize>> {
         let Piece { kind, parts, .. } = self.pieces[piece];
-        let parameter = if matches!(kind, Kind::Net) { parameter } else { 0 };
+        let parameter = if matches!(kind, Kind::ControlNet) { parameter } else { 0 };
         if parts[parameter] == [0; 2] {
             let first = self.pieces.len();
             match kind {
@@ -191,10 +196,10 @@ impl<'a> Pieces<'a> {
                     self.add_range(from, middle)?;
                     self.add_range(middle, to)?;
                 }
-                Kind::Range { from, .. } => self.open(from)?,
+                Kind::Range { from, .. } => self.add_root_block(from)?,
                 Kind::Block { sheet, level: 0, row, column } => self.add_cells(sheet, [row, column])?,
                 Kind::Block { sheet, level, row, column } => self.add_blocks(sheet, level, [row, column])?,
-                Kind::Net => self.halve(piece, parameter)?,
+                Kind::ControlNet => self.halve(piece, parameter)?,
             }
             self.pieces[piece].parts[parameter] = [first, self.pieces.len()];
         }
@@ -202,7 +207,7 @@ impl<'a> Pieces<'a> {
         Ok(first..last)
     }
 
-    /// Adds a piece with a hull of points as they are seen.
+    /// Adds a piece with a hull of transformed points.
     fn add(&mut self, kind: Kind, shape: [usize; 2], points: impl Iterator<Item = DVec3>) -> Result<()> {
         let first = self.points.len();
         for point in points {
@@ -214,22 +219,22 @@ impl<'a> Pieces<'a> {
         alloc::push(&mut self.pieces, piece)
     }
 
-    /// Adds a net of points as they are seen.
+    /// Adds a net of transformed points.
     fn add_net(&mut self, points: &[DVec3], shape: [usize; 2], whereabouts: Whereabouts, size: [f64; 2]) -> Result<()> {
-        self.add(Kind::Net, shape, points.iter().copied())?;
+        self.add(Kind::ControlNet, shape, points.iter().copied())?;
         if let Some(piece) = self.pieces.last_mut() {
             (piece.whereabouts, piece.size) = (whereabouts, size);
         }
         Ok(())
     }
 
-    /// Adds something by the corners of a parallelepiped round it.
+    /// Adds a piece whose hull is given by the corners of a parallelepiped.
     fn add_box(&mut self, kind: Kind, corners: [DVec3; 8]) -> Result<()> {
         let view = self.view;
         self.add(kind, [8, 1], corners.into_iter().map(|corner| view.map(corner)))
     }
 
-    /// Adds sheets or segments: a net if it is one segment.
+    /// Adds sheets or segments. A single segment is added as a net.
     fn add_range(&mut self, from: usize, to: usize) -> Result<()> {
         let bounds = match self.source {
             Source::Surface(surface) => {
@@ -237,7 +242,7 @@ impl<'a> Pieces<'a> {
             }
             Source::Curve(curve) if to - from == 1 => {
                 let points = alloc::collect(curve.segment(from).iter().map(|&point| self.view.map(point)))?;
-                // A point that is repeated has no parameter.
+                // A segment whose points coincide lacks a parameter.
                 let count = if points.iter().all(|&point| point == points[0]) { 1 } else { points.len() };
                 let whereabouts = Whereabouts { number: from, ..Whereabouts::default() };
                 return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);
@@ -250,22 +255,22 @@ impl<'a> Pieces<'a> {
         self.add_box(Kind::Range { from, to }, corners(&bounds))
     }
 
-    /// Adds the uppermost block of a sheet.
-    fn open(&mut self, sheet: usize) -> Result<()> {
+    /// Adds the top block of a sheet.
+    fn add_root_block(&mut self, sheet: usize) -> Result<()> {
         let Source::Surface(surface) = self.source else { return Ok(()) };
         let (_, index) = surface.indexed(sheet);
         let kind = Kind::Block { sheet, level: index.levels().len(), row: 0, column: 0 };
         self.add_box(kind, corners(&index.bounds()))
     }
 
-    /// Adds the blocks that one consists of, by their oriented boxes where there are any.
+    /// Adds the children of a block, with their oriented boxes if they exist.
     fn add_blocks(&mut self, sheet: usize, level: usize, [row, column]: [usize; 2]) -> Result<()> {
         let Source::Surface(surface) = self.source else { return Ok(()) };
         let (_, index) = surface.indexed(sheet);
         let below = &index.levels()[level - 1];
         for child in 0..4 {
             let (r, c) = (2 * row + child / 2, 2 * column + child % 2);
-            if below.has(r, c) {
+            if below.has_block(r, c) {
                 let aligned = || corners(&below.child_boxes(row, column).get(child));
                 let hull = below.oriented(r, c).map_or_else(aligned, OrientedBox::corners);
                 let kind = Kind::Block { sheet, level: level - 1, row: r, column: c };
@@ -295,7 +300,7 @@ impl<'a> Pieces<'a> {
     /// Adds the halves of a net.
     fn halve(&mut self, piece: usize, parameter: usize) -> Result<()> {
         let Piece { shape, whereabouts, mut size, .. } = self.pieces[piece];
-        let net = Net { points: self.hull(piece), shape };
+        let net = ControlNet { points: self.hull(piece), shape };
         let count = net.points.len();
         let mut both = alloc::filled(DVec3::ZERO, 2 * count)?;
         net.halves(parameter, &mut both);

@@ -1,43 +1,43 @@
-//! Boxes that contain the surface, in single precision round an origin near it.
+//! Boxes that contain the surface, in single precision relative to an origin close to it.
 //!
 //! Axis-aligned boxes are rounded outwards. Oriented boxes (Gottschalk, Lin and Manocha 1996) are
-//! made for their axes as rounded, and enlarged by what these are off a right angle: 1e-7.
-//! Invariant: a box contains whatever it was made around, so that its distance is a lower bound. 96
-//! bytes for four axis-aligned boxes, 48 for an oriented one.
+//! computed for their rounded axes, and enlarged because rounded axes are orthonormal only to 1e-7.
+//! Invariant: a box contains everything it was computed for, so its distance is a lower bound. Four
+//! axis-aligned boxes take 96 bytes, an oriented box 48.
 
 use glam::{DMat3, DVec3};
 use gusset_base::geom::aabb::Aabb;
 
-/// The bounding boxes of four neighbouring blocks, side by side for vector instructions; those of
-/// blocks that do not exist are empty.
+/// The bounding boxes of four neighbouring blocks, side by side for vector instructions. The boxes
+/// of blocks that do not exist are empty.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ChildBoxes {
     pub(super) low: [[f32; 4]; 3],
     pub(super) high: [[f32; 4]; 3],
 }
 
-/// A box in any orientation.
+/// A box with arbitrary orientation.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct OrientedBox {
     centre: [f32; 3],
-    /// Two of the axes; the third is their cross product.
+    /// Two of the axes. The third is their cross product.
     axes: [[f32; 3]; 2],
     half: [f32; 3],
 }
 
-/// The greatest single-precision number that is no greater.
+/// The largest single-precision number that is at most `value`.
 fn round_down(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) > value { rounded.next_down() } else { rounded }
 }
 
-/// The least single-precision number that is no less.
+/// The smallest single-precision number that is at least `value`.
 fn round_up(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }
 
-/// In double precision.
+/// Converts to double precision.
 #[inline(always)]
 fn double(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
@@ -46,7 +46,7 @@ fn double(v: [f32; 3]) -> DVec3 {
 impl ChildBoxes {
     pub(crate) const EMPTY: ChildBoxes = ChildBoxes { low: [[f32::INFINITY; 4]; 3], high: [[f32::NEG_INFINITY; 4]; 3] };
 
-    /// Sets one of the four; the box is relative to the index's origin.
+    /// Sets one of the four boxes. `bounds` is relative to the index's origin.
     pub(crate) fn set(&mut self, child: usize, bounds: Aabb) {
         for (axis, (low, high)) in bounds.low.to_array().into_iter().zip(bounds.high.to_array()).enumerate() {
             self.low[axis][child] = round_down(low);
@@ -54,20 +54,20 @@ impl ChildBoxes {
         }
     }
 
-    /// One of the four.
+    /// One of the four boxes.
     pub(crate) fn get(&self, child: usize) -> Aabb {
         Aabb { low: double(self.low.map(|axis| axis[child])), high: double(self.high.map(|axis| axis[child])) }
     }
 
-    /// The box of all four.
+    /// The union of all four boxes.
     pub(crate) fn whole(&self) -> Aabb {
         (0..4).map(|child| self.get(child)).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// The least and the greatest products of points of the four boxes with a direction that is not
-    /// 0; of empty ones, the least is infinite.
+    /// The range of the products of points of each box with a nonzero direction. For an empty box,
+    /// the smallest product is infinite.
     #[inline(always)]
-    pub(crate) fn along(&self, direction: DVec3) -> [[f64; 2]; 4] {
+    pub(crate) fn ranges_along(&self, direction: DVec3) -> [[f64; 2]; 4] {
         let mut ranges = [[0.0; 2]; 4];
         for (axis, by) in direction.to_array().into_iter().enumerate().filter(|&(_, by)| by != 0.0) {
             let (low, high) = (&self.low[axis], &self.high[axis]);
@@ -80,7 +80,7 @@ impl ChildBoxes {
         ranges
     }
 
-    /// The squares of the distances of a point from the four boxes: infinite for empty ones.
+    /// The squared distances of a point from the four boxes; infinite for empty ones.
     #[inline(always)]
     pub(crate) fn distances_squared(&self, point: DVec3) -> [f64; 4] {
         let mut sums = [0.0; 4];
@@ -94,11 +94,11 @@ impl ChildBoxes {
         sums
     }
 
-    /// As [`ChildBoxes::distances_squared`] in single precision: right to a few units in the last
+    /// [`ChildBoxes::distances_squared`] in single precision, accurate to a few units in the last
     /// place for the rounded point.
     #[inline(always)]
     pub(crate) fn single_distances_squared(&self, point: [f32; 3]) -> [f32; 4] {
-        // Without regard to NaN, unlike `f32::max`, it is one instruction.
+        // Unlike `f32::max`, this ignores NaN rules and is a single instruction.
         let max = |a: f32, b: f32| if a > b { a } else { b };
         let mut sums = [0.0; 4];
         for (axis, at) in point.into_iter().enumerate() {
@@ -113,21 +113,21 @@ impl ChildBoxes {
 }
 
 impl OrientedBox {
-    /// A box round points, each displaced by any vector of `by`, with axes along two directions of
-    /// the surface.
-    pub(crate) fn around(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> OrientedBox {
+    /// Creates a box that contains all points plus any vector of `by`, with axes along two
+    /// directions of the surface.
+    pub(crate) fn from_points(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> OrientedBox {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
-        // The product of nearly parallel directions, as round a block that closes, is rounding and
-        // not at right angles to them.
+        // The cross product of nearly parallel directions, as for a block that closes, is dominated
+        // by rounding, and not perpendicular to them.
         let first = along_u.try_normalize().unwrap_or(DVec3::X);
         let across = along_v.try_normalize().map_or(DVec3::ZERO, |second| first.cross(second));
         let normal = if across.length() > 1e-4 { across.normalize() } else { first.any_orthonormal_vector() };
         let second = normal.cross(first);
         let mut found = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
-        // The box is made for the axes as they will be used, rounded.
+        // The box is computed for the axes in use, which are rounded.
         let axes = found.frame();
         let bounds = Aabb::from_points(points.iter().map(|&point| axes * point));
-        // The reach of the displacements along the axes.
+        // The extent of the displacements along the axes.
         let (middle, half) = (by.centre(), 0.5 * by.size());
         let reach = DVec3::from_array([0, 1, 2].map(|k| axes.row(k).abs().dot(half)));
         let bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
@@ -135,19 +135,19 @@ impl OrientedBox {
         found.centre = single(middle);
         let centre = axes * double(found.centre);
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
-        // The axes are orthonormal to 1e-7, so that lengths along them are.
+        // The axes are orthonormal to 1e-7, and so are lengths along them.
         found.half = reach.to_array().map(|half| round_up(half * (1.0 + 1e-6)));
         found
     }
 
-    /// Rows: the axes.
+    /// A matrix whose rows are the axes.
     #[inline(always)]
     fn frame(&self) -> DMat3 {
         let [first, second] = self.axes.map(double);
         DMat3::from_cols(first, second, first.cross(second)).transpose()
     }
 
-    /// A lower bound of the square of the distance of a point.
+    /// A lower bound of the squared distance of a point.
     #[inline(always)]
     pub(crate) fn distance_squared(&self, point: DVec3) -> f64 {
         let [first, second] = self.axes.map(double);
@@ -158,18 +158,19 @@ impl OrientedBox {
         outside.length_squared() * (1.0 - 1e-6)
     }
 
-    /// False if a line misses the box: seen along the line, the box is within the sum of its half
-    /// axes across each direction.
+    /// False if a line misses the box. In projection along the line, the sum of the half axes
+    /// bounds the box in each direction.
     #[inline(always)]
     pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
         let ([first, second], half) = (self.axes.map(double), double(self.half));
         let (third, from) = (first.cross(second), origin - double(self.centre));
-        // The axes are orthonormal to 1e-7 only: the box is enlarged by as much of the distance.
+        // The axes are orthonormal only to 1e-7, so the box is enlarged by a fraction of the
+        // distance.
         let half = half + 1e-6 * from.abs().element_sum();
         let from = DVec3::new(from.dot(first), from.dot(second), from.dot(third));
         let along = DVec3::new(direction.dot(first), direction.dot(second), direction.dot(third));
-        // The axes of separation of a line and a box: the line's direction crossed with the box's
-        // axes.
+        // The separating axes of a line and a box are the cross products of the line's direction
+        // with the box's axes.
         let (distance, size) = (from.cross(along).abs(), along.abs());
         let reach = DVec3::new(
             half.y * size.z + half.z * size.y,
@@ -179,7 +180,7 @@ impl OrientedBox {
         distance.x <= reach.x && distance.y <= reach.y && distance.z <= reach.z
     }
 
-    /// False if all of some points are beyond one of its sides, and so their hull is.
+    /// False if all points, and so their hull, are beyond one side of the box.
     pub(crate) fn meets_hull(&self, points: &[DVec3]) -> bool {
         let (frame, half) = (self.frame(), double(self.half));
         let (mut bounds, mut farthest) = (Aabb::EMPTY, 0.0_f64);
@@ -187,17 +188,17 @@ impl OrientedBox {
             bounds.add(frame * from);
             farthest = farthest.max(from.length_squared());
         }
-        // The axes are orthonormal to 1e-7 only.
+        // The axes are orthonormal only to 1e-7.
         let rounding = 1e-6 * farthest.sqrt();
         (bounds.low - half).max(-half - bounds.high).max_element() <= rounding
     }
 
-    /// The least and the greatest product of points of the box with a direction.
+    /// The range of the products of points of the box with a direction.
     #[inline(always)]
-    pub(crate) fn along(&self, direction: DVec3) -> [f64; 2] {
+    pub(crate) fn range_along(&self, direction: DVec3) -> [f64; 2] {
         let half = double(self.half);
         let middle = double(self.centre).dot(direction);
-        // The axes are orthonormal to 1e-7, so that the box may reach a little farther.
+        // The axes are orthonormal to 1e-7, so the box may extend slightly farther.
         let reach =
             (self.frame() * direction).abs().dot(half) * (1.0 + 1e-6) + 1e-6 * half.length() * direction.length();
         [middle - reach, middle + reach]
@@ -207,9 +208,9 @@ impl OrientedBox {
     #[inline(always)]
     pub(crate) fn edges(&self) -> (DVec3, [DVec3; 3]) {
         let [first, second] = self.axes.map(double);
-        // The box is where products with the axes are small. The inverse of a matrix that is
-        // orthonormal to 1e-7 is its transpose, to 1e-6: of the longest edge, however short another
-        // is.
+        // The box is the set of points whose products with the axes are small. For a matrix that is
+        // orthonormal to 1e-7, the transpose equals the inverse to 1e-6, relative to the longest
+        // edge, however short the others are.
         let half = double(self.half);
         let [x, y, z] = (half + 1e-6 * half.length()).to_array();
         (double(self.centre), [x * first, y * second, z * first.cross(second)])
@@ -227,9 +228,10 @@ impl OrientedBox {
 mod tests {
     use super::*;
 
-    /// The greatest number that is no greater, and the least that is no less: not merely near.
+    /// The results are the largest number not above, and the smallest not below, rather than merely
+    /// close.
     #[test]
-    fn rounding_is_directed() {
+    fn rounding_is_directed_and_sharp() {
         let check = |value: f64| {
             let (low, high) = (round_down(value), round_up(value));
             assert!(f64::from(low) <= value && f64::from(low.next_up()) > value, "{value:e}: {low:e}");
@@ -244,10 +246,10 @@ mod tests {
         assert_eq!((round_down(1e39), round_up(1e39)), (f32::MAX, f32::INFINITY));
     }
 
-    /// A box in single precision holds the one in double precision, and no distance from it is
-    /// greater.
+    /// A box in single precision contains the box in double precision, so no distance from it is
+    /// larger.
     #[test]
-    fn child_boxes_hold_their_boxes() {
+    fn child_boxes_contain_the_exact_boxes() {
         let mut boxes = ChildBoxes::EMPTY;
         let each: [Aabb; 3] = std::array::from_fn(|k| {
             let low = DVec3::new(0.1, -0.7, 1.3) * (k + 1) as f64;
@@ -264,10 +266,10 @@ mod tests {
         assert_eq!(boxes.distances_squared(DVec3::ZERO)[3], f64::INFINITY);
     }
 
-    /// However thin it is: points that the box is made round are within the edges that stand for
-    /// it.
+    /// However thin the box is, the points that it was computed for are within the parallelepiped
+    /// of its edges.
     #[test]
-    fn edges_hold_the_box() {
+    fn edges_span_a_parallelepiped_around_the_points() {
         let mut random = fastrand::Rng::with_seed(1);
         for k in 0..3000 {
             let mut direction = || DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0)).normalize();
@@ -278,7 +280,7 @@ mod tests {
             let signs = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * bit as f64 - 1.0);
             let points: Vec<DVec3> = (0..8).map(signs).map(|[a, b, c]| a * x + b * y + c * z).collect();
             let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-            let (centre, half) = OrientedBox::around(&points, u, v, exactly).edges();
+            let (centre, half) = OrientedBox::from_points(&points, u, v, exactly).edges();
             let inside = DMat3::from_cols(half[0], half[1], half[2]).inverse();
             for &point in &points {
                 assert!((inside * (point - centre)).abs().max_element() <= 1.0 + 1e-12, "{k}: {sizes:?}");
@@ -286,10 +288,10 @@ mod tests {
         }
     }
 
-    /// Whatever the directions, zero and nearly parallel ones too, the axes are at right angles,
-    /// and the box is round the points.
+    /// For any directions, including zero and nearly parallel ones, the axes are perpendicular, and
+    /// the box contains the points.
     #[test]
-    fn boxes_hold_their_points() {
+    fn oriented_boxes_contain_their_points() {
         let points: Vec<DVec3> =
             (0..20).map(|k| DVec3::new(f64::from(k * 7 % 20), f64::from(k * 11 % 20), f64::from(k))).collect();
         let u = DVec3::new(1e-17, 0.3e-17, -2e-17);
@@ -297,7 +299,7 @@ mod tests {
             [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
         for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
             let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-            let found = OrientedBox::around(&points, a, b, exactly);
+            let found = OrientedBox::from_points(&points, a, b, exactly);
             let frame = found.frame();
             assert!(
                 (frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6),

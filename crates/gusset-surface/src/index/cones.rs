@@ -2,10 +2,11 @@
 //!
 //! The paper bounds the angle of normals over a region by curvature times diameter; cones (Shirman
 //! and Abi-Ezzi 1993) are tighter and need no bound of the curvature. For each block, `tangents`
-//! gives bounding boxes of S_u and S_v. In a frame whose third axis is close to the cross product
-//! of their centres, the component ranges of S_u and S_v bound those of N = S_u x S_v, and so the
-//! largest angle between N and that axis. At each higher level a cone encloses those of its four
-//! children. Invariant: rounding only widens a cone. O(n) to build, 8 bytes per block.
+//! gives bounding boxes of S_u and S_v. A frame is chosen whose third axis is close to the cross
+//! product of their centres. In it, the component ranges of S_u and S_v bound the components of N =
+//! S_u x S_v, and so the largest angle between N and the axis. At each higher level, a cone
+//! encloses the cones of its four children. Invariant: rounding only widens a cone. O(n) to build,
+//! 8 bytes for each block.
 
 use super::super::cells::{BLOCK, Cells};
 use super::super::normal::angle;
@@ -18,39 +19,40 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 use std::f64::consts::PI;
 
-/// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is
-/// known, as at poles.
+/// A cone with its axis in units of 1 / 32767 and its half angle in units of pi / 65535, rounded
+/// up. The angle is pi if no bound is known, as at poles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct PackedCone {
     axis: [i16; 3],
     angle: u16,
 }
 
-/// Directions that make no greater angle with the axis than a given one.
+/// The set of directions whose angle with the axis is at most `angle`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalCone {
-    /// Of length 1.
+    /// The axis, a unit vector.
     pub axis: DVec3,
-    /// In radians; pi if it is every direction.
+    /// The half angle in radians; pi if the cone contains every direction.
     pub angle: f64,
 }
 
 impl PackedCone {
     const ALL: PackedCone = PackedCone { axis: [0, 0, i16::MAX], angle: u16::MAX };
 
-    /// The axis as it will be kept, and its direction as it will be used.
+    /// Rounds an axis to its packed form. Also returns the direction that the packed form
+    /// represents.
     fn packed_axis(wanted: DVec3) -> Option<([i16; 3], DVec3)> {
         let axis = wanted.try_normalize()?.to_array().map(|x| (x * 32767.0).round() as i16);
         Some((axis, DVec3::from_array(axis.map(f64::from)).normalize()))
     }
 
     fn new(axis: [i16; 3], angle: f64) -> PackedCone {
-        // More than a unit in all, for the rounding of angles.
+        // An additional 0.001 units cover the rounding of angles.
         PackedCone { axis, angle: (angle * (65535.0 / PI) + 0.001).ceil().min(65535.0) as u16 }
     }
 
-    /// The cone of the cross products of vectors of two boxes.
-    fn of_products([u, v]: [Aabb; 2]) -> PackedCone {
+    /// A cone that contains the cross products of vectors of two boxes.
+    fn from_products([u, v]: [Aabb; 2]) -> PackedCone {
         let parts = |of: Aabb| [of.centre(), 0.5 * of.size()];
         let [[u, half_u], [v, half_v]] = [parts(u), parts(v)];
         let Some((axis, third)) = PackedCone::packed_axis(u.cross(v)) else { return PackedCone::ALL };
@@ -63,12 +65,12 @@ impl PackedCone {
             })
         };
         let normal = cross(ranges(u, half_u), ranges(v, half_v));
-        // Else it may vanish; this is also what NaN comes to.
+        // Otherwise the product may vanish. NaN leads here too.
         if normal[2][0] > 0.0 { PackedCone::new(axis, angles(&normal, 0.0)[1]) } else { PackedCone::ALL }
     }
 
-    /// A cone round others.
-    fn around(cones: &[PackedCone]) -> PackedCone {
+    /// A cone that contains other cones.
+    fn enclosing(cones: &[PackedCone]) -> PackedCone {
         if let &[cone] = cones {
             return cone;
         }
@@ -89,19 +91,19 @@ impl PackedCone {
 }
 
 impl NormalCone {
-    /// The angle of the axis with a unit vector.
+    /// The angle between the axis and a unit vector.
     fn angle_to(&self, direction: DVec3) -> f64 {
         angle(self.axis, direction)
     }
 
-    /// The least and the greatest angle of its directions with a unit vector, or beyond.
+    /// Bounds of the angles between the cone's directions and a unit vector.
     pub(crate) fn angles(&self, direction: DVec3) -> [f64; 2] {
         let middle = self.angle_to(direction);
         [middle - self.angle, middle + self.angle]
     }
 }
 
-/// The cones of a sheet: of the blocks, then level by level as the pyramid's.
+/// The cones of a sheet: of its blocks, then of each level like the pyramid's.
 #[derive(Debug)]
 pub(crate) struct Cones {
     levels: Vec<Level>,
@@ -114,10 +116,10 @@ struct Level {
 }
 
 impl Cones {
-    /// `reach`: the greatest coordinate of the sheet.
+    /// Builds the cones. `reach` is the largest absolute coordinate of the sheet.
     pub(super) fn build<const N: usize>(cells: &impl Cells<N>, reach: f64, job: &Job<'_>) -> Result<Cones> {
         let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
-        // The rounding of sums of nodes and of their products, here and where patches are made.
+        // Rounding of sums of nodes and of their products, here and in the construction of patches.
         let noise = 1024.0 * f64::EPSILON * reach;
         let mut base = alloc::filled(PackedCone::ALL, rows * columns)?;
         let rows_together = block_rows_per_task(columns);
@@ -127,7 +129,7 @@ impl Cones {
             let mut boxes = alloc::filled([Aabb::EMPTY; 2], cones.len())?;
             cells.tangents(first..first + cones.len() / columns, &mut boxes)?;
             for (cone, boxes) in cones.iter_mut().zip(boxes) {
-                *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
+                *cone = PackedCone::from_products(boxes.map(|bounds| bounds.inflated(noise)));
             }
             Ok(())
         })?
@@ -135,29 +137,29 @@ impl Cones {
         .collect::<Result<()>>()?;
         let mut levels = vec![Level { columns, cones: base }];
         while let Some(last) = levels.last().filter(|last| last.columns > 2 || last.cones.len() > 2 * last.columns) {
-            levels.push(last.above()?);
+            levels.push(last.next_level()?);
         }
         Ok(Cones { levels })
     }
 
-    /// The cone of block (r, c) of a level, if there is such a block.
+    /// The cone of block (r, c) of a level, if the block exists.
     pub(crate) fn get(&self, level: usize, r: usize, c: usize) -> Option<NormalCone> {
         let level = self.levels.get(level)?;
         let cone = if c < level.columns { level.cones.get(r * level.columns + c) } else { None };
         cone.map(|cone| cone.unpack())
     }
 
-    /// The number of levels; the last one has two rows and columns of blocks at most.
+    /// The number of levels. The last one has at most two rows and two columns of blocks.
     pub(crate) fn levels(&self) -> usize {
         self.levels.len()
     }
 
-    /// Bytes of memory.
+    /// Size in bytes.
     pub(crate) fn bytes(&self) -> usize {
         self.levels.iter().map(|level| size_of_val(&level.cones[..])).sum()
     }
 
-    /// Replaces every cone by that of all directions, as if there were none.
+    /// Replaces every cone by the cone of all directions, so that cones exclude nothing.
     #[cfg(test)]
     pub(super) fn disable(&mut self) {
         self.levels.iter_mut().for_each(|level| level.cones.fill(PackedCone::ALL));
@@ -165,7 +167,7 @@ impl Cones {
 }
 
 impl Level {
-    fn above(&self) -> Result<Level> {
+    fn next_level(&self) -> Result<Level> {
         let (below, columns) = (self.cones.len() / self.columns, self.columns.div_ceil(2));
         let mut cones = alloc::with_capacity(below.div_ceil(2) * columns)?;
         for (r, c) in (0..below.div_ceil(2)).flat_map(|r| (0..columns).map(move |c| (r, c))) {
@@ -176,7 +178,7 @@ impl Level {
                     count += 1;
                 }
             }
-            cones.push(PackedCone::around(&four[..count]));
+            cones.push(PackedCone::enclosing(&four[..count]));
         }
         Ok(Level { columns, cones })
     }
@@ -186,7 +188,8 @@ impl Level {
 mod tests {
     use super::*;
 
-    /// A packed cone is no narrower than asked for, and one round others holds their directions.
+    /// A packed cone is at least as wide as requested, and a cone around others contains their
+    /// directions.
     #[test]
     fn packed_cones_are_rounded_outwards() {
         let direction_of =
@@ -199,7 +202,7 @@ mod tests {
             assert!(held >= angle && held < angle + 1e-4, "{angle} {held}");
             assert_eq!(axis, direction);
             let other = PackedCone::new(PackedCone::packed_axis(direction_of(k + 1)).unwrap().0, 0.1);
-            let both = PackedCone::around(&[cone, other]).unpack();
+            let both = PackedCone::enclosing(&[cone, other]).unpack();
             for one in [cone, other] {
                 let one = one.unpack();
                 assert!(both.angle == PI || both.angle >= one.angle + one.angle_to(both.axis), "{k}");

@@ -1,12 +1,12 @@
 //! The index of a sheet: a quad pyramid of bounding boxes over blocks of 4 x 4 cells.
 //!
-//! Without pointers: the children of block (r, c) are the blocks (2r, 2c), (2r, 2c + 1), (2r + 1,
-//! 2c) and (2r + 1, 2c + 1) of the level below. It is built from the nodes alone, without patches:
-//! a cell lies within its displacements (`displacements`) from the hull of its corners. Cones of
-//! normals (`cones`) are built when they are first wanted.
+//! The pyramid does not need pointers: the children of block (r, c) are the blocks (2r, 2c), (2r,
+//! 2c + 1), (2r + 1, 2c) and (2r + 1, 2c + 1) of the level below. It is built from the nodes,
+//! without patches: a cell lies within its displacements (`displacements`) from the hull of its
+//! corners. Cones of normals (`cones`) are built on first use.
 //!
 //! Invariant, the study's theorem T5: a block may be excluded by any set that contains it. O(n) to
-//! build, some 7 bytes a node, on the job's threads.
+//! build, about 7 bytes for each node, on the job's threads.
 
 mod boxes;
 mod cones;

@@ -11,21 +11,22 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 use std::sync::OnceLock;
 
-/// Levels that have oriented boxes, from the lowest on.
+/// Number of levels with oriented boxes, beginning with the lowest.
 const ORIENTED_LEVELS: usize = 4;
 
 /// The pyramid of one sheet.
 #[derive(Debug)]
 pub(crate) struct Pyramid {
     origin: DVec3,
-    /// From the blocks up to the root's four children.
+    /// The levels, from the blocks up to the root's four children.
     levels: Vec<Level>,
-    /// By block: boxes of the vectors from the bilinear patches of its cells to the surface.
+    /// For each block, a box of the vectors from the bilinear patches of its cells to the surface.
     displacements: Vec<PackedBox>,
     cones: OnceLock<Cones>,
 }
 
-/// A box of vectors in 10 bytes: low x, y, z and high x, y, z in 127ths of the greatest length.
+/// A box of vectors in 10 bytes: low x, y, z and high x, y, z in units of 1 / 127 of the largest
+/// length.
 #[derive(Debug, Clone, Copy, Default)]
 struct PackedBox {
     max_length: f32,
@@ -33,11 +34,12 @@ struct PackedBox {
 }
 
 impl PackedBox {
-    /// Rounded outwards.
+    /// Packs a box, rounding outwards.
     fn new(bounds: Aabb) -> PackedBox {
         let max_length = (bounds.max_norm() as f32).next_up();
         let unit = f64::from(max_length) / 127.0;
-        // No vector is longer than `max_length`: quotients are within -127 to 127 but for rounding.
+        // No vector is longer than `max_length`, so quotients are within -127 to 127, except for
+        // rounding.
         let low = bounds.low.to_array().map(|x| (x / unit - 1e-9).floor() as i8);
         let high = bounds.high.to_array().map(|x| (x / unit + 1e-9).ceil() as i8);
         PackedBox { max_length, sides: [low[0], low[1], low[2], high[0], high[1], high[2]] }
@@ -56,7 +58,7 @@ impl PackedBox {
 pub(crate) struct Level {
     rows: usize,
     columns: usize,
-    /// By block of the level above.
+    /// Indexed by the block of the level above.
     child_boxes: Vec<ChildBoxes>,
     oriented: Vec<OrientedBox>,
 }
@@ -71,9 +73,9 @@ impl Level {
         })
     }
 
-    /// True if there is a block (r, c).
+    /// True if block (r, c) exists.
     #[inline(always)]
-    pub(crate) fn has(&self, r: usize, c: usize) -> bool {
+    pub(crate) fn has_block(&self, r: usize, c: usize) -> bool {
         r < self.rows && c < self.columns
     }
 
@@ -83,7 +85,7 @@ impl Level {
         &self.child_boxes[r * self.columns.div_ceil(2) + c]
     }
 
-    /// The oriented box of block (r, c), if this level has them.
+    /// The oriented box of block (r, c), if this level has oriented boxes.
     #[inline(always)]
     pub(crate) fn oriented(&self, r: usize, c: usize) -> Option<&OrientedBox> {
         self.oriented.get(r * self.columns + c)
@@ -128,12 +130,12 @@ impl Pyramid {
         self.origin
     }
 
-    /// The levels, the blocks first.
+    /// The levels, beginning with the blocks.
     pub(crate) fn levels(&self) -> &[Level] {
         &self.levels
     }
 
-    /// An upper bound of the distances of the surface from the bilinear patches of the cells of
+    /// An upper bound of the distance between the surface and the bilinear patches of the cells of
     /// block (r, c), at equal parameters.
     #[inline(always)]
     pub(crate) fn deviation(&self, r: usize, c: usize) -> f64 {
@@ -147,27 +149,27 @@ impl Pyramid {
         self.displacements[r * self.levels[0].columns + c].unpack()
     }
 
-    /// A box round everything.
+    /// The bounding box of the sheet.
     pub(crate) fn bounds(&self) -> Aabb {
         let whole = self.levels.last().map_or(Aabb::EMPTY, |level| level.child_boxes(0, 0).whole());
         Aabb { low: whole.low + self.origin, high: whole.high + self.origin }
     }
 
-    /// Bytes of memory, without the cones.
+    /// Size in bytes, without the cones.
     pub(crate) fn bytes(&self) -> usize {
         let level = |level: &Level| size_of_val(&level.child_boxes[..]) + size_of_val(&level.oriented[..]);
         self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])
     }
 
-    /// The cones, built at the first call. Two threads may build them at once, to the same bits;
-    /// neither waits for the other, which may be its own caller.
+    /// The cones, built at the first call. Two threads may build them at once, with equal bits. A
+    /// thread does not wait for the other one, which may be its own caller.
     pub(crate) fn cones<const N: usize>(&self, cells: &impl Cells<N>, job: &Job<'_>) -> Result<&Cones> {
         if let Some(cones) = self.cones.get() {
             return Ok(cones);
         }
         let Aabb { low, high } = self.bounds();
         let made = Cones::build(cells, low.abs().max(high.abs()).max_element(), job)?;
-        // What a surface keeps is not to be in the reserve.
+        // The surface keeps this memory, so it must not come from the reserve.
         job.memory()?;
         Ok(self.cones.get_or_init(|| made))
     }
@@ -177,21 +179,21 @@ impl Pyramid {
         self.cones.get()
     }
 
-    /// Makes the cones exclude nothing, for a comparison.
+    /// Makes the cones exclude nothing, for comparisons in tests.
     #[cfg(test)]
     pub(crate) fn disable_cones(&mut self) {
         self.cones.get_mut().into_iter().for_each(Cones::disable);
     }
 }
 
-/// A point amid the surface: the middle of the box of some of its corners.
+/// A point in the middle of the surface: the centre of the bounding box of some of its corners.
 fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
     let [rows, columns] = cells.counts();
     let places = (0..=8).flat_map(|k| (0..=8).map(move |n| (k * rows / 8, n * columns / 8)));
     Aabb::from_points(places.map(|(i, j)| cells.corner(i, j))).centre()
 }
 
-/// Builds the boxes of a row of blocks; `bounds`: those of the displacements of its blocks.
+/// Builds the boxes of a row of blocks. `bounds` are the displacement boxes of its blocks.
 fn build_row<const N: usize>(
     cells: &impl Cells<N>,
     row: usize,
@@ -215,7 +217,7 @@ fn build_row<const N: usize>(
                 count += 1;
             }
         }
-        // Enlarged by the rounding of the coordinates on the way.
+        // Enlarged by the rounding of the coordinates in these steps.
         let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
         let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
         displacements[c] = PackedBox::new(displacement);
@@ -223,11 +225,11 @@ fn build_row<const N: usize>(
         let width = right - left + 1;
         let (a, b) = (points[0], points[width - 1]);
         let (d, e) = (points[count - width], points[count - 1]);
-        oriented[c] = OrientedBox::around(&points[..count], d + e - a - b, b + e - a - d, displacement);
+        oriented[c] = OrientedBox::from_points(&points[..count], d + e - a - b, b + e - a - d, displacement);
     }
 }
 
-/// The level above another.
+/// Builds the level above another one.
 fn level_above(below: &Level, with_oriented: bool) -> Result<Level> {
     let (rows, columns) = (below.rows.div_ceil(2), below.columns.div_ceil(2));
     let mut level = Level::new(rows, columns, with_oriented)?;
@@ -243,7 +245,7 @@ fn level_above(below: &Level, with_oriented: bool) -> Result<Level> {
     Ok(level)
 }
 
-/// The oriented box round those of the children of block (r, c).
+/// The oriented box around the boxes of the children of block (r, c).
 fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
     let mut points = [DVec3::ZERO; 32];
     let mut centres = [None; 4];
@@ -257,7 +259,7 @@ fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
             count += 8;
         }
     }
-    // Across the children, or along the axes of a single one.
+    // Axes from child to child, or the axes of a single child.
     let span = |pairs: [(usize, usize); 2], own: DVec3| {
         let steps = pairs.into_iter().filter_map(|(a, b)| Some(centres[b]? - centres[a]?));
         let sum: DVec3 = steps.sum();
@@ -266,23 +268,24 @@ fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
     let along_u = span([(0, 2), (1, 3)], points[1] - points[0]);
     let along_v = span([(0, 1), (2, 3)], points[2] - points[0]);
     let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-    OrientedBox::around(&points[..count], along_u, along_v, exactly)
+    OrientedBox::from_points(&points[..count], along_u, along_v, exactly)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Sides go outwards by less than a unit, and no vector of the box is longer than said.
+    /// Sides are rounded outwards by less than a unit, and no vector of the box is longer than
+    /// `max_length`.
     #[test]
-    fn packed_boxes_hold_their_boxes() {
+    fn packed_boxes_contain_the_exact_boxes() {
         for k in 0..4000_u32 {
             let part = |by: u32| f64::from(k.wrapping_mul(by) >> 8) / f64::from(1 << 23) - 1.0;
             let (a, b) = (
                 DVec3::new(part(2_654_435_761), part(2_246_822_519), part(3_266_489_917)),
                 DVec3::new(part(668_265_263), part(374_761_393), part(2_869_860_233)),
             );
-            // Thin ones, those that touch 0, and points too.
+            // Thin boxes, boxes that touch 0, and points.
             let b = [b, a + 1e-3 * b, a, DVec3::ZERO][k as usize % 4];
             let bounds = Aabb::from_points([a, b]);
             let packed = PackedBox::new(bounds);

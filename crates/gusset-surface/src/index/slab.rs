@@ -1,26 +1,27 @@
-//! A line against four boxes at once: the slab test (Kay and Kajiya 1986).
+//! Intersects a line with four boxes at once: the slab test (Kay and Kajiya 1986).
 //!
-//! Invariant: boxes are entered too early and left too late by what all that is computed of the
-//! line may be off, so that no box that the line meets is missed.
+//! Invariant: the entry into a box is early, and the exit late, by at least the rounding error of
+//! the line. No box that the line meets is missed.
 
 use super::boxes::ChildBoxes;
 use glam::DVec3;
 
-/// A line for the slab test: where it enters and leaves the space between two parallel planes.
+/// A line prepared for the slab test, which intersects it with the space between two parallel
+/// planes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slab {
-    /// By axis: the line's point of parameter 0, moved so far that boxes are entered too early, or
-    /// left too late.
+    /// For each axis, the line's point at parameter 0, shifted so that entries are early (`enter`)
+    /// or exits late (`leave`).
     enter: [f64; 3],
     leave: [f64; 3],
     inverse: [f64; 3],
-    /// By axis: true if the line runs towards lesser coordinates.
+    /// For each axis, true if the line runs towards smaller coordinates.
     falls: [bool; 3],
 }
 
 impl Slab {
-    /// `foot`: a point of the line, relative to the index's origin; `rounding`: a bound of the
-    /// rounding of all that is computed of the line.
+    /// Prepares a line. `foot` is a point of the line, relative to the index's origin. `rounding`
+    /// bounds the rounding error of all quantities computed for the line.
     pub(crate) fn new(foot: DVec3, direction: DVec3, rounding: f64) -> Slab {
         let falls = direction.to_array().map(|x| x < 0.0);
         let moved = |axis: usize, by: f64| foot[axis] + if falls[axis] { -by } else { by };
@@ -32,17 +33,17 @@ impl Slab {
         }
     }
 
-    /// The parameters, within `from` to `to`, where the line enters and leaves each box; if the
-    /// first is greater, it misses the box.
+    /// The parameters, within `from` to `to`, at which the line enters and leaves each box. If the
+    /// entry is greater than the exit, the line misses the box.
     #[inline(always)]
-    pub(crate) fn through(&self, group: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
+    pub(crate) fn intersect(&self, group: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
         let (mut near, mut far) = ([from; 4], [to; 4]);
         for axis in 0..3 {
             let (low, high) = (&group.low[axis], &group.high[axis]);
             let (first, last) = if self.falls[axis] { (high, low) } else { (low, high) };
             for child in 0..4 {
-                // A line in a side of a box gives 0 x infinity here, which is not greater and so
-                // does not count.
+                // A line in a side of a box gives 0 times infinity here. NaN is not greater, so it
+                // is ignored.
                 let enters = (f64::from(first[child]) - self.enter[axis]) * self.inverse[axis];
                 let leaves = (f64::from(last[child]) - self.leave[axis]) * self.inverse[axis];
                 near[child] = if enters > near[child] { enters } else { near[child] };

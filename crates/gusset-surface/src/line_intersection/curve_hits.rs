@@ -1,13 +1,13 @@
 //! Common points of a curve and the surface.
 //!
-//! Parts of the curve go down the index together with blocks of cells: of the two the larger is
-//! divided, and pairs that are apart are dropped. What a part of the curve and a cell have in
-//! common, `solve` finds with proof.
+//! Parts of the curve descend the index together with blocks of cells. The larger of the two is
+//! divided, and separated pairs are discarded. `subdivision` finds the common points of a part of
+//! the curve and a cell, with proof.
 
 use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
-use super::line_search::Workspace;
+use super::line_search::LineWorkspace;
 use crate::{Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -18,27 +18,27 @@ use gusset_base::{alloc, par};
 use gusset_curve::{CurveView, Place as CurvePlace};
 use std::cmp::Ordering;
 
-/// A point that a curve and a surface have in common.
+/// A common point of a curve and a surface.
 pub type CurveHit = Hit<CurvePlace>;
 
-/// The highest degree of a segment.
+/// Largest degree of a segment.
 const MAX_SEGMENT_DEGREE: usize = 7;
-/// Segments that one thread takes at once.
+/// Number of segments that a thread processes in one task.
 const BATCH: usize = 64;
-/// Finds on the same curve whose parameters differ by no more may be one.
+/// Finds on one curve may be the same point if their parameters differ by at most this.
 const SAME_PARAMETER: f64 = 1e-6;
 
 impl Surface<'_> {
-    /// Where a curve meets the surface, in the order of the curve.
+    /// Finds the common points of a curve and the surface, in the order of the curve.
     ///
     /// A point at a joint of segments, on a side between cells or sheets, or at a pole is found
-    /// once. None is missed: where touching or coincidence cannot be resolved, a hit is given for
-    /// each such place and marked tangent. About O(log cells) for each cell that the curve comes
-    /// near to; bounded for each cell and segment that run in each other. The segments are shared
-    /// out to the job's threads.
+    /// once. No point is missed: each place where contact or coincidence cannot be resolved yields
+    /// a hit marked as tangent. Costs about O(log cells) for each cell close to the curve, and a
+    /// limited amount for each cell and segment that coincide. The job's threads share the
+    /// segments.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150,
+    /// [`Error::OptionOutOfRange`] if a segment has a degree above 7 or a coordinate above 1e150,
     /// [`Error::EmptyCurve`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn curve(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveHit>> {
         if curve.is_empty() {
@@ -51,7 +51,7 @@ impl Surface<'_> {
         let finds = self.finds(curve, selection, job)?;
         let mut hits = self.hits(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
-            // The unresolved part may go on in later segments.
+            // The unresolved part may continue in later segments.
             hits = self.hits(curve, self.finds(curve, HitSelection::All, job)?)?;
         }
         if selection != HitSelection::All {
@@ -60,7 +60,7 @@ impl Surface<'_> {
         Ok(hits)
     }
 
-    /// The finds of all segments, or of the first ones up to some that have any.
+    /// The finds of all segments, or of the first segments that have any.
     fn finds(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveFind>> {
         let mut finds = Vec::new();
         let count = curve.len();
@@ -87,17 +87,17 @@ impl Surface<'_> {
     /// Adds the finds of segment k.
     fn segment(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
         if controls.iter().all(|&point| point == controls[0]) {
-            // No more than the ends of its neighbours.
+            // The segment adds nothing to the ends of its neighbours.
             return Ok(());
         }
         match controls.len() {
-            2 => self.straight(k, [controls[0], controls[1]], finder),
-            3 | 4 => self.curved::<4>(k, controls, finder),
-            _ => self.curved::<8>(k, controls, finder),
+            2 => self.find_on_line_segment(k, [controls[0], controls[1]], finder),
+            3 | 4 => self.find_on_curved_segment::<4>(k, controls, finder),
+            _ => self.find_on_curved_segment::<8>(k, controls, finder),
         }
     }
 
-    fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
+    fn find_on_line_segment(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
         self.find_hits(&Line::segment(a, b), HitSelection::All, &mut finder.lines)?;
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
@@ -118,8 +118,8 @@ impl Surface<'_> {
         Ok(())
     }
 
-    fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
-        let part = CurvePart::whole(raised::<M>(controls));
+    fn find_on_curved_segment<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
+        let part = CurvePart::whole(elevated_segment::<M>(controls));
         for sheet in 0..self.len() {
             let (kind, index) = self.indexed(sheet);
             each_sheet!(kind, cells => {
@@ -130,17 +130,17 @@ impl Surface<'_> {
         Ok(())
     }
 
-    /// Makes hits of finds: each once, in the order of the curve.
+    /// Converts finds to hits: each once, in the order of the curve.
     fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<CurveFind>) -> Result<Vec<CurveHit>> {
         let merge_distance = self.merge_distance();
         merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.longest_touch();
-            let point =
-                find.length <= MAX_POINT_LENGTH * merge_distance || self.passes(find.place, direction(curve, find.at));
+            let point = find.length <= MAX_POINT_LENGTH * merge_distance
+                || self.is_crossing(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
-        sort::stable(&mut finds, &in_order);
+        sort::stable(&mut finds, &compare_hits);
         let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
@@ -149,7 +149,7 @@ impl Surface<'_> {
                 kept.push(find);
             }
         }
-        // A closed curve's end is its start.
+        // The end of a closed curve is its start.
         let round = curve.len() as f64;
         if let [first, .., last] = &kept[..]
             && curve.is_closed()
@@ -160,7 +160,7 @@ impl Surface<'_> {
             kept.pop();
         }
         for find in kept.iter_mut().filter(|find| !find.tangent) {
-            find.tangent = self.is_touched(find.place, direction(curve, find.at), find.point.abs().max_element());
+            find.tangent = self.is_touched(find.place, curve_direction(curve, find.at), find.point.abs().max_element());
         }
         alloc::collect(kept.iter().map(|find| {
             let span = if find.tangent { find.span } else { [find.at; 2] };
@@ -177,26 +177,26 @@ impl Surface<'_> {
     }
 }
 
-/// The place of a number: segment and parameter added.
+/// The place of a number that is the sum of segment index and parameter.
 fn place(curve: &CurveView<'_>, at: f64) -> CurvePlace {
     let segment = (at as usize).min(curve.len() - 1);
     CurvePlace { segment: segment as u32, t: at - segment as f64 }
 }
 
 /// The unit vector along the curve.
-fn direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
+fn curve_direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
     curve.tangent(place(curve, at)).unwrap_or(DVec3::ZERO)
 }
 
-/// By the place on the curve, then by cells.
-fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
+/// Orders finds by their place on the curve, then by cells.
+fn compare_hits(a: &CurveFind, b: &CurveFind) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
 }
 
-/// Merges unresolved finds that overlap along the curve: the first where it runs on, else the
-/// nearest.
+/// Merges unresolved finds that overlap along the curve. Keeps the place that is closest to the
+/// surface.
 fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
-    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| compare_hits(a, b));
     sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
         let joins = all.tangent && next.tangent && runs_on(all, next, merge_distance);
@@ -213,19 +213,19 @@ fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
     });
 }
 
-/// True if an unresolved find begins where another is, or ends.
+/// True if an unresolved find begins within another one, or at its end.
 fn runs_on(first: &CurveFind, next: &CurveFind, merge_distance: f64) -> bool {
     let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
     next.span[0] <= first.span[1] || near
 }
 
-/// True for two finds of one crossing: the same place of the curve and of the surface.
+/// True if two finds are the same crossing: at the same place of the curve and the surface.
 fn is_same(a: &CurveFind, b: &CurveFind, merge_distance: f64) -> bool {
     !a.tangent && !b.tangent && a.point.distance(b.point) <= merge_distance
 }
 
 /// The control points of a segment, raised to degree M - 1.
-pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
+pub(super) fn elevated_segment<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
     let mut points = [DVec3::ZERO; M];
     points[..controls.len()].copy_from_slice(controls);
     elevate(&mut points, controls.len() - 1);
@@ -235,6 +235,6 @@ pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
 /// The finds of one thread.
 #[derive(Default)]
 struct Finder {
-    lines: Workspace,
+    lines: LineWorkspace,
     finds: Vec<CurveFind>,
 }

@@ -1,4 +1,4 @@
-//! The search of the index for a curved segment.
+//! The descent of the index for a curved segment.
 
 use super::line_search::MAX_RELATIVE_ROUNDING;
 use crate::Place;
@@ -11,31 +11,31 @@ use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 use gusset_base::geom::bernstein::{evaluate, halves};
 
-/// A hit as one cell has it.
+/// A common point, as found in one cell.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CurveFind {
-    /// The segment and the parameter on it, as one number each.
+    /// The sum of segment index and parameter, at the point and at both ends of the span.
     pub(super) at: f64,
     pub(super) span: [f64; 2],
-    /// Where the curve is at the ends of the span, and how long it is.
+    /// The points of the curve at the ends of the span, and the distance between them.
     pub(super) ends: [DVec3; 2],
     pub(super) length: f64,
     pub(super) place: Place,
     pub(super) point: DVec3,
-    /// How far the curve is from the surface there.
+    /// The distance between curve and surface at the point.
     pub(super) gap: f64,
     pub(super) tangent: bool,
     pub(super) runs_inside: bool,
-    /// True for a touch that is resolved: at a crease, say.
+    /// True for a contact that is resolved, for example at a crease.
     pub(super) touches: bool,
 }
 
-/// Memory for the cells of a segment, used again and again.
+/// Memory that the cells of a segment reuse.
 #[derive(Default)]
 struct CurveSolver<const M: usize, const N: usize> {
     workspace: CurveWorkspace<M, N>,
     found: Crossings,
-    /// How far control points may be off.
+    /// Bound of the error of control points.
     rounding_error: f64,
 }
 
@@ -48,7 +48,7 @@ pub(super) struct CurvePart<const M: usize> {
 }
 
 impl<const M: usize> CurvePart<M> {
-    /// A whole segment.
+    /// The whole segment as a part.
     pub(super) fn whole(points: [DVec3; M]) -> Self {
         CurvePart { points, from: 0.0, size: 1.0 }
     }
@@ -58,8 +58,8 @@ impl<const M: usize> CurvePart<M> {
     }
 }
 
-/// A part of a segment and a block of cells, which has a box of this diagonal.
-struct Entry<const M: usize> {
+/// A part of a segment and a block of cells. `diagonal` is the diagonal of the block's box.
+struct CurveEntry<const M: usize> {
     part: CurvePart<M>,
     diagonal: f64,
     level: usize,
@@ -67,22 +67,22 @@ struct Entry<const M: usize> {
     column: usize,
 }
 
-/// Parts below this size are not halved: even of curves 1e20 times as long as the surface, they are
+/// Smallest size of a part. Even if the curve is 1e20 times as long as the surface, such parts are
 /// short.
 const MIN_PART_SIZE: f64 = 1e-30;
 
-/// The search of a sheet for a segment.
+/// The search in a sheet for a segment.
 pub(super) struct CurveSearch<'a, C, const M: usize, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     pub(super) sheet: u32,
-    /// Its number on the curve.
+    /// The index of the segment on the curve.
     pub(super) segment: usize,
     pub(super) tolerance: f64,
 }
 
 impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
-    /// Adds what the sheet and the segment have in common.
+    /// Adds the common points of the sheet and the segment.
     pub(super) fn run(&self, whole: &CurvePart<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
         let origin = self.index.origin();
         let part = CurvePart { points: whole.points.map(|point| point - origin), ..*whole };
@@ -92,10 +92,10 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         let rounding_error =
             (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
-        let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
+        let mut waiting = vec![CurveEntry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         let mut solver = CurveSolver { rounding_error, ..CurveSolver::default() };
         while let Some(entry) = waiting.pop() {
-            let Entry { part, diagonal, level, row, column } = entry;
+            let CurveEntry { part, diagonal, level, row, column } = entry;
             let bounds = part.bounds().inflated(rounding_error);
             if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
@@ -107,7 +107,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
                         self.touches(&part, rounding_error, level, row, column)
                     };
                     if near {
-                        waiting.push(Entry { part, diagonal, level, row, column });
+                        waiting.push(CurveEntry { part, diagonal, level, row, column });
                     }
                 }
             } else if level == 0 {
@@ -117,7 +117,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
                     if self.touches(&part, rounding_error, level - 1, row, column) {
                         let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).get(child).diagonal();
-                        waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
+                        waiting.push(CurveEntry { part: part.clone(), diagonal, level: level - 1, row, column });
                     }
                 }
             }
@@ -125,7 +125,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         Ok(())
     }
 
-    /// False if the part is apart from the boxes of block (row, column) of a level.
+    /// False if the part misses the boxes of block (row, column) of a level.
     fn touches(&self, part: &CurvePart<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
         let level = &self.index.levels()[level];
         let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
@@ -134,7 +134,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
             && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
     }
 
-    /// Adds what the cells of a block have.
+    /// Adds the common points in the cells of a block.
     fn block(
         &self,
         part: &CurvePart<M>,
@@ -154,7 +154,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         Ok(())
     }
 
-    /// Adds what one cell has.
+    /// Adds the common points in one cell.
     fn cell(
         &self,
         part: &CurvePart<M>,

@@ -1,5 +1,5 @@
-//! Hits of all cells merged: each counts once, and is classified as a passage, a touch or a run
-//! inside the surface.
+//! Merges the hits of all cells. Each hit counts once, and is classified as a crossing, a contact
+//! or a run inside the surface.
 
 use super::line::{Hit, Line};
 use super::line_search::rounding_error;
@@ -8,30 +8,31 @@ use glam::DVec3;
 use gusset_base::sort;
 use std::cmp::Ordering;
 
-/// An unresolved hit that is no longer than so many times the least distance is no touch, which
-/// takes the root of it: there the parameters are not regular, as at a pole.
+/// Largest length, in merge distances, of an unresolved hit that is a single point. A contact is
+/// longer, because its length is proportional to the square root of the distance. Parameters that
+/// are not regular, as at a pole, cause a short unresolved hit.
 pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 
-/// A line at a greater sine of the angle with the surface passes it.
+/// Sine of the angle between line and surface above which the line crosses the surface.
 const MAX_TOUCH_SINE: f64 = 1e-2;
 
 impl Surface<'_> {
-    /// Hits that are nearer to each other than this, in different cells, are one.
+    /// Hits in different cells that are closer to each other than this are the same hit.
     pub(super) fn merge_distance(&self) -> f64 {
         self.tolerance().max(1e-12 * self.diagonal())
     }
 
-    /// A line that touches a surface is within the tolerance e of it for sqrt(8 R e), with R the
-    /// radius of curvature: where it is for longer than several times that for the size of the
-    /// whole surface, it runs in it.
+    /// Length above which an unresolved hit is a run inside the surface. A line that touches a
+    /// surface with radius of curvature R is within the tolerance e of it for sqrt(8 R e). The
+    /// result is several times this length for the size of the whole surface.
     pub(super) fn longest_touch(&self) -> f64 {
         8.0 * (self.merge_distance() * self.diagonal()).sqrt()
     }
 
-    /// True if a direction is not along the surface next to a place, away from the sides of its
-    /// cell: what could not be resolved there is no touch but a place where the parameters are not
-    /// regular, a pole.
-    pub(super) fn passes(&self, place: Place, direction: DVec3) -> bool {
+    /// True if a direction crosses the surface next to a place, away from the sides of its cell. An
+    /// unresolved hit is then not a contact, but a place where parameters are not regular, such as
+    /// a pole.
+    pub(super) fn is_crossing(&self, place: Place, direction: DVec3) -> bool {
         if !self.is_regular(place) {
             return self.normal(place).dot(direction).abs() > 1e-4;
         }
@@ -40,8 +41,8 @@ impl Surface<'_> {
         self.normal(near).dot(direction).abs() > MAX_TOUCH_SINE
     }
 
-    /// Makes one hit of those that neighbouring cells have found, tells touching from passing and
-    /// from running in the surface, and sorts.
+    /// Merges hits that neighbouring cells found, distinguishes contacts from crossings and runs,
+    /// and sorts the hits.
     pub(super) fn merge_hits(&self, line: &Line, hits: &mut Vec<Hit>) {
         for hit in hits.iter_mut().filter(|hit| hit.normal == DVec3::ZERO) {
             hit.normal = self.normal(hit.place);
@@ -49,14 +50,14 @@ impl Surface<'_> {
         if hits.iter().any(|hit| hit.tangent) {
             self.merge_overlapping(line, hits);
         }
-        sort::stable(hits, &in_order);
+        sort::stable(hits, &compare_hits);
         let slack = LineRounding::new(self, line);
-        // Duplicates, each with the hit that stands for it.
+        // Duplicates, each with the index of the hit that represents it.
         let mut others: Vec<(usize, Hit)> = Vec::new();
         let mut kept: usize = 0;
         for k in 0..hits.len() {
             let hit = hits[k];
-            // Duplicates follow each other along the line.
+            // Duplicates are adjacent along the line.
             let same = hits[..kept]
                 .iter()
                 .rposition(|other| (hit.at - other.at) * slack.length > slack.farthest())
@@ -76,7 +77,7 @@ impl Surface<'_> {
             if slack.may_be_on_side(hit.place, tolerance)
                 && let Some(place) = self.on_side(hit.place, tolerance)
             {
-                // Other sheets have their part of what is round it.
+                // Other sheets contribute the cells on their side of the point.
                 let elsewhere = others().filter_map(|other| self.on_side(other.place, tolerance));
                 let places: Vec<Place> = std::iter::once(place).chain(elsewhere).collect();
                 if self.only_touches(&places, slack.along) {
@@ -86,17 +87,17 @@ impl Surface<'_> {
         }
     }
 
-    /// True for two finds of one hit: in different cells, at the same point of their sides.
+    /// True if two finds are the same hit: in different cells, at the same point of their sides.
     fn is_same(&self, a: &Hit, b: &Hit, slack: &LineRounding) -> bool {
         if a.tangent || b.tangent || cell(a) == cell(b) {
             return false;
         }
         let sine = slack.sine(a).min(slack.sine(b)).min(1.0);
         let rounding = slack.rounding(sine);
-        // The line enters at the one what it leaves at the other.
+        // The line enters at one hit, and leaves at the other.
         let turned = a.normal.dot(slack.along) * b.normal.dot(slack.along) < 0.0;
         let tolerance = if turned {
-            // Where it is as good as along the surface, it may as well be two.
+            // If the line is practically tangent, there may well be two hits.
             if sine < slack.floor { 0.0 } else { rounding }
         } else {
             rounding.max(slack.merge_distance)
@@ -107,12 +108,12 @@ impl Surface<'_> {
         a.point.distance(b.point) <= tolerance && near(a.place) && near(b.place)
     }
 
-    /// Merges unresolved hits that overlap along the line, and simple ones beside them. Simple ones
-    /// come first then.
+    /// Merges unresolved hits that overlap along the line, and simple hits beside them. Simple hits
+    /// come first afterwards.
     fn merge_overlapping(&self, line: &Line, hits: &mut Vec<Hit>) {
-        let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+        let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| compare_hits(a, b));
         sort::stable(hits, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
-        let (along, length) = line.along();
+        let (along, length) = line.direction_and_length();
         let slack = 2.0 * self.merge_distance() / length;
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
         let [low, high] = self.bounds();
@@ -125,8 +126,9 @@ impl Surface<'_> {
                 end = end.max(hits[to].span[1]);
                 to += 1;
             }
-            // What touches beside a side may seem to pass on the other side of it: a line that is
-            // within a distance m of a surface over a length l is no steeper than 4 m / l there.
+            // A contact beside a side may look like a crossing on the other side of it. A line
+            // within a distance m of a surface over a length l has a slope of at most 4 m / l
+            // there.
             let steepest = 16.0 * self.merge_distance() / ((end - start) * length);
             for hit in &mut hits[..simple] {
                 let is_within = hit.at >= start - slack && hit.at <= end + slack;
@@ -137,7 +139,7 @@ impl Surface<'_> {
                     hit.multiplicity = 0;
                 }
             }
-            // Where it runs in the surface, the first; else the nearest.
+            // A run inside the surface keeps its first hit, any other the hit nearest to the line.
             let first = hits[from];
             let nearest =
                 hits[from..to].iter().fold(first, |best, hit| if miss(hit) < miss(&best) { *hit } else { best });
@@ -146,7 +148,7 @@ impl Surface<'_> {
                 Hit { span: [start, end], multiplicity: 0, ..first }
             } else if is_point
                 && ((end - start) * length <= MAX_POINT_LENGTH * self.merge_distance()
-                    || self.passes(nearest.place, along))
+                    || self.is_crossing(nearest.place, along))
             {
                 Hit { span: [nearest.at; 2], multiplicity: 1, tangent: false, ..nearest }
             } else {
@@ -160,8 +162,8 @@ impl Surface<'_> {
     }
 }
 
-/// By t, then by cells.
-fn in_order(a: &Hit, b: &Hit) -> Ordering {
+/// Orders hits by parameter, then by cells.
+fn compare_hits(a: &Hit, b: &Hit) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| cell(a).cmp(&cell(b)))
 }
 
@@ -169,7 +171,7 @@ fn cell(hit: &Hit) -> (u32, [u32; 2]) {
     (hit.place.sheet, hit.place.cell)
 }
 
-/// True next to a side of the cell.
+/// True for a place next to a side of its cell.
 fn on_side(place: Place) -> bool {
     is_near_side(place, 1e-7)
 }
@@ -182,20 +184,19 @@ fn is_near_side(place: Place, slack: f64) -> bool {
 /// Bounds of the effect of rounding on hits of a line.
 struct LineRounding {
     along: DVec3,
-    /// Of the line's direction.
+    /// The length of the line's direction.
     length: f64,
-    /// How far points may be off, and the size of the surface.
+    /// Bound of the rounding error of points, and the size of the surface.
     rounding_error: f64,
     size: f64,
     merge_distance: f64,
-    /// Lines that are not as steep as that may be off by the rounding error and meet the surface or
-    /// not.
+    /// Sine of the angle below which rounding decides whether a line meets the surface.
     floor: f64,
 }
 
 impl LineRounding {
     fn new(surface: &Surface<'_>, line: &Line) -> LineRounding {
-        let ((along, length), [low, high]) = (line.along(), surface.bounds());
+        let ((along, length), [low, high]) = (line.direction_and_length(), surface.bounds());
         let (rounding_error, size) = (4.0 * rounding_error(line, low.midpoint(high), [low, high]), low.distance(high));
         let floor = (rounding_error / size).sqrt();
         LineRounding { along, length, rounding_error, size, merge_distance: surface.merge_distance(), floor }
@@ -206,18 +207,18 @@ impl LineRounding {
         hit.normal.dot(self.along).abs()
     }
 
-    /// How far apart one point may be found, where the line meets the surface at an angle of this
-    /// sine.
+    /// How far apart rounding may place the same point, if the sine of the angle between line and
+    /// surface is `sine`.
     fn rounding(&self, sine: f64) -> f64 {
         self.rounding_error / sine.max(self.floor)
     }
 
-    /// The same at any angle.
+    /// How far apart the same point may be placed at any angle.
     fn farthest(&self) -> f64 {
         2.0 * self.merge_distance.max(self.rounding_error / self.floor)
     }
 
-    /// False if a place is far from all sides, whatever the size of its cell.
+    /// False if a place is far from all sides in cells of any size.
     fn may_be_on_side(&self, place: Place, tolerance: f64) -> bool {
         is_near_side(place, (1e4 * tolerance / self.size).max(1e-7))
     }

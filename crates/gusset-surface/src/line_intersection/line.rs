@@ -1,47 +1,48 @@
-//! Lines, rays and segments, and the points that they have in common with surfaces.
+//! Lines, rays and segments, and their common points with surfaces.
 
 use crate::Place;
-use crate::checks::finite;
+use crate::checks::check_finite;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 
-/// Coordinates of lines and curves beyond this are refused: their squares would overflow.
+/// Largest absolute coordinate of lines and curves. Squares of larger ones would overflow.
 pub(crate) const MAX_COORDINATE: f64 = 1e150;
 
-/// A line, ray or segment: origin + t * direction for t from `from` to `to`.
+/// A line, ray or segment: origin + t * direction for t between `from` and `to`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// Where t is 0; coordinates up to 1e150.
+    /// The point at t = 0, with coordinates up to 1e150.
     pub origin: DVec3,
-    /// Of a length whose square neither vanishes nor overflows, such as any from 1e-150 to 1e150.
+    /// The direction. Its squared length must neither underflow nor overflow, as for lengths from
+    /// 1e-150 to 1e150.
     pub direction: DVec3,
-    /// The least t: -infinity for lines, 0 for rays and segments.
+    /// The smallest t: -infinity for lines, 0 for rays and segments.
     pub from: f64,
-    /// The greatest t: infinity for lines and rays.
+    /// The largest t: infinity for lines and rays.
     pub to: f64,
 }
 
 impl Line {
-    /// A line without ends.
+    /// Creates an infinite line.
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
         Line { origin, direction, from: f64::NEG_INFINITY, to: f64::INFINITY }
     }
 
-    /// From `origin` on.
+    /// Creates a ray that begins at `origin`.
     pub fn ray(origin: DVec3, direction: DVec3) -> Self {
         Line { from: 0.0, ..Line::new(origin, direction) }
     }
 
-    /// From `a` (t = 0) to `b` (t = 1).
+    /// Creates the segment from `a` (t = 0) to `b` (t = 1).
     pub fn segment(a: DVec3, b: DVec3) -> Self {
         Line { from: 0.0, to: 1.0, ..Line::new(a, b - a) }
     }
 
-    /// That it is finite and has a direction.
+    /// Checks that the line is finite and has a direction.
     pub(crate) fn check(&self) -> Result<()> {
         self.origin.to_array().into_iter().try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "origin", x))?;
-        finite(self.direction, "direction")?;
-        // Parameters of points are quotients by the length: they would be infinite.
+        check_finite(self.direction, "direction")?;
+        // Parameters of points are divided by the length, and would be infinite.
         let square = self.direction.length_squared();
         let is_usable = square >= f64::MIN_POSITIVE && square.is_finite();
         Error::require(is_usable, "direction", self.direction.abs().max_element())?;
@@ -49,8 +50,8 @@ impl Line {
         Error::require(self.from <= self.to && is_somewhere, "from", self.from)
     }
 
-    /// The unit vector along it and the length of the direction, whatever its size.
-    pub(crate) fn along(&self) -> (DVec3, f64) {
+    /// The unit vector along the line, and the length of the direction, at any scale.
+    pub(crate) fn direction_and_length(&self) -> (DVec3, f64) {
         let largest = self.direction.abs().max_element();
         let scaled = self.direction / largest;
         let length = scaled.length();
@@ -58,36 +59,35 @@ impl Line {
     }
 }
 
-/// A point that a line, or a curve, and a surface have in common. `T`: a place on it.
+/// A common point of a surface and a line or curve. `T` is the type of places on the line or curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit<T = f64> {
-    /// Where on the line.
+    /// The place on the line.
     pub at: T,
-    /// From where to where the line cannot be told from the surface, within the tolerance: twice
-    /// the same where it passes through.
+    /// The range in which the line cannot be distinguished from the surface within the tolerance.
+    /// At a crossing, both ends are equal.
     pub span: [T; 2],
-    /// Where on the surface.
+    /// The place on the surface.
     pub place: Place,
     /// The point of the surface.
     pub point: DVec3,
-    /// The unit normal there, or its limit at a pole; 0 if there is none.
+    /// The unit normal there, or its limit at a pole; zero if no normal exists.
     pub normal: DVec3,
-    /// True if the line touches the surface there, or nearly, or runs in it: it may be one point,
-    /// two close to each other, none, or all of the span.
+    /// True if the line touches the surface within the tolerance, or runs in it. There may be one
+    /// common point, two close ones, none, or all points of the span.
     pub tangent: bool,
-    /// How often the hit counts: 1 where the line passes through, 2 where it touches, 0 where it
-    /// runs in the surface.
+    /// How often the hit counts: 1 for a crossing, 2 for a contact, 0 for a run inside the surface.
     pub multiplicity: u32,
 }
 
-/// Which hits are wanted.
+/// The hits to find.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum HitSelection {
-    /// All, by rising t.
+    /// All hits, by ascending t.
     #[default]
     All,
-    /// The one of least t.
+    /// The hit with the smallest t.
     First,
-    /// Any one: whether there is one.
+    /// Any hit, to find out whether there is one.
     Any,
 }

@@ -1,21 +1,21 @@
-//! Many lines at once.
+//! Intersections with many lines.
 
 use super::line::{Hit, HitSelection, Line};
-use super::line_search::Workspace;
+use super::line_search::LineWorkspace;
 use crate::Surface;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
-/// Lines that one thread takes at once.
+/// Number of lines that a thread processes in one task.
 const BATCH: usize = 512;
 
 /// The hits of many lines.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Lines {
-    /// 0, then the end of each line's hits among all.
+    /// 0, then the end of each line's hits in `hits`.
     pub ends: Vec<u64>,
-    /// The hits, line after line, each by rising t.
+    /// The hits, line by line, each by ascending t.
     pub hits: Vec<Hit>,
 }
 
@@ -27,16 +27,16 @@ impl Lines {
 }
 
 impl Surface<'_> {
-    /// Where many lines meet the surface, on the job's threads: for each the same hits as
-    /// [`Surface::line`] gives.
+    /// Intersects many lines with the surface, on the job's threads. For each line, the hits equal
+    /// those of [`Surface::line`].
     ///
     /// # Errors
-    /// [`Error::BadLine`] with the first line that is not finite or has no direction,
+    /// [`Error::BadLine`] with the first line that is not finite or lacks a direction,
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
         let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
         all.ends.push(0);
-        let each = |lines: &[Line], workspace: &mut Workspace| {
+        let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
                 self.find_hits(line, selection, workspace)?;
@@ -54,13 +54,13 @@ impl Surface<'_> {
         Ok(all)
     }
 
-    /// The first hit of each of many lines, as [`Surface::line`] gives it.
+    /// Finds the first hit of each of many lines, as [`Surface::line`] returns it.
     ///
     /// # Errors
-    /// As for [`Surface::lines`].
+    /// The errors of [`Surface::lines`].
     pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
         let mut all = alloc::with_capacity(lines.len())?;
-        let each = |lines: &[Line], workspace: &mut Workspace| {
+        let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let mut hits = alloc::with_capacity(lines.len())?;
             for line in lines {
                 self.find_hits(line, HitSelection::First, workspace)?;
@@ -73,11 +73,11 @@ impl Surface<'_> {
     }
 }
 
-/// Checks lines, works on them in batches, and adds up what comes of them in their order.
+/// Checks lines, processes them in batches, and passes the results to `add` in their order.
 fn batches<R: Send>(
     lines: &[Line],
     job: &Job<'_>,
-    each: impl Fn(&[Line], &mut Workspace) -> Result<R> + Sync,
+    each: impl Fn(&[Line], &mut LineWorkspace) -> Result<R> + Sync,
     mut add: impl FnMut(R) -> Result<()>,
 ) -> Result<()> {
     job.step(0.0, "lines")?;
@@ -94,9 +94,9 @@ fn batches<R: Send>(
             other => other,
         })?;
     }
-    // A workspace for each thread's share of a round: they are handed on from batch to batch.
+    // One workspace for each thread, reused from batch to batch.
     let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
-    let mut workspaces = alloc::collect((0..threads).map(|_| Workspace::default()))?;
+    let mut workspaces = alloc::collect((0..threads).map(|_| LineWorkspace::default()))?;
     let round = BATCH * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;

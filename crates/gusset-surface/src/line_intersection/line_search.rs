@@ -1,4 +1,4 @@
-//! The search of the index for a line.
+//! The descent of the index for a line.
 
 use super::line::{Hit, HitSelection, Line};
 use crate::cells::{BLOCK, Cells};
@@ -11,7 +11,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::subdivision::UnresolvedCluster;
 
-/// Memory for searches of patches of degree N - 1, used again and again.
+/// Memory that searches of patches of degree N - 1 reuse.
 #[derive(Default)]
 pub(super) struct Solver<const N: usize> {
     roots: Roots<N>,
@@ -19,20 +19,21 @@ pub(super) struct Solver<const N: usize> {
     crossings: Crossings,
 }
 
-/// The same for sheets of all kinds, and what was found.
+/// Memory for sheets of all kinds, and the hits.
 #[derive(Default)]
-pub(super) struct Workspace {
+pub(super) struct LineWorkspace {
     pub(super) hits: Vec<Hit>,
     pub(super) cubic: Solver<4>,
     pub(super) high: Solver<8>,
 }
 
-/// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a
-/// hit: a line from so far away is taken from its foot on, as that is rounded.
+/// Largest rounding error that is allowed for, relative to the surface's size. A larger one would
+/// turn the whole surface into a hit. A line from farther away is replaced by the line through its
+/// rounded foot.
 pub(super) const MAX_RELATIVE_ROUNDING: f64 = 1e-6;
 
-/// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's
-/// origin.
+/// A line relative to a sheet, parametrised by the distance from its foot: the point nearest to the
+/// index's origin.
 struct Ray {
     line: Line,
     /// The foot, relative to the index's origin, and in space.
@@ -40,17 +41,17 @@ struct Ray {
     foot: DVec3,
     along: DVec3,
     length: f64,
-    /// Two directions across the line, and each other.
+    /// Two perpendicular directions across the line.
     across: [DVec3; 2],
     /// The parameter of the foot.
     start: f64,
-    /// How far the foot and the nodes may be off for rounding.
+    /// Bound of the rounding error of the foot and the nodes.
     rounding_error: f64,
 }
 
 impl Ray {
     fn new(line: &Line, index: &Pyramid) -> Ray {
-        let (along, length) = line.along();
+        let (along, length) = line.direction_and_length();
         let from = line.origin - index.origin();
         let distance = -from.dot(along);
         let local = from + distance * along;
@@ -68,7 +69,7 @@ impl Ray {
         }
     }
 
-    /// The distance from the foot of a parameter.
+    /// The distance from the foot at a parameter.
     fn distance(&self, t: f64) -> f64 {
         (t - self.start) * self.length
     }
@@ -79,24 +80,24 @@ impl Ray {
     }
 }
 
-/// How far points of a line and of what is in a box may be off for rounding, taken from an origin.
+/// Bound of the rounding error of points of a line, and of points in a box, relative to an origin.
 pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
     let extent = low.abs().max(high.abs()).length();
     let extent = extent + line.origin.distance(origin) + line.origin.length();
     (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_ROUNDING * low.distance(high))
 }
 
-/// A block that waits: where the line enters it, and where it is.
+/// A waiting block, and the distance at which the line enters it.
 #[derive(Debug, Clone, Copy, Default)]
-struct Entry {
+struct LineEntry {
     enters: f64,
     level: u32,
     row: u32,
     column: u32,
 }
 
-/// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most
-/// 30 levels.
+/// Largest number of waiting entries: three for each level of a pyramid over 2^31 nodes, which has
+/// at most 30 levels.
 const MAX_STACK: usize = 3 * 30 + 4;
 
 /// The search of one sheet.
@@ -109,8 +110,8 @@ pub(super) struct LineSearch<'a> {
 }
 
 impl LineSearch<'_> {
-    /// Adds the hits of the sheet, whose cells are given. Of all, every cell's; else those up to
-    /// the first, and what may be one with it.
+    /// Adds the hits of the sheet, whose cells are given. With [`HitSelection::All`], searches all
+    /// cells. Otherwise, it searches as far as the first hit and hits that may be merged with it.
     pub(super) fn run<const N: usize>(
         &self,
         cells: &impl Cells<N>,
@@ -122,15 +123,15 @@ impl LineSearch<'_> {
         let slack = ray.rounding_error;
         let slab = Slab::new(ray.local, ray.along, slack);
         let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
-        let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
+        let mut leaf = LineLeaf { cells, index, sheet, ray: &ray, tolerance, solver };
         let levels = index.levels();
-        let mut stack = [Entry::default(); MAX_STACK];
+        let mut stack = [LineEntry::default(); MAX_STACK];
         let mut count = 1;
-        stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+        stack[0] = LineEntry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
         let mut farthest = self.farthest(&ray, to, hits);
         while count > 0 {
             count -= 1;
-            let Entry { enters, level, row, column } = stack[count];
+            let LineEntry { enters, level, row, column } = stack[count];
             if enters > farthest {
                 continue;
             }
@@ -147,7 +148,7 @@ impl LineSearch<'_> {
                 continue;
             }
             let level_below = &levels[level as usize - 1];
-            let [near, far] = slab.through(level_below.child_boxes(row, column), from, farthest);
+            let [near, far] = slab.intersect(level_below.child_boxes(row, column), from, farthest);
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
@@ -155,21 +156,21 @@ impl LineSearch<'_> {
                 if near[child] > far[child] || level_below.oriented(row, column).is_some_and(misses) {
                     continue;
                 }
-                // Sorted as they come: the nearest is taken first, being last.
+                // Insertion sort: the nearest child is last, and taken first.
                 let mut at = count;
                 while at > waiting && stack[at - 1].enters < near[child] {
                     stack[at] = stack[at - 1];
                     at -= 1;
                 }
-                stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+                stack[at] = LineEntry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
                 count += 1;
             }
         }
         Ok(())
     }
 
-    /// Where along the ray what is beyond does not matter, given some hits: farther than what is one
-    /// with the first of them may be.
+    /// The distance along the ray beyond which nothing matters after some hits: beyond all hits
+    /// that may be merged with the first one.
     fn farthest(&self, ray: &Ray, known: f64, hits: &[Hit]) -> f64 {
         if self.selection != HitSelection::First {
             return known;
@@ -180,7 +181,7 @@ impl LineSearch<'_> {
 }
 
 /// The search of a block.
-struct Leaf<'a, C, const N: usize> {
+struct LineLeaf<'a, C, const N: usize> {
     cells: &'a C,
     index: &'a Pyramid,
     sheet: u32,
@@ -189,7 +190,7 @@ struct Leaf<'a, C, const N: usize> {
     solver: &'a mut Solver<N>,
 }
 
-impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
     fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let [rows, columns] = self.cells.counts();
         let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
@@ -216,7 +217,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
         if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
-            return self.touching(i, j, hits);
+            return self.search_as_curve(i, j, hits);
         }
         let roots = &self.solver.roots.simple;
         if roots.is_empty() {
@@ -226,8 +227,9 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         roots.iter().try_for_each(|&root| self.add(&patch, [i, j], root, None, hits))
     }
 
-    /// Where the fields cannot tell: the part of the line in the cell's box as a curve.
-    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
+    /// Searches a cell in which the fields do not decide: treats the part of the line in the cell's
+    /// box as a curve.
+    fn search_as_curve(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let patch = self.cells.patch(i, j);
         let Some(segment) = self.segment(&patch) else { return Ok(()) };
         let [start, end] = segment;
@@ -243,7 +245,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         Ok(())
     }
 
-    /// The part of the line that is as far along as the patch.
+    /// The part of the line beside the patch: both have the same extent along the line.
     fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
@@ -254,7 +256,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
     }
 
-    /// Adds a hit, if the line goes so far.
+    /// Adds a hit, if its parameter is within the line's range.
     fn add(
         &self,
         patch: &Patch<N>,
@@ -271,19 +273,20 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         }
         let t = t.clamp(ray.line.from, ray.line.to);
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
-        // A root that is off the line is unresolved, as in cells a million times as long as wide.
+        // A root that is not on the line is unresolved. This happens in cells a million times as
+        // long as wide.
         let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
         let is_off = miss > self.tolerance.max(4.0 * ray.rounding_error);
         let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
         let tangent = span.is_some();
         let hit = Hit {
             at: t,
-            // The nearest place may lie beyond, by the tolerance.
+            // The nearest place may be beyond the span by the tolerance.
             span: span
                 .map_or([t; 2], |[low, high]| [low.min(t), high.max(t)].map(|t| t.clamp(ray.line.from, ray.line.to))),
             place,
             point: jet.point,
-            // Where the surface is not regular, the sheet knows a limit.
+            // Where the patch is not regular, the sheet provides the limit later.
             normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
             tangent,
             multiplicity: if tangent { 2 } else { 1 },
@@ -292,8 +295,8 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     }
 }
 
-/// False if the origin is farther than `by` from the hull of four points, as one of the lines
-/// through two of them shows.
+/// False if a line through two of four points proves that the origin is farther than `by` from
+/// their hull.
 #[inline(always)]
 fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
     let [a, b, c, d] = *quad;
@@ -301,8 +304,8 @@ fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
     if low.x > by || low.y > by || high.x < -by || high.y < -by {
         return false;
     }
-    // Seen across a side, from a to b: the origin is this far to its left, and the other corners so
-    // far.
+    // The signed distances to the left of the side from a to b, scaled by its length, of the origin
+    // and the other corners.
     let separated = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| {
         let side = b - a;
         let (origin, c, d) = (-side.perp_dot(a), side.perp_dot(c - a), side.perp_dot(d - a));
@@ -317,9 +320,9 @@ fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
 mod tests {
     use super::*;
 
-    /// Quadrilaterals, seen along the line, that are just within the bound and just beyond it.
+    /// Quadrilaterals in projection along the line, just within the bound and just beyond it.
     #[test]
-    fn the_bound_of_a_quadrilateral_is_the_whole_one() {
+    fn quadrilateral_test_is_sharp_at_the_bound() {
         let mut random = fastrand::Rng::with_seed(7);
         for _ in 0..10_000 {
             let by = 0.01 + random.f64();

@@ -1,16 +1,16 @@
-//! Task c) of the paper: common points of a line, or of a curve, and a surface.
+//! Task c) of the paper: common points of a surface and a line or a curve.
 //!
-//! * `line`: lines and their hits. `line_search`: descent of the index for a line; over a cell its
-//!   points are the common roots of two fields, the distances from two planes through it, of which
-//!   none is missed (`subdivision::roots`). `hits`: one hit of those that
-//!   several cells find. `line_batch`: many lines.
-//! * `curve_hits`, `curve_search`: the same for curves. Lines that touch the surface or run in it are
-//!   taken as curves too, whose parameter tells from where to where they do.
-//! * `winding`: whether a line passes through the surface where tangents jump.
+//! - `line`: lines and their hits. `line_search`: descent of the index for a line. Over a cell,
+//!   hits are the common roots of two fields, the distances from two planes through the line.
+//!   `subdivision::roots` finds all of them. `hits`: merges hits that several cells found.
+//!   `line_batch`: many lines.
+//! - `curve_hits`, `curve_search`: the same for curves. A line that touches the surface or runs in
+//!   it is treated as a curve, whose parameter yields the range of the contact.
+//! - `winding`: whether a line crosses the surface where tangents jump.
 //!
-//! Invariant: a box or cell is passed over only where bounds, grown by rounding, exclude it, so no
-//! hit is missed. Cost: about O(log cells) and O(1) a hit; bounded for each cell that a line runs
-//! in.
+//! Invariant: a box or cell is skipped only if bounds, enlarged by rounding, exclude it, so no hit
+//! is missed. Cost: about O(log cells) and O(1) for each hit; limited for each cell in which a line
+//! runs.
 
 mod curve_hits;
 mod curve_search;
@@ -33,32 +33,32 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
 use gusset_curve::ops::{NearMiss, NearMisses};
 use gusset_curve::{CurveView, Place as CurvePlace};
-use line_search::{LineSearch, Workspace};
+use line_search::{LineSearch, LineWorkspace};
 
 impl Surface<'_> {
-    /// Where a line meets the surface, by rising t.
+    /// Finds the common points of a line and the surface, by ascending t.
     ///
-    /// A point on a side between cells, on a side that sheets share, or at a pole is found once.
-    /// None is missed: where touching or coincidence cannot be resolved, a hit is given for each
-    /// such place and marked tangent. About O(log cells) and O(1) a hit; bounded for each cell that
-    /// a line runs in.
+    /// A point on a side between cells, on a side that sheets share, or at a pole is found once. No
+    /// point is missed: each place where contact or coincidence cannot be resolved yields a hit
+    /// marked as tangent. Costs about O(log cells) and O(1) for each hit, and a limited amount for
+    /// each cell in which a line runs.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction.
+    /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction.
     pub fn line(&self, line: &Line, selection: HitSelection) -> Result<Vec<Hit>> {
         line.check()?;
-        let mut workspace = Workspace::default();
+        let mut workspace = LineWorkspace::default();
         self.find_hits(line, selection, &mut workspace)?;
         Ok(workspace.hits)
     }
 
-    /// Leaves the hits of a line that was checked in the workspace, by rising t.
-    fn find_hits(&self, line: &Line, selection: HitSelection, workspace: &mut Workspace) -> Result<()> {
+    /// Stores the hits of a checked line in the workspace, by ascending t.
+    fn find_hits(&self, line: &Line, selection: HitSelection, workspace: &mut LineWorkspace) -> Result<()> {
         workspace.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
             let search = LineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
-            let Workspace { hits, cubic, high } = workspace;
+            let LineWorkspace { hits, cubic, high } = workspace;
             match sheet {
                 Sheet::Grid(cells) => search.run(cells, cubic, hits)?,
                 Sheet::Cubic(cells) => search.run(cells, cubic, hits)?,
@@ -70,7 +70,7 @@ impl Surface<'_> {
         }
         self.merge_hits(line, &mut workspace.hits);
         if selection == HitSelection::First && workspace.hits.first().is_some_and(|hit| hit.tangent) {
-            // The unresolved part may begin beyond it.
+            // The unresolved part may begin beyond the first hit.
             self.find_hits(line, HitSelection::All, workspace)?;
         }
         if selection != HitSelection::All {
@@ -81,12 +81,12 @@ impl Surface<'_> {
 }
 
 impl Line {
-    /// Finds the places where a curve meets the line or comes as near to it as `within`, as
-    /// [`near_misses`](Self::near_misses) has them. If `within` is 0 and both lie in the plane z = 0, the
+    /// Finds the places where a curve meets the line or comes within `within` of it, like
+    /// [`near_misses`](Self::near_misses). If `within` is 0 and both lie in the plane z = 0, the
     /// places are exact, unless a segment of the curve lies in the line.
     ///
     /// # Errors
-    /// Those of [`near_misses`](Self::near_misses).
+    /// The errors of [`near_misses`](Self::near_misses).
     pub fn meetings(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check()?;
         if within == 0.0 {
@@ -101,9 +101,10 @@ impl Line {
         self.near_misses(curve, within, &job.part(0.5, 1.0))
     }
 
-    /// Keeps the places of the endless line that are on this one, to 1e-12 of the curve's size.
+    /// Keeps the places of the infinite line that are on this one, within 1e-12 of the curve's
+    /// size.
     fn exact_meetings(&self, curve: &CurveView<'_>, places: &[CurvePlace]) -> Result<NearMisses> {
-        let (along, length) = self.along();
+        let (along, length) = self.direction_and_length();
         let slack = 1e-12 * Aabb::from_points(curve.points()).size().max_element() / length;
         let mut found = NearMisses::default();
         for &a in places {
@@ -116,21 +117,21 @@ impl Line {
         Ok(found)
     }
 
-    /// Where a curve in space comes as near to the line as `within`: as
-    /// [`CurveView::near_misses`](gusset_curve::CurveView::near_misses) for the curve, with
-    /// places on the line as the second ones: segment 0, and the line's parameter as t.
+    /// Finds the places where a curve in space comes within `within` of the line, like
+    /// [`CurveView::near_misses`](gusset_curve::CurveView::near_misses) for two curves. The second
+    /// places are on the line: segment 0, and the line's parameter as t.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, and those of
-    /// curves.
+    /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction, and the errors
+    /// of [`CurveView::near_misses`](gusset_curve::CurveView::near_misses).
     pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check()?;
         Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
-        // No farther than the curve, and what is near it.
-        let (along, length) = self.along();
+        // The part of the line beside the curve, and a little more.
+        let (along, length) = self.direction_and_length();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
         let [low, high] = range(parameters);
-        // A curve across the line has no extent along it.
+        // A curve perpendicular to the line lacks extent along it.
         let size = Aabb::from_points(curve.points()).size().max_element();
         let slack = within + 1e-6 * size;
         let from = ((low - slack) / length).max(self.from);

@@ -1,19 +1,19 @@
-//! Whether a line passes through the surface at a side, a corner or a pole, where tangents may
-//! jump.
+//! Whether a line crosses the surface at a side, a corner or a pole, where tangents may jump.
 //!
-//! Seen along the line, the tangents into the cells round a point turn about it. Where the line
-//! passes through, once; where what it enters by one cell it leaves by another, not at all. In
-//! general it is through if the turns are odd: each is a sheet between its two sides.
+//! In projection along the line, the tangents into the cells around a point turn about it. If the
+//! line crosses the surface, they turn once. If the line enters through one cell and leaves through
+//! another, they do not turn. In general, the line crosses if the number of turns is odd, because
+//! each turn is a sheet between its two sides.
 
 use crate::{Place, Surface};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// Turns this near to a whole number are one: those of cells all round a point.
+/// Largest deviation from an integer of the turns of cells all around a point.
 const TURN_TOLERANCE: f64 = 0.01;
 
 impl Surface<'_> {
-    /// The place on a side of its cell, if it is no farther from one than `tolerance`.
+    /// The place moved to a side of its cell, if it is within `tolerance` of one.
     pub(super) fn on_side(&self, place: Place, tolerance: f64) -> Option<Place> {
         let jet = self.jet(place);
         let snapped = |x: f64, tangent: DVec3| {
@@ -31,19 +31,19 @@ impl Surface<'_> {
         (is_end(there.u) || is_end(there.v)).then_some(there)
     }
 
-    /// True if a line only touches the surface at places on sides of cells that are one point: it
-    /// stays on one side of what is round it. False also at a border, where cells are not all
-    /// round.
+    /// True if a line only touches the surface at places on sides of cells that are the same point:
+    /// it stays on one side of the surrounding cells. False at a border, where cells are not all
+    /// around.
     pub(super) fn only_touches(&self, places: &[Place], direction: DVec3) -> bool {
         let mut cells: Vec<Place> = Vec::new();
         for place in places {
             if !cells.iter().any(|known| (known.sheet, known.cell) == (place.sheet, place.cell)) {
-                cells.extend(self.cells_round(*place));
+                cells.extend(self.cells_around_place(*place));
             }
         }
         let along = direction.normalize();
         let (x, y) = along.any_orthonormal_pair();
-        // Counter-clockwise seen against the direction; which way does not matter.
+        // Counter-clockwise seen against the direction, or clockwise; both work.
         let seen = |tangent: DVec3| DVec2::new(tangent.dot(x), tangent.dot(y));
         let (mut forth, mut back) = (0.0, 0.0);
         for &place in &cells {
@@ -56,8 +56,8 @@ impl Surface<'_> {
         (turns - whole).abs() <= TURN_TOLERANCE && whole % 2.0 == 0.0 && (turned || whole != 0.0)
     }
 
-    /// True if a direction only touches the surface at a place next to a side, as far as rounding
-    /// of numbers up to `largest` tells.
+    /// True if a direction only touches the surface at a place next to a side, as far as the
+    /// rounding of numbers up to `largest` allows.
     pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
         let (size, sine) = (self.diagonal(), self.normal(place).dot(direction).abs());
         let rounding_error = 64.0 * f64::EPSILON * largest.max(size);
@@ -66,16 +66,17 @@ impl Surface<'_> {
         on_side.is_some_and(|place| self.only_touches(&[place], direction))
     }
 
-    /// True if the side of its cell that a place is on, across u (direction 0) or v, is one point.
+    /// True if the side of its cell that a place is on, across u (direction 0) or v, is a single
+    /// point.
     fn is_pole(&self, place: Place, direction: usize) -> bool {
         let at = if direction == 0 { place.u } else { place.v };
         let [i, j] = place.cell.map(|k| k as usize);
         (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).side_is_point(direction, i, j, at == 1.0)
     }
 
-    /// The cells of the sheet that have a place on a side, each with where it is there. At a pole,
-    /// all that have it as their side.
-    fn cells_round(&self, place: Place) -> Vec<Place> {
+    /// The cells of the sheet around a place on a side, each with its parameters of the place. At a
+    /// pole, all cells with a side there.
+    fn cells_around_place(&self, place: Place) -> Vec<Place> {
         let sheet = self.sheet(place.sheet as usize);
         let (counts, closed) = (sheet.cells(), sheet.is_closed());
         let lines = |direction: usize, at: f64| {
@@ -112,11 +113,12 @@ impl Surface<'_> {
         cells
     }
 
-    /// The angle that the tangents from a place into its cell take up, as they are seen.
+    /// The angle between the tangents from a place into its cell, in projection.
     fn angle(&self, place: Place, seen: impl Fn(DVec3) -> DVec2) -> f64 {
         let between = |[a, b]: [DVec2; 2]| libm::atan2(a.perp_dot(b), a.dot(b));
         let at = |u: f64, v: f64| self.jet(Place { u, v, ..place });
-        // At a pole those of the lines to it, turning as S_u to S_v do.
+        // At a pole, the tangents of the lines that meet there, turning in the sense from S_u to
+        // S_v.
         let fan = [0.0, 0.5, 1.0];
         let turn = |[a, b, c]: [DVec2; 3]| between([a, b]) + between([b, c]);
         if self.is_pole(place, 0) {

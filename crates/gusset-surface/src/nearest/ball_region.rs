@@ -1,8 +1,8 @@
-//! The cells that have a point within a distance: the paper's region of task a), as bits and as a
+//! The cells with a point within a given distance: the paper's region of task a), as bits and as a
 //! list.
 //!
-//! Blocks are excluded by their boxes, cells by the search of their patches. No upper bound falls,
-//! so that the order does not matter. O(blocks and cells that come within the distance).
+//! Boxes exclude blocks, and a search of the patch excludes cells. The limit is fixed, so the order
+//! of the search does not matter. O(blocks and cells within the distance).
 
 use super::block::blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
@@ -15,17 +15,17 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Cells of a surface.
+/// The cells of a surface within a distance of a point.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Region {
-    /// Sheet, row and column of each cell, rising.
+    /// Sheet, row and column of each cell, in ascending order.
     pub cells: Vec<[u32; 3]>,
-    /// By cell of the list: true if all of it is within the distance.
+    /// For each cell of the list, whether the whole cell is within the distance.
     pub whole: Vec<bool>,
-    /// A bit for each cell of all sheets, the lowest of the first word first: that of cell (i, j)
-    /// of sheet k is `first[k] + i * columns + j`.
+    /// One bit for each cell of all sheets, beginning with the lowest bit of the first word. Cell
+    /// (i, j) of sheet k has bit `first[k] + i * columns + j`.
     pub mask: Vec<u64>,
-    /// By sheet: its first bit; then the number of bits.
+    /// The first bit of each sheet, then the total number of bits.
     pub first: Vec<u64>,
 }
 
@@ -33,20 +33,20 @@ impl Region {
     /// True if a cell is in the region.
     ///
     /// # Panics
-    /// If there is no such bit.
-    pub fn has(&self, bit: u64) -> bool {
+    /// If the bit does not exist.
+    pub fn contains(&self, bit: u64) -> bool {
         self.mask[(bit / 64) as usize] >> (bit % 64) & 1 == 1
     }
 }
 
 impl Surface<'_> {
-    /// The cells that have a point no farther than `radius` from `query`: all of those, and none
-    /// whose points are all farther than the radius by more than the tolerance, unless that cannot
-    /// be proved.
+    /// Returns the cells with a point at most `radius` from `query`. The result contains all these
+    /// cells. It contains no cell that is farther than the radius by more than the tolerance,
+    /// unless that cannot be proven.
     ///
     /// # Errors
-    /// [`OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a radius that is negative or
-    /// NaN, [`NotFinite`](gusset_base::Error::NotFinite),
+    /// [`OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) if the radius is negative or NaN,
+    /// [`NotFinite`](gusset_base::Error::NotFinite),
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
@@ -60,13 +60,13 @@ impl Surface<'_> {
         }
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
-        let ball = Ball { query, radius, tolerance: self.query_tolerance(query) };
+        let ball = QueryBall { query, radius, tolerance: self.query_tolerance(query) };
         let mut found = Vec::new();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
             each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut found, job))?;
         }
-        // Blocks came in another order.
+        // The blocks were visited in another order.
         found.sort_unstable();
         region.cells = alloc::collect(found.iter().map(|&(cell, _)| cell))?;
         region.whole = alloc::collect(found.iter().map(|&(_, whole)| whole))?;
@@ -79,20 +79,20 @@ impl Surface<'_> {
     }
 }
 
-/// Blocks of cells between two chances to cancel.
+/// Number of blocks of cells between two progress reports.
 const BLOCKS_PER_STEP: usize = 1 << 12;
 
 const STAGE: &str = "region";
 
-/// A ball round the query.
-struct Ball {
+/// A ball around the query.
+struct QueryBall {
     query: DVec3,
     radius: f64,
     tolerance: f64,
 }
 
-impl Ball {
-    /// Adds the cells of a sheet that have a point in the ball, and whether all of them is.
+impl QueryBall {
+    /// Adds the cells of a sheet with a point in the ball, and whether the whole cell is in it.
     fn collect<const N: usize>(
         &self,
         cells: &impl Cells<N>,
@@ -117,7 +117,7 @@ impl Ball {
         Ok(())
     }
 
-    /// True if a patch has a point in the ball, or nearly.
+    /// True if a patch has a point in the ball, within the tolerance.
     fn reaches<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> bool {
         let corners = patch.corners();
         if corners.as_flattened().iter().any(|corner| corner.distance(self.query) <= self.radius) {

@@ -1,7 +1,7 @@
 //! Blocks of the index with lower bounds of their distances.
 //!
-//! A block's bound is the greater one of those by its axis-aligned and its oriented box, each of
-//! which contains the block.
+//! The bound of a block is the larger of two distances: to its axis-aligned box, and to its
+//! oriented box. Both boxes contain the block.
 
 use crate::cells::{BLOCK, Cells, cells_of_block};
 use crate::index::Pyramid;
@@ -22,7 +22,7 @@ impl Block {
         Block { bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
     }
 
-    /// The blocks that it consists of, with their bounds.
+    /// The four child blocks, with their bounds; `None` for children beyond the edge of the sheet.
     pub(super) fn children(&self, index: &Pyramid, query: DVec3) -> [Option<Block>; 4] {
         let (level, local) = (&index.levels()[self.level - 1], query - index.origin());
         let distances = level.child_boxes(self.row, self.column).distances_squared(local);
@@ -37,7 +37,7 @@ impl Block {
         })
     }
 
-    /// A cell in the middle.
+    /// A cell in the middle of the block.
     pub(super) fn middle<const N: usize>(&self, cells: &impl Cells<N>) -> [usize; 2] {
         let at = |k: usize, count: usize| ((((2 * k + 1) * BLOCK) << self.level) / 2).min(count - 1);
         let [rows, columns] = cells.counts();
@@ -50,8 +50,7 @@ impl Block {
     }
 }
 
-/// The blocks of the lowest level whose bounds are within a fixed limit. Without an upper bound
-/// that falls, their order does not matter: depth first.
+/// The blocks of the lowest level whose bounds are within a fixed limit, depth first.
 pub(super) fn blocks_within(index: &Pyramid, query: DVec3, limit: f64) -> impl Iterator<Item = Block> {
     let mut stack = vec![Block::root(index)];
     std::iter::from_fn(move || {

@@ -1,22 +1,22 @@
-//! Lower bounds of the distance of a patch S from a query q.
+//! Lower bounds of the distance between a patch S and a query q.
 //!
-//! * *box*: the distance of the box of the control points, whose hull contains the patch;
-//! * *half-space*: with d a unit vector from the patch towards q, every point of the patch has
-//!   |q - S| >= (q - S) . d >= min over the control points of (q - P) . d;
-//! * *convexity*: if the Hessian of f = |S - q|^2 / 2 is at least m > 0 over the whole patch, then
-//!   f >= f(x) - |g|^2 / (2 m) with g the projected gradient at any x: next to a stationary point x
-//!   that is a proof. The study (3.5) has it as the convexity certificate.
+//! - *box*: the distance to the box of the control points. Their hull contains the patch.
+//! - *half-space*: let d be a unit vector from the patch towards q. Every point of the patch
+//!   satisfies |q - S| >= (q - S) . d. This is at least the minimum of (q - P) . d over the control
+//!   points P.
+//! - *convexity*: let the Hessian of f = |S - q|^2 / 2 be at least m > 0 over the whole patch. Then
+//!   f >= f(x) - |g|^2 / (2 m) at any x, where g is the projected gradient. Close to a stationary
+//!   point x, this proves the minimum. The study (3.5) calls it the convexity certificate.
 //!
-//! Each costs O(N^2). They hold but for the rounding of a few operations, which the tolerance of
-//! queries covers.
+//! Each bound costs O(N^2). The tolerance of queries covers the rounding of the few operations.
 
 use super::foot::Foot;
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::Aabb;
 
-/// A lower bound of the distance of a patch, no less than `known`: by the half-space at the foot,
-/// and by convexity, which costs more, only if that is no proof to within the tolerance.
+/// A lower bound of the distance of a patch, at least `known`. Uses the half-space at the foot, and
+/// the more expensive convexity if that proves too little for the tolerance.
 pub(super) fn lower_bound<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
@@ -35,23 +35,25 @@ impl<const N: usize> Patch<N> {
         Aabb::from_points(self.points.as_flattened()).outside(query).length()
     }
 
-    /// The half-space bound. `direction`: of unit length, best that from the nearest point to the
-    /// query; or 0.
+    /// The half-space bound. `direction` is a unit vector or zero. The best one points from the
+    /// nearest point to the query.
     #[inline]
     pub(super) fn half_space_distance(&self, query: DVec3, direction: DVec3) -> f64 {
         let along = self.points.as_flattened().iter().map(|&point| (query - point).dot(direction));
         along.fold(f64::INFINITY, |least, along| if along < least { along } else { least }).max(0.0)
     }
 
-    /// An upper bound of the distances of all points of the patch: the greatest of a control point.
+    /// An upper bound of the distances of all points of the patch: the largest distance of a
+    /// control point.
     pub(super) fn max_distance(&self, query: DVec3) -> f64 {
         let squares = self.points.as_flattened().iter().map(|point| point.distance_squared(query));
         squares.fold(0.0, f64::max).sqrt()
     }
 
-    /// The convexity bound; 0 if the Hessian may not be positive definite everywhere.
+    /// The convexity bound; 0 if the Hessian may be indefinite somewhere.
     pub(super) fn convexity_distance(&self, query: DVec3, foot: &Foot) -> f64 {
-        let at_middle = || self.hessian_range(query, &Foot::at(self, query, DVec2::splat(0.5))).min_eigenvalue();
+        let at_middle =
+            || self.hessian_range(query, &Foot::from_place(self, query, DVec2::splat(0.5))).min_eigenvalue();
         let at_foot = self.hessian_range(query, foot).min_eigenvalue();
         let Some(least) = at_foot.or_else(at_middle) else { return 0.0 };
         let gain = foot.projected_gradient(query).length_squared() / least;
@@ -61,9 +63,9 @@ impl<const N: usize> Patch<N> {
     /// The ranges of the second derivatives of |S - q|^2 / 2 over the patch, from the derivatives
     /// at one of its points.
     ///
-    /// H_ab = S_a . S_b + (S - q) . S_ab. From the place x on, |S_u - S_u(x)| <= |du| max |S_uu| +
-    /// |dv| max |S_uv|, and |S - S(x)| is at most the greatest distance r of a control point from
-    /// S(x); so (S - q) . S_ab is within r max |S_ab| of (S(x) - q) . S_ab.
+    /// H_ab = S_a . S_b + (S - q) . S_ab. The deviations from place x obey |S_u - S_u(x)| <= |du|
+    /// max |S_uu| + |dv| max |S_uv|. Let r be the largest distance of a control point from S(x),
+    /// which bounds |S - S(x)|. Then (S - q) . S_ab is within r max |S_ab| of (S(x) - q) . S_ab.
     pub(super) fn hessian_range(&self, query: DVec3, foot: &Foot) -> HessianRange {
         let p = &self.points;
         let from = foot.jet.point - query;
@@ -116,14 +118,14 @@ impl HessianRange {
     pub(super) fn min_eigenvalue(&self) -> Option<f64> {
         let mixed = self.uv[0].abs().max(self.uv[1].abs());
         let (u, v) = (self.uu[0], self.vv[0]);
-        // The smaller eigenvalue is at least the determinant over the trace.
+        // The smaller eigenvalue is at least the determinant divided by the trace.
         let determinant = u * v - mixed * mixed;
         let is_definite = u > 0.0 && v > 0.0 && determinant > 1e-9 * u * v;
         is_definite.then(|| determinant / (u + v))
     }
 
-    /// True if some direction goes down from every point where the gradient is 0. Second
-    /// derivatives may be off by `rounding`.
+    /// True if every stationary point has a direction of descent. Second derivatives may be off by
+    /// `rounding`.
     pub(super) fn is_nowhere_definite(&self, rounding: f64) -> bool {
         let [low, high] = self.uv;
         let mixed = if low <= 0.0 && high >= 0.0 { 0.0 } else { (low.abs().min(high.abs()) - rounding).max(0.0) };
@@ -132,7 +134,7 @@ impl HessianRange {
     }
 }
 
-/// Of some vectors: the range of their products with another one, and the greatest length.
+/// The range of the products of some vectors with a given one, and their largest length.
 #[derive(Clone, Copy)]
 struct ProductRange {
     low: f64,
@@ -143,7 +145,7 @@ struct ProductRange {
 impl ProductRange {
     const EMPTY: ProductRange = ProductRange { low: f64::INFINITY, high: f64::NEG_INFINITY, max_length: 0.0 };
 
-    /// `max_length` is the square until [`ProductRange::scaled`].
+    /// `max_length` holds the square until [`ProductRange::scaled`] is called.
     #[inline(always)]
     fn add(&mut self, from: DVec3, vector: DVec3) {
         let along = from.dot(vector);
@@ -184,10 +186,10 @@ mod tests {
         })
     }
 
-    /// Against points of the patch: none is nearer than a lower bound, or farther than the upper
-    /// one.
+    /// Compares with points of the patch: no point is closer than a lower bound, or farther than
+    /// the upper one.
     #[test]
-    fn bounds_hold() {
+    fn bounds_contain_sampled_distances() {
         for (seed, query) in (0..cases(20) as usize).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let patch = rough(seed);
             let distances = || places().map(|place| patch.point(place.x, place.y).distance(query));
@@ -199,7 +201,7 @@ mod tests {
             }
             for start in [DVec2::splat(0.5), DVec2::ZERO] {
                 let foot = minimise(&patch, query, start, MAX_STEPS);
-                // A foot in another valley, too: the bound is of all the patch.
+                // The foot may be in another valley, because the bound holds for the whole patch.
                 assert!(patch.convexity_distance(query, &foot) <= min + 1e-12, "{seed} {query}");
                 assert!(lower_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
                 assert!(lower_bound(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
@@ -207,7 +209,8 @@ mod tests {
         }
     }
 
-    /// Where a bound is exact it must not be less: else searches would still be right, but slow.
+    /// Where a bound can be exact, it must be. A smaller bound would still be correct, but searches
+    /// slow.
     #[test]
     fn bounds_are_tight_on_a_plane() {
         let patch = graph(|_, _| 0.0);
@@ -235,32 +238,33 @@ mod tests {
         assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
-    /// Waves seen from the side: the Hessian is not definite, and only the half-space proves.
+    /// Waves seen from the side: the Hessian is indefinite, and only the half-space bound proves
+    /// the minimum.
     #[test]
-    fn the_half_space_proves_where_convexity_does_not() {
+    fn half_space_proves_where_convexity_fails() {
         let patch = graph(|a, _| [0.0, 9.0, -9.0, 9.0][a]);
         let query = DVec3::new(-10.0, 0.5, 0.0);
-        let foot = Foot::at(&patch, query, DVec2::new(0.0, 0.5));
+        let foot = Foot::from_place(&patch, query, DVec2::new(0.0, 0.5));
         assert_eq!(patch.convexity_distance(query, &foot), 0.0);
         assert!((lower_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
     }
 
-    /// Away from the nearest point, where the second derivatives are 1 and 100: the lesser one
-    /// counts.
+    /// Away from the nearest point, where the second derivatives are 1 and 100. The smaller one
+    /// determines the bound.
     #[test]
-    fn the_remaining_gain_is_bounded() {
+    fn remaining_gain_is_bounded() {
         let mut patch = graph(|_, _| 0.0);
         patch.points.as_flattened_mut().iter_mut().for_each(|point| point.y *= 10.0);
         let query = DVec3::new(0.9, 5.0, 0.3);
-        let foot = Foot::at(&patch, query, DVec2::new(0.1, 0.5));
+        let foot = Foot::from_place(&patch, query, DVec2::new(0.1, 0.5));
         let bound = patch.convexity_distance(query, &foot);
         assert!(bound <= 0.3 && bound > 0.28, "{bound}");
     }
 
-    /// The ranges of second derivatives hold those of all points, and are hardly wider where one
-    /// term outweighs the others: each term is needed in full.
+    /// The ranges of second derivatives contain the values at all points. Where one term dominates,
+    /// they are hardly wider, so that an omitted term would be noticed.
     #[test]
-    fn ranges_of_second_derivatives_hold_and_are_tight() {
+    fn second_derivative_ranges_hold_and_are_tight() {
         const STEEP: f64 = 40.0;
         // z = STEEP u^2, STEEP v^2 and STEEP u v as Bezier patches.
         let square = |k: usize| [0.0, 0.0, 1.0 / 3.0, 1.0][k];
@@ -277,11 +281,11 @@ mod tests {
         let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough)).enumerate();
         for (k, patch) in all {
             for (query, from) in queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
-                let range = patch.hessian_range(query, &Foot::at(&patch, query, from));
+                let range = patch.hessian_range(query, &Foot::from_place(&patch, query, from));
                 let range = [range.uu, range.uv, range.vv];
                 let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
                 for place in places() {
-                    let values = at(&Foot::at(&patch, query, place), query);
+                    let values = at(&Foot::from_place(&patch, query, place), query);
                     for ([low, high], x) in found.iter_mut().zip(values) {
                         (*low, *high) = (low.min(x), high.max(x));
                     }
@@ -290,7 +294,7 @@ mod tests {
                     let slack = 1e-9 * STEEP * STEEP;
                     assert!(range[0] <= found[0] + slack && range[1] >= found[1] - slack, "{k} {name} {query} {from}");
                 }
-                // The sheet of each term, from the end where it is flat.
+                // The sheet of each term, seen from the end where it is flat.
                 if k < 3 && from == DVec2::ZERO {
                     let term = [0, 2, 1][k];
                     let [range, found] = [range[term], found[term]].map(|[low, high]| high - low);

@@ -1,42 +1,44 @@
 //! Entry points of the nearest-point query.
 //!
-//! Sheet by sheet depth first, then by rising lower bounds (`nearest_search`). Cost: O(log n) boxes and a
-//! few patches for most queries; near a centre of curvature up to the limits of `nearest_search`.
+//! Sheets are searched depth first, then by rising lower bounds (`nearest_search`). Cost: O(log n)
+//! boxes and a few patches for most queries. Near a centre of curvature, the cost may reach the
+//! limits of `nearest_search`.
 
 use super::nearest_search::{NearestSearch, SurfaceSearch};
 use super::query::check;
 use crate::{Place, Surface};
 use glam::DVec3;
 
-/// The nearest point of a surface, or one where the distance is locally least.
+/// The nearest point of a surface, or a local minimum of the distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closest {
-    /// Where it is.
+    /// The place of the point.
     pub place: Place,
     /// The point.
     pub point: DVec3,
-    /// The unit normal there, or its limit at a pole; 0 if there is none. The side of the surface
-    /// is the sign of (query - point) . normal, away from open borders.
+    /// The unit normal there, or its limit at a pole; zero if no normal exists. Away from open
+    /// borders, the sign of (query - point) . normal tells the side of the surface.
     pub normal: DVec3,
-    /// Its distance.
+    /// The distance of the point from the query.
     pub distance: f64,
-    /// No point of the surface is nearer than this.
+    /// A lower bound of the distances of all points of the surface.
     pub bound: f64,
-    /// True if the bound is within the tolerance of the distance, or within the rounding of
-    /// coordinates; false if the proof would take too many parts of patches, as it may where the
-    /// query is a centre of curvature.
+    /// True if the distance exceeds the bound by at most the tolerance, or the rounding of
+    /// coordinates. False if the proof would need too many parts of patches, which happens near
+    /// centres of curvature.
     pub proven: bool,
-    /// True if another point is as near, within the tolerance, and farther from this one than a
-    /// hundredth of the distance. A long search does not look for all of them: an answer that is
-    /// not proven may be ambiguous without being reported so.
+    /// True if another point is equally close within the tolerance, and its distance from this
+    /// point exceeds a hundredth of the distance. A long search does not look for all such points,
+    /// so a result that is not proven may be ambiguous although this is false.
     pub is_ambiguous: bool,
 }
 
 impl Surface<'_> {
-    /// The nearest point that is no farther than `limit`; `None` if there is none, or the query
-    /// has a coordinate that is NaN or beyond 1e150.
+    /// Returns the nearest point at most `limit` from `query`. Returns `None` if no point is that
+    /// close, or if a coordinate of the query is NaN or beyond 1e150.
     ///
-    /// Of several at the same distance: of the first sheet, there of the first cell, by rows.
+    /// Among points at equal distance, returns the one on the first sheet, and there in the first
+    /// cell by rows.
     pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
         self.closest_with(query, limit, &mut NearestSearch::default())
     }
@@ -58,8 +60,9 @@ impl Surface<'_> {
         })
     }
 
-    /// The length to which distances from a point are proved: the tolerance, or the rounding of
-    /// distances, a few units in the last place of the greatest coordinate.
+    /// The length to which distances from a point are proven: the tolerance, or the rounding of
+    /// distances if that is larger. Rounding is a few units in the last place of the largest
+    /// coordinate.
     pub(super) fn query_tolerance(&self, query: DVec3) -> f64 {
         let rounding = 16.0 * f64::EPSILON * self.max_coordinate().max(query.abs().max_element());
         self.tolerance().max(rounding)

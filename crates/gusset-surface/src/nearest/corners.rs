@@ -1,8 +1,9 @@
 //! Corners of a block's cells, and lower bounds of the distances of all its cells at once.
 //!
-//! A cell's surface is its bilinear patch, which lies in the hull of the four corners, plus a
-//! vector of the block's [`DisplacementBox`]. So each bound is one of the corners, less the reach
-//! of that box. All run over arrays of fixed size, one axis after the other, without branches.
+//! The surface over a cell is its bilinear patch plus a vector of the block's [`DisplacementBox`].
+//! The bilinear patch lies in the hull of the four corners. Each bound is therefore a bound for the
+//! corners, reduced by the extent of the displacement box. All bounds are computed without
+//! branches, on arrays of fixed size, one axis after the other.
 
 use crate::cells::{BLOCK, Cells};
 use glam::DVec3;
@@ -25,26 +26,26 @@ impl DisplacementBox {
         DisplacementBox { low: low.to_array(), high: high.to_array(), middle, half, max_length: bounds.max_norm() }
     }
 
-    /// How far the surface reaches in a direction from the bilinear patches.
+    /// How far the surface extends beyond the bilinear patches in a direction.
     #[inline(always)]
-    pub(super) fn along(&self, direction: DVec3) -> f64 {
+    pub(super) fn extent_along(&self, direction: DVec3) -> f64 {
         self.middle.dot(direction) + self.half.dot(direction.abs())
     }
 }
 
-/// The corners of a block's cells relative to the query, axis by axis, for vector instructions; in
-/// a block that the sheet's edge cuts off the last ones are repeated.
+/// The corners of a block's cells relative to the query, stored by axis for vector instructions.
+/// The last corners repeat if the edge of the sheet cuts the block.
 pub(super) struct BlockCorners {
     axes: [[[f64; BLOCK + 1]; BLOCK + 1]; 3],
 }
 
-/// The lesser number. Without regard to NaN, unlike [`f64::min`], it is one instruction.
+/// The smaller number. Unlike [`f64::min`], it ignores NaN rules and is a single instruction.
 #[inline(always)]
 pub(super) fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// The greater number, likewise.
+/// The larger number, in a single instruction.
 #[inline(always)]
 fn max(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
@@ -76,16 +77,16 @@ impl BlockCorners {
         [(r, c), (r, c + 1), (r + 1, c), (r + 1, c + 1)].map(|(r, c)| DVec3::new(x[r][c], y[r][c], z[r][c]))
     }
 
-    /// From the first corner to the last.
+    /// The distance from the first corner to the last.
     #[inline(always)]
     pub(super) fn extent(&self) -> f64 {
         let [x, y, z] = self.axes.each_ref().map(|axis| axis[BLOCK][BLOCK] - axis[0][0]);
         (x * x + y * y + z * z).sqrt()
     }
 
-    /// Lower bounds of the distances of the cells by half-spaces across a direction towards the
-    /// query, along which the surface reaches beyond the bilinear patches by `displacement` at
-    /// most.
+    /// Lower bounds of the distances of the cells, by half-spaces perpendicular to a direction
+    /// towards the query. `displacement` bounds how far the surface extends beyond the bilinear
+    /// patches along it.
     #[inline(always)]
     pub(super) fn half_spaces(&self, direction: DVec3, displacement: f64) -> [[f64; BLOCK]; BLOCK] {
         let [x, y, z] = &self.axes;
@@ -105,7 +106,7 @@ impl BlockCorners {
         bounds
     }
 
-    /// The least square of the distance of a corner.
+    /// The smallest squared distance of a corner.
     #[inline(always)]
     pub(super) fn min_square(&self) -> f64 {
         let [x, y, z] = &self.axes;
@@ -118,7 +119,7 @@ impl BlockCorners {
         least.into_iter().fold(f64::INFINITY, min)
     }
 
-    /// Of each cell, 16 times the square of the distance of the middle of its corners.
+    /// For each cell, 16 times the squared distance of the mean of its corners.
     #[inline(always)]
     pub(super) fn middle_squares(&self) -> [[f64; BLOCK]; BLOCK] {
         let mut squares = [[0.0; BLOCK]; BLOCK];
@@ -133,8 +134,8 @@ impl BlockCorners {
         squares
     }
 
-    /// The squares of the distances of boxes round the cells: the boxes of their corners, enlarged
-    /// by that of the displacements.
+    /// The squared distances of boxes around the cells. A box contains the corners, and is enlarged
+    /// by the displacement box.
     #[inline(always)]
     pub(super) fn box_squares(&self, displacement: &DisplacementBox) -> [[f64; BLOCK]; BLOCK] {
         let mut squares = [[0.0; BLOCK]; BLOCK];
@@ -162,9 +163,9 @@ impl BlockCorners {
 mod tests {
     use super::*;
 
-    /// The reach of a box of displacements is that of its farthest corner, in any direction.
+    /// The extent of a displacement box equals the extent of its farthest corner, in any direction.
     #[test]
-    fn the_reach_of_displacements_is_exact() {
+    fn displacement_extents_are_exact() {
         let bounds = Aabb { low: DVec3::new(-1.0, 0.25, -3.0), high: DVec3::new(0.5, 2.0, -1.0) };
         let displacement = DisplacementBox::new(bounds);
         let corner = |k: usize| {
@@ -175,7 +176,7 @@ mod tests {
             let t = f64::from(k);
             let direction = DVec3::new(t.sin(), (2.0 * t).cos(), (3.0 * t).sin());
             let reach = (0..8).map(|k| corner(k).dot(direction)).fold(f64::NEG_INFINITY, f64::max);
-            assert!((displacement.along(direction) - reach).abs() < 1e-12, "{direction}");
+            assert!((displacement.extent_along(direction) - reach).abs() < 1e-12, "{direction}");
         }
         assert_eq!(displacement.max_length, DVec3::new(1.0, 2.0, 3.0).length());
     }

@@ -1,6 +1,6 @@
-//! Descent directions of the distance at a place of a patch: by its slopes in the directions that
-//! stay in the patch, and by its second derivatives where slopes are 0. A descent would not tell: it
-//! may stop short, or step over into the basin of another minimum.
+//! Descent directions of the distance at a place of a patch. They follow from the slopes in
+//! permitted directions, and from second derivatives where slopes vanish. A numerical descent would
+//! not be a test: it may stop short, or step over into the basin of another minimum.
 
 use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
 use super::patch_minima::slope_rounding;
@@ -8,22 +8,23 @@ use crate::Patch;
 use glam::DMat2;
 use glam::{DVec2, DVec3};
 
-/// Places within this distance of a side, in parameters, are on it.
+/// A place within this distance of a side, in parameters, counts as on the side.
 pub(super) const SIDE_ROUNDING: f64 = 1e-9;
-/// Second derivatives up to this share of the squares of tangents are 0, and so are sines of the
-/// angle between tangents up to it.
+/// Second derivatives below this fraction of the squared tangents count as zero. So do sines of the
+/// angle between tangents.
 const RELATIVE_ROUNDING: f64 = 1e-9;
 
-/// True if the distance from a query decreases in some direction from a place of a patch. Where the
-/// parameters are not regular: if a descent ends farther from it than `moved`.
+/// True if the distance from a query decreases in some permitted direction from a place of a patch.
+/// Where the parametrisation is singular, true if a descent ends farther than `moved` from the
+/// place.
 pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, moved: f64) -> bool {
     let snapped = |x: f64| {
         let near_high = if x >= 1.0 - SIDE_ROUNDING { 1.0 } else { x };
         if x <= SIDE_ROUNDING { 0.0 } else { near_high }
     };
-    let foot = Foot::at(patch, query, DVec2::new(snapped(place.x), snapped(place.y)));
+    let foot = Foot::from_place(patch, query, DVec2::new(snapped(place.x), snapped(place.y)));
     let (u, v) = (foot.jet.u, foot.jet.v);
-    // On a fold a point tells little of its parameters.
+    // On a fold, a point hardly determines its parameters.
     let is_fold = |along: DVec3, bend: DVec3| along.length_squared() <= patch.noise().powi(2) + moved * bend.length();
     let are_parallel = u.cross(v).length() <= RELATIVE_ROUNDING * u.length() * v.length();
     if is_fold(u, foot.jet.uu) || is_fold(v, foot.jet.vv) || are_parallel {
@@ -32,7 +33,7 @@ pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVe
     }
     let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
     let slack = slope_rounding(patch, &foot, query, SIDE_ROUNDING);
-    // Steps down and up that stay in the patch.
+    // Steps in both directions that stay in the patch.
     let ways = |k: usize| [-1.0, 1.0].into_iter().filter(move |way| foot.place[k] != 0.5 * (way + 1.0));
     if (0..2).any(|k| ways(k).any(|way| way * gradient[k] < -slack[k])) {
         return true;
@@ -47,8 +48,8 @@ pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVe
     }
 }
 
-/// True if a quadratic form is negative somewhere between the axes on the side of `step`, or along
-/// the one axis that it is on, beyond a small part of the `squares` of both.
+/// True if a quadratic form is negative in a direction in the quadrant of `step`, or along the axis
+/// of `step` if it lies on one. Values up to a small fraction of `squares` count as zero.
 fn is_negative(form: DMat2, step: DVec2, squares: [f64; 2]) -> bool {
     let (uu, vv) = (form.x_axis.x + RELATIVE_ROUNDING * squares[0], form.y_axis.y + RELATIVE_ROUNDING * squares[1]);
     let mixed = step.x * step.y * form.x_axis.y;

@@ -1,24 +1,26 @@
-//! Descent to a place of a patch where the distance is locally least.
+//! Descent to a local minimum of the distance on a patch.
 //!
-//! Minimises |S - q|^2 / 2 over 0 <= u, v <= 1 by projected Newton steps (Bertsekas 1982,
-//! "Projected Newton methods for optimization problems with simple constraints"), Gauss-Newton
-//! steps where the Hessian is not positive definite, steps down the slopes where those overshoot,
-//! and backtracking. Invariant: the distance
-//! falls with each step. Nothing is proved: `bounds` does that. At most [`MAX_STEPS`] steps.
+//! Minimises |S - q|^2 / 2 over 0 <= u, v <= 1 with projected Newton steps (Bertsekas 1982,
+//! "Projected Newton methods for optimization problems with simple constraints"). Uses Gauss-Newton
+//! steps where the Hessian is not positive definite, steepest descent where those overshoot, and
+//! backtracking. Invariant: the distance decreases with each step. The result is not proven; see
+//! `bounds`. At most [`MAX_STEPS`] steps.
 
 use crate::{Jet, Patch};
 use glam::{DMat2, DVec2, DVec3};
 
-/// Newton steps on a patch.
+/// Largest number of Newton steps on a patch.
 pub(super) const MAX_STEPS: usize = 24;
-/// Newton steps on a part of a patch: if these do not suffice, splitting it does more.
+/// Largest number of Newton steps on a part of a patch. If more are needed, splitting is more
+/// effective.
 pub(super) const MAX_STEPS_ON_PART: usize = 6;
-/// Length in the parameters below which a full step is the last: the next one would be its square.
+/// A full step shorter than this, in parameters, is the last one, because the next one would be its
+/// square.
 const QUADRATIC_STEP: f64 = 1e-7;
-/// Parameters as near to a border are on it.
+/// A parameter within this distance of a border counts as on it.
 const BORDER_ROUNDING: f64 = 1e-13;
 
-/// A point of a patch, with its derivatives there and its distance from the query.
+/// A point of a patch, with its derivatives and its distance from the query.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Foot {
     pub(super) place: DVec2,
@@ -27,21 +29,21 @@ pub(super) struct Foot {
 }
 
 impl Foot {
-    pub(super) fn at<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> Foot {
+    pub(super) fn from_place<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> Foot {
         let jet = patch.jet(place.x, place.y);
         Foot { place, jet, distance: jet.point.distance(query) }
     }
 
-    /// The gradient of |S - q|^2 / 2, its components out of the patch set to 0.
+    /// The gradient of |S - q|^2 / 2. Components that point out of the patch are set to 0.
     pub(super) fn projected_gradient(&self, query: DVec3) -> DVec2 {
         let (gradient, _) = gradient_and_hessian(&self.jet, query);
         DVec2::from_array([0, 1].map(|k| if is_blocked(self.place[k], gradient[k]) { 0.0 } else { gradient[k] }))
     }
 }
 
-/// The place that descent from `start` leads to: from there no permitted step goes down, or nearly.
+/// Descends from `start` to a place from which no permitted step goes down, within rounding.
 pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
-    let mut foot = Foot::at(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
+    let mut foot = Foot::from_place(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
     for _ in 0..steps {
         let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
         let free = [0, 1].map(|k| !is_blocked(foot.place[k], gradient[k]));
@@ -52,7 +54,7 @@ pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DV
             }
             Trial::Ended => break,
             Trial::Overshot => {
-                // Straight down the slopes, each by its own scale.
+                // Steepest descent, with each parameter scaled separately.
                 let squares = DVec2::new(foot.jet.u.length_squared(), foot.jet.v.length_squared());
                 let slope = gradient / squares.max(DVec2::splat(f64::MIN_POSITIVE));
                 let slope = DVec2::from_array([0, 1].map(|k| if free[k] { slope[k] } else { 0.0 }));
@@ -70,17 +72,18 @@ pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DV
     foot
 }
 
-/// What comes of a step.
+/// The outcome of a step.
 enum Trial {
-    /// The first of ever shorter ones that goes down, and whether it is the whole one.
+    /// The first of successively shorter steps that decreases the distance. `whole`: it was the
+    /// full step.
     Down { next: Foot, whole: bool },
-    /// The steps are so short that rounding decides.
+    /// The steps became so short that rounding decides.
     Ended,
-    /// No step goes down.
+    /// No step decreases the distance.
     Overshot,
 }
 
-/// Tries a step, and ever shorter ones from the size of the patch on.
+/// Tries a step, then shorter ones, beginning with the size of the patch.
 fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: DVec2) -> Trial {
     let bounded = step.abs().max_element().max(1.0).recip();
     let mut length = 1.0;
@@ -90,11 +93,11 @@ fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: 
         if moved <= 1e-14 {
             return Trial::Ended;
         }
-        let next = Foot::at(patch, query, place);
+        let next = Foot::from_place(patch, query, place);
         if next.distance < foot.distance {
             return Trial::Down { next, whole: length == 1.0 };
         }
-        // So near the minimum rounding decides.
+        // This close to the minimum, rounding decides.
         if moved < QUADRATIC_STEP {
             return Trial::Ended;
         }
@@ -103,12 +106,13 @@ fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: 
     Trial::Overshot
 }
 
-/// True at a border that the descent would cross: so near to it that a step there would end at once.
+/// True if the descent would cross a border that the place is on, or so close to that the step
+/// would end at once.
 fn is_blocked(at: f64, slope: f64) -> bool {
     (at <= BORDER_ROUNDING && slope > 0.0) || (at >= 1.0 - BORDER_ROUNDING && slope < 0.0)
 }
 
-/// Gradient and Hessian of |S - q|^2 / 2.
+/// The gradient and the Hessian of |S - q|^2 / 2.
 pub(super) fn gradient_and_hessian(jet: &Jet, query: DVec3) -> (DVec2, DMat2) {
     let from = jet.point - query;
     let mixed = jet.u.dot(jet.v) + from.dot(jet.uv);
@@ -117,8 +121,8 @@ pub(super) fn gradient_and_hessian(jet: &Jet, query: DVec3) -> (DVec2, DMat2) {
     (DVec2::new(from.dot(jet.u), from.dot(jet.v)), DMat2::from_cols(DVec2::new(uu, mixed), DVec2::new(mixed, vv)))
 }
 
-/// Newton's step in the free directions, or the Gauss-Newton step where Newton's would not go down;
-/// where tangents are parallel or 0, the better one along a single parameter.
+/// The Newton step in the free directions, or the Gauss-Newton step if Newton's would not go down.
+/// If the tangents are parallel or zero, the better step along a single parameter.
 fn newton_step(gradient: DVec2, hessian: DMat2, jet: &Jet, free: [bool; 2]) -> Option<DVec2> {
     let solve = |m: DMat2| match free {
         [true, true] => {
@@ -136,7 +140,7 @@ fn newton_step(gradient: DVec2, hessian: DMat2, jet: &Jet, free: [bool; 2]) -> O
     let single = || {
         let of = |k: usize, along: DVec3| {
             let (slope, square) = (gradient[k], along.length_squared());
-            // The descent it promises, within the patch: rounding in place of a tangent promises
+            // The predicted decrease within the patch. Rounding in place of a tangent predicts
             // none.
             let step = slope / square;
             (free[k] && square > 0.0).then_some((slope.abs() * step.abs().min(1.0), step.clamp(-1.0, 1.0)))

@@ -1,21 +1,22 @@
-//! The best answer so far, with others that are as near, and the upper bound that it gives.
+//! The best answer so far, other answers at nearly the same distance, and the upper bound.
 //!
-//! Nothing is excluded that may be within the tolerance of the best answer: so the answer does not
-//! depend on the order of the search, and other places at the same distance are seen.
+//! The search excludes nothing that may be within the tolerance of the best answer. The answer
+//! therefore does not depend on the order of the search, and other points at the same distance are
+//! noticed.
 
 use crate::Place;
 use glam::{DVec2, DVec3};
 
-/// Least part of the distance by which an answer must be nearer for the search to go on for it.
+/// Smallest relative decrease of the distance that makes an answer a notable gain.
 const MIN_RELATIVE_GAIN: f64 = 1e-6;
-/// Answers kept as candidates for ambiguity.
+/// Largest number of answers kept to detect ambiguity.
 const MAX_TIES: usize = 64;
 
-/// A point of the surface that may be the nearest.
+/// A point of the surface that may be the nearest one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Answer {
     pub(super) point: DVec3,
-    /// The unit normal, or 0 where the patch is not regular.
+    /// The unit normal; zero where the patch is not regular.
     pub(super) normal: DVec3,
     pub(super) distance: f64,
     pub(super) sheet: u32,
@@ -24,7 +25,7 @@ pub(super) struct Answer {
 }
 
 impl Answer {
-    /// The nearer one, or at the same distance the first.
+    /// Whether this answer is closer, or at equal distance comes first.
     fn precedes(&self, other: &Answer) -> bool {
         let key = |answer: &Answer| (answer.distance, answer.sheet, answer.cell);
         key(self) < key(other)
@@ -35,7 +36,8 @@ impl Answer {
     }
 }
 
-/// An upper bound of the least distance: that of an answer, of a corner, or the limit of the query.
+/// An upper bound of the smallest distance: the distance of an answer or of a corner, or the
+/// query's limit.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct UpperBound {
     pub(super) distance: f64,
@@ -47,13 +49,13 @@ impl UpperBound {
         UpperBound { distance, tolerance }
     }
 
-    /// The distance beyond which nothing need be examined.
+    /// The distance beyond which nothing needs to be examined.
     #[inline(always)]
     pub(super) fn prune_bound(&self) -> f64 {
         self.distance + self.tolerance
     }
 
-    /// Takes note of a point at a distance.
+    /// Lowers the bound to the distance of a point.
     #[inline(always)]
     pub(super) fn lower(&mut self, distance: f64) {
         self.distance = self.distance.min(distance);
@@ -64,14 +66,14 @@ impl UpperBound {
 #[derive(Debug, Default)]
 pub(super) struct Incumbent {
     pub(super) query: DVec3,
-    /// The length to which distances are proved: at least what rounding allows.
+    /// The length to which distances are proven, at least the rounding error.
     pub(super) tolerance: f64,
     pub(super) upper: UpperBound,
     /// The nearest answer so far.
     pub(super) best: Option<Answer>,
-    /// Answers within the tolerance of the nearest, or not much farther.
+    /// Answers within the tolerance of the nearest one, and a few that are slightly farther.
     ties: Vec<Answer>,
-    /// The unit vector from the nearest answer to the query; 0 as long as there is none.
+    /// The unit vector from the nearest answer to the query; zero without an answer.
     pub(super) direction: DVec3,
 }
 
@@ -82,13 +84,13 @@ impl Incumbent {
         (self.query, self.tolerance, self.upper) = (query, tolerance, UpperBound::new(limit, tolerance));
     }
 
-    /// The distance of the nearest answer.
+    /// The distance of the nearest answer; infinite without an answer.
     #[inline(always)]
     pub(super) fn distance(&self) -> f64 {
         self.best.map_or(f64::INFINITY, |best| best.distance)
     }
 
-    /// True if an answer at this distance would be nearer by more than a trifle.
+    /// True if an answer at this distance would be notably closer.
     pub(super) fn is_gain(&self, distance: f64) -> bool {
         distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN)
     }
@@ -105,7 +107,7 @@ impl Incumbent {
             }
         }
         if answer.distance <= self.upper.prune_bound() && self.ties.len() < MAX_TIES {
-            // A pole is in many cells: one answer suffices.
+            // A pole belongs to many cells, and one answer for it suffices.
             let same = 0.1 * self.separation();
             if self.ties.iter().all(|other| other.point.distance(answer.point) > same) {
                 self.ties.push(answer);
@@ -113,15 +115,15 @@ impl Incumbent {
         }
     }
 
-    /// The distance beyond which points do not count as the same nearest point.
+    /// The distance beyond which two nearest points count as different.
     fn separation(&self) -> f64 {
         let distance = self.distance();
-        // Round a nearest point on a plane, all within this is as near.
+        // On a plane, all points within this distance of the nearest point are equally close.
         let alike = (2.0 * distance * self.tolerance).sqrt();
         (0.01 * distance).max(8.0 * alike)
     }
 
-    /// True if another answer is as near, at another place.
+    /// True if an answer at another place is equally close.
     pub(super) fn is_ambiguous(&self, best: &Answer) -> bool {
         let within = best.distance + self.tolerance;
         let mut ties = self.ties.iter().filter(|other| other.distance <= within);

@@ -1,9 +1,10 @@
-//! Cells of a block that may hold the nearest point, by their corners and displacements alone.
+//! Selects the cells of a block that may contain the nearest point, from corners and displacements
+//! alone.
 //!
-//! Corners are points of the surface, and so is the point next to the nearest one of a bilinear
-//! patch: both lower the upper bound before any patch is built. The bounds of `corners` then
-//! exclude most cells; those left become candidates with a lower bound and a start for the descent.
-//! O(1).
+//! Corners are points of the surface. The surface also has a point close to the nearest point of
+//! each bilinear patch. Both lower the upper bound before any patch is computed. The bounds of
+//! `corners` then exclude most cells. The others become candidates with a lower bound and a start
+//! for the descent. O(1).
 
 use super::corners::{BlockCorners, DisplacementBox, min};
 use super::incumbent::UpperBound;
@@ -11,30 +12,30 @@ use crate::cells::{BLOCK, Cells};
 use crate::index::Pyramid;
 use glam::{DVec2, DVec3};
 
-/// A cell that may hold the nearest point.
+/// A cell that may contain the nearest point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellCandidate {
-    /// No point of the cell is nearer.
+    /// A lower bound of the cell's distance.
     pub(super) bound: f64,
     /// The unit vector to the query from the nearest point of the cell's bilinear patch, and
-    /// parameters near it.
+    /// parameters close to that point.
     pub(super) direction: DVec3,
     pub(super) start: DVec2,
     pub(super) cell: [u32; 2],
 }
 
 /// A block of the lowest level.
-pub(super) struct Leaf<'a, C, const N: usize> {
+pub(super) struct BlockLeaf<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     pub(super) row: usize,
     pub(super) column: usize,
 }
 
-impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
-    /// Lowers the upper bound, and adds the cells that may hold the nearest point to the
-    /// candidates. `direction`: the unit vector from the nearest answer to the query, or 0. The
-    /// block's extent.
+impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
+    /// Lowers the upper bound, and adds the cells that may contain the nearest point to the
+    /// candidates. `direction` is the unit vector from the nearest answer to the query, or zero.
+    /// Returns the block's extent.
     pub(super) fn find_candidates(
         &self,
         query: DVec3,
@@ -49,10 +50,10 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         upper.lower(corners.min_square().sqrt());
         let displacement = DisplacementBox::new(self.index.displacement(self.row, self.column));
         let prune_bound = upper.prune_bound();
-        // By the half-space through the nearest answer.
+        // The half-space through the nearest answer.
         let mut bounds = [[0.0; BLOCK]; BLOCK];
         if direction != DVec3::ZERO {
-            bounds = corners.half_spaces(direction, displacement.along(direction));
+            bounds = corners.half_spaces(direction, displacement.extent_along(direction));
             let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min);
             if least > prune_bound {
                 return corners.extent();
@@ -60,7 +61,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         }
         let squares = corners.box_squares(&displacement);
         let middles = corners.middle_squares();
-        // The cells that are left, the one whose middle is nearest first.
+        // The remaining cells, sorted by the distance of their middle.
         let mut order = [0_u8; BLOCK * BLOCK];
         let mut count = 0;
         for (r, bounds) in bounds[..rows].iter().enumerate() {
@@ -88,9 +89,9 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
             }
             let NearestOnBilinear { distance, direction, start } = nearest_on_bilinear(&quad);
             upper.lower(distance + displacement.max_length);
-            // The bilinear patch is in the hull of its corners.
+            // The hull of the corners contains the bilinear patch.
             let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min);
-            let bound = along - displacement.along(direction);
+            let bound = along - displacement.extent_along(direction);
             if bound > upper.prune_bound() {
                 continue;
             }
@@ -100,8 +101,8 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     }
 }
 
-/// True if the hull of four corners is farther from the origin than `limit`, by the half-space
-/// across the direction of their middle: the sharpest test for cells far away.
+/// True if the hull of four corners is farther from the origin than `limit`. Tests the half-space
+/// perpendicular to the direction of their mean, which is the sharpest test for distant cells.
 #[inline(always)]
 fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
     let [a, b, c, d] = *corners;
@@ -110,20 +111,21 @@ fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
     along > 0.0 && along * along > limit * limit * middle.length_squared()
 }
 
-/// The nearest point of a bilinear patch, approximately.
+/// The approximate nearest point of a bilinear patch.
 struct NearestOnBilinear {
     /// An upper bound of the distance.
     distance: f64,
-    /// A unit vector from near the nearest point to the origin.
+    /// A unit vector to the origin from a point close to the nearest one.
     direction: DVec3,
-    /// Parameters near the nearest point.
+    /// Parameters close to the nearest point.
     start: DVec2,
 }
 
-/// The nearest point of the bilinear patch through four corners (00, 01, 10, 11) to the origin.
+/// Approximates the nearest point to the origin on the bilinear patch through four corners (00, 01,
+/// 10, 11).
 ///
-/// With s and t from the middle, the patch is m + s u + t v + s t w: a quarter of |w| at most from
-/// the parallelogram without the twist w, whose nearest point is found.
+/// With s and t measured from the middle, the patch is m + s u + t v + s t w. It is within |w| / 4
+/// of the parallelogram without the twist w, whose nearest point is computed.
 fn nearest_on_bilinear(corners: &[DVec3; 4]) -> NearestOnBilinear {
     let [p00, p01, p10, p11] = *corners;
     let (low, high) = (p00 + p01, p10 + p11);
@@ -139,8 +141,8 @@ fn nearest_on_bilinear(corners: &[DVec3; 4]) -> NearestOnBilinear {
         let place = inner.map(|x| x / area);
         (value(place), place)
     } else {
-        // On a side beyond which the nearest point of the plane lies; of a degenerate
-        // parallelogram, on any.
+        // The nearest point lies on a side beyond which the nearest point of the plane lies. For a
+        // degenerate parallelogram, it may lie on any side.
         let clamped_ratio = |above: f64, below: f64| if below > 0.0 { (above / below).clamp(-0.5, 0.5) } else { 0.0 };
         let mut best = (f64::INFINITY, [0.0; 2]);
         let mut consider = |place: [f64; 2]| {
@@ -171,7 +173,7 @@ mod tests {
     use gusset_base::job::Job;
     use gusset_base::testing::cases;
 
-    /// One block of 4 x 3 cells through rough nodes.
+    /// A block of 4 x 3 cells through rough nodes.
     fn rough(seed: u32) -> Grid<'static> {
         let number = |k: u32| f64::from((seed * 1000 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24);
         let nodes = (0..20).flat_map(|k| {
@@ -194,10 +196,10 @@ mod tests {
         })
     }
 
-    /// Against points of all cells: bounds of candidates hold; a cell that is excluded has no point
-    /// within the prune bound; the upper bound is above the least distance.
+    /// Compares with points of all cells. Bounds of candidates hold, excluded cells are beyond the
+    /// prune bound, and the upper bound is at least the smallest distance.
     #[test]
-    fn no_cell_is_excluded_wrongly() {
+    fn cells_with_nearer_points_are_never_excluded() {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
         for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let grid = rough(seed);
@@ -206,13 +208,14 @@ mod tests {
             let truth: Vec<f64> = all.iter().map(|&cell| nearest_by_force(&grid, cell, query)).collect();
             let least = truth.iter().copied().fold(f64::INFINITY, f64::min);
             let direction = (query - grid.patch(1, 1).point(0.5, 0.5)).normalize();
-            // The bound that an answer would give: near ties, where a bound too great excludes it.
+            // The bound that an answer would give, for which an excessive cell bound would exclude
+            // a tie.
             for (limit, direction) in [(f64::INFINITY, DVec3::ZERO), (least, DVec3::ZERO), (least, direction)] {
                 candidates.clear();
                 let mut upper = UpperBound::new(limit, 0.0);
-                let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+                let leaf = BlockLeaf { cells: &grid, index: &index, row: 0, column: 0 };
                 leaf.find_candidates(query, direction, &mut upper, &mut candidates);
-                // Points of the lattice are not the nearest, but near.
+                // Points of the lattice are close to the nearest point, but not equal to it.
                 assert!(upper.distance >= least - 0.05, "{seed} {query}");
                 for (&[i, j], &truth) in all.iter().zip(&truth) {
                     let found = candidates.iter().find(|candidate| candidate.cell == [i as u32, j as u32]);
@@ -225,11 +228,11 @@ mod tests {
                 }
             }
         }
-        // By corners alone, though the nodes have no order.
+        // The corners exclude this many cells, although the nodes are random.
         assert!(excluded * 25_920 > asked * 7_500, "{excluded} of {asked}");
     }
 
-    /// Each bound of all cells of a block by itself, on a surface that its displacements matter to.
+    /// Tests each bound of all cells of a block separately, on a surface with large displacements.
     #[test]
     fn bounds_of_blocks_hold() {
         for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
@@ -238,7 +241,7 @@ mod tests {
             let displacement = DisplacementBox::new(index.displacement(0, 0));
             let corners = BlockCorners::new(&grid, [0, 0], [4, 3], query);
             let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
-            let spaces = corners.half_spaces(direction, displacement.along(direction));
+            let spaces = corners.half_spaces(direction, displacement.extent_along(direction));
             let squares = corners.box_squares(&displacement);
             for [i, j] in (0..12).map(|k| [k / 3, k % 3]) {
                 let truth = nearest_by_force(&grid, [i, j], query);
@@ -256,7 +259,7 @@ mod tests {
         }
     }
 
-    /// Without displacements, bounds of a plane are exact: none may be halved or left out.
+    /// Without displacements, the bounds of a plane are exact, so a weaker bound would be noticed.
     #[test]
     fn bounds_of_a_plane_are_exact() {
         let nodes = (0..25).flat_map(|k| [f64::from(k / 5), f64::from(k % 5), 0.0]).collect::<Vec<_>>();
@@ -270,13 +273,13 @@ mod tests {
             let truth = corner.distance(query);
             let direction = (query - corner) / truth;
             assert!((corners.box_squares(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
-            assert!((corners.half_spaces(direction, displacement.along(direction))[i][j] - truth).abs() < 1e-9);
+            assert!((corners.half_spaces(direction, displacement.extent_along(direction))[i][j] - truth).abs() < 1e-9);
             assert!((nearest_on_bilinear(&corners.quad(i, j)).distance - truth).abs() < 1e-9);
         }
         assert!((corners.min_square() - 9.0).abs() < 1e-12);
         assert!(is_beyond(&corners.quad(3, 3), 5.0) && !is_beyond(&corners.quad(3, 3), 9.0));
         let mut candidates = Vec::new();
-        let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+        let leaf = BlockLeaf { cells: &grid, index: &index, row: 0, column: 0 };
         leaf.find_candidates(query, DVec3::ZERO, &mut UpperBound::new(f64::INFINITY, 0.0), &mut candidates);
         assert_eq!(candidates.iter().map(|candidate| candidate.cell).collect::<Vec<_>>(), [[0, 0]]);
     }

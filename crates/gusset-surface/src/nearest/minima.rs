@@ -1,9 +1,9 @@
-//! All places where the distance from a point is locally least, the nearest first.
+//! All local minima of the distance from a point, the nearest first.
 //!
-//! Best first over blocks of all sheets; each cell reached gives the minima of its patch
-//! (`patch_minima`), and sides across which tangents may jump give theirs. A minimum on a side or
-//! at a corner counts if no cell that meets the point has a way down from there. Invariant: a
-//! minimum that is missing is no nearer than the bound at which the search ended.
+//! Blocks of all sheets are searched best first. Each cell reached contributes the minima of its
+//! patch (`patch_minima`), and minima along sides across which tangents may jump. A minimum on a
+//! side or at a corner counts if no cell that meets the point has a descent direction there.
+//! Invariant: a missing minimum is at least as far as the bound at which the search ended.
 
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
@@ -22,29 +22,29 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// Places where the distance from a point is locally least.
+/// Local minima of the distance from a point.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Minima {
-    /// The nearest first. Of each, `bound` is about the surface next to it; if `proven` is false,
-    /// it is not certain that it is a minimum: the distance is nearly the same all round, as at a
-    /// focus, or on a whole curve of places; for all such cells that touch there is one.
+    /// The minima, the nearest first. The `bound` of a point concerns only its neighbourhood. If
+    /// `proven` is false, the point may not be a minimum: the distance is nearly constant around
+    /// it, as at a focus, or along a curve. All such cells that touch are represented by one point.
     pub points: Vec<Closest>,
-    /// False if the search gave up: there may be others, none nearer than `bound`.
+    /// False if the search gave up. Missing minima are at least as far as `bound`.
     pub complete: bool,
-    /// No minimum that is missing is nearer: the distance at which the search ended.
+    /// A lower bound of the distance of missing minima: the distance at which the search ended.
     pub bound: f64,
 }
 
-/// Cells left undecided before a search gives up.
+/// Number of undecided cells at which a search gives up.
 const MAX_UNDECIDED: usize = 512;
-/// Blocks and cells between two chances to cancel.
+/// Number of blocks and cells between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 7;
 
 const STAGE: &str = "minima";
-/// Points no farther apart than this many tolerances are one.
+/// Points within this number of tolerances are the same point.
 const SAME_POINT: f64 = 16.0;
 
-/// A minimum and the cell where it was found.
+/// A minimum, and the cell that contains it.
 #[derive(Clone, Copy)]
 struct FoundMinimum {
     minimum: LocalMinimum,
@@ -53,15 +53,14 @@ struct FoundMinimum {
 }
 
 impl Surface<'_> {
-    /// The places where the distance from `query` is locally least, no farther than `limit`: all,
-    /// or the `most` nearest; the nearest first.
+    /// Returns the local minima of the distance from `query` that are at most `limit` away, the
+    /// nearest first. If `most` is not 0, returns only the nearest `most` minima.
     ///
-    /// None is missed: a place where it cannot be proved that there is a minimum, or that there is
-    /// none, is given too, with `proven` false. With `most`, cells farther than the last one are
-    /// not searched; without, all cells within the limit are.
+    /// No minimum is missed. A place that may be a minimum, without proof, is returned with `proven`
+    /// false. If `most` is given, cells farther than the last minimum are not searched.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
+    /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
         check("limit", query, limit)?;
@@ -79,7 +78,7 @@ impl Surface<'_> {
             job,
         };
         for sheet in 0..self.len() {
-            search.wait(sheet, Block::root(self.indexed(sheet).1))?;
+            search.push_block(sheet, Block::root(self.indexed(sheet).1))?;
         }
         let bound = search.run()?.unwrap_or(limit);
         search.end(bound, self.closest(query, limit))
@@ -94,10 +93,10 @@ struct MinimaSearch<'a> {
     most: usize,
     found: Vec<FoundMinimum>,
     undecided: Vec<FoundMinimum>,
-    /// Among equal bounds by sheet, level, row and column: so the answer does not depend on the
-    /// queue.
+    /// Equal bounds are ordered by sheet, level, row and column, so that the result does not depend
+    /// on the queue.
     frontier: Frontier<(usize, Block), [usize; 4]>,
-    /// The blocks and cells so far.
+    /// The number of blocks and cells examined.
     looked_at: usize,
     job: &'a Job<'a>,
 }
@@ -122,23 +121,23 @@ impl BranchAndBound for MinimaSearch<'_> {
             return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
         }
         let mut children = block.children(index, self.query).into_iter().flatten();
-        children.try_for_each(|block| self.wait(sheet, block))
+        children.try_for_each(|block| self.push_block(sheet, block))
     }
 }
 
 impl MinimaSearch<'_> {
-    /// Counts a block or a cell.
+    /// Counts a block or a cell, and reports progress.
     #[inline(never)]
     fn tick(&mut self) -> Result<()> {
         self.looked_at += 1;
         if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, STAGE) } else { Ok(()) }
     }
 
-    fn wait(&mut self, sheet: usize, block: Block) -> Result<()> {
+    fn push_block(&mut self, sheet: usize, block: Block) -> Result<()> {
         self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
 
-    /// What is farther is not wanted.
+    /// The distance beyond which minima are not wanted.
     fn prune_bound(&self) -> f64 {
         if self.most == 0 || self.found.len() < self.most {
             return self.limit;
@@ -183,7 +182,7 @@ impl MinimaSearch<'_> {
         alloc::push(&mut self.found, candidate)
     }
 
-    /// True if no cell that meets the point of a minimum of one patch has a way down from there.
+    /// True if no cell that meets a minimum of one patch has a descent direction there.
     fn is_minimum_around(&self, minimum: &LocalMinimum) -> bool {
         let on_border = |x: f64| x <= SIDE_ROUNDING || x >= 1.0 - SIDE_ROUNDING;
         if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
@@ -210,12 +209,12 @@ impl MinimaSearch<'_> {
         })
     }
 
-    /// The minima found, with one place for all undecided cells that touch.
+    /// Returns the minima, with one place for all undecided cells that touch.
     fn end(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
         let complete = self.undecided.len() <= MAX_UNDECIDED;
         merge_adjacent(&mut self.undecided, self.surface)?;
         let proven = std::mem::take(&mut self.found);
-        // An undecided place next to a proven one is that.
+        // An undecided place next to a proven one is the same place.
         let near = SAME_POINT * self.tolerance;
         let distance = |a: &FoundMinimum, b: &FoundMinimum| a.minimum.point.distance(b.minimum.point);
         self.undecided.retain(|place| proven.iter().all(|found| distance(found, place) > near));
@@ -227,7 +226,7 @@ impl MinimaSearch<'_> {
             let normal = self.surface.normal(place);
             points.push(Closest { place, point, normal, distance, bound, proven, is_ambiguous: !proven });
         }
-        // The nearest point of all is a minimum, whatever the surface is like there.
+        // The global minimum is a local minimum on any surface.
         let reached = |point: &Closest, nearest: &Closest| point.distance <= nearest.distance + self.tolerance;
         if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
             points.push(nearest);
@@ -237,7 +236,7 @@ impl MinimaSearch<'_> {
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
         points.retain(|point| point.distance <= self.limit);
-        unite(&mut points, near)?;
+        merge_points(&mut points, near)?;
         if self.most > 0 {
             points.truncate(self.most);
         }
@@ -245,11 +244,11 @@ impl MinimaSearch<'_> {
     }
 }
 
-/// Keeps one of all points that are one in space, the first; a proven one next to it replaces it.
-fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
+/// Merges points at the same position in space. Keeps the first, or a proven one if there is one.
+fn merge_points(points: &mut Vec<Closest>, near: f64) -> Result<()> {
     let mut kept: Vec<Closest> = alloc::with_capacity(points.len())?;
     for point in points.drain(..) {
-        // Points that are one are nearly as far: only the last ones need be compared.
+        // Equal points have nearly equal distances, so only the last ones need to be compared.
         let alike = kept.iter_mut().rev().take_while(|other| other.distance >= point.distance - near);
         match { alike }.find(|other| other.point.distance(point.point) <= near) {
             Some(other) if point.proven && !other.proven => *other = point,
@@ -257,13 +256,13 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
             None => kept.push(point),
         }
     }
-    // A proven one may be a little farther than the one whose place it took.
+    // A proven point may be slightly farther than the point that it replaced.
     sort::stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
     *points = kept;
     Ok(())
 }
 
-/// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of
+/// Keeps the nearest of all undecided minima in cells of a sheet that touch, also across seams of
 /// grids.
 fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
     sort::stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));

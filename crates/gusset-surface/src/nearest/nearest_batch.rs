@@ -1,9 +1,9 @@
 //! Nearest points of many queries.
 //!
-//! Queries are sorted along the curve of G. M. Morton (1966), so that consecutive ones read the
-//! same blocks of the index from the cache, and shared out among threads. Each is answered on its
-//! own: the order and the number of threads do not change a bit. O(n log n) for the sort, whose
-//! memory is limited to [`SORTED_QUERIES`] keys.
+//! Queries are sorted along the curve of G. M. Morton (1966) and distributed among threads.
+//! Consecutive queries then read the same blocks of the index from the cache. Each query is
+//! answered separately, so results do not depend on the order or the number of threads. O(n log n)
+//! for the sort, whose memory is limited to [`SORTED_QUERIES`] keys.
 
 use super::closest::Closest;
 use super::nearest_search::NearestSearch;
@@ -15,19 +15,19 @@ use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
-/// Queries that are sorted at once.
+/// Number of queries sorted at once.
 const SORTED_QUERIES: usize = 1 << 16;
-/// Queries between two chances to cancel.
+/// Number of queries between two progress reports.
 const QUERIES_PER_STEP: usize = 1 << 13;
-/// Queries that one thread takes at once.
+/// Number of queries that a thread answers in one task.
 const QUERIES_PER_TASK: usize = 1 << 9;
 
 impl Surface<'_> {
-    /// [`Surface::closest`] of many queries, in their order: each answer is the same to the bit as
-    /// if it were asked for alone, for any order and any number of threads.
+    /// Answers [`Surface::closest`] for many queries, in their order. Each answer has the same bits
+    /// as that query alone, for any order and number of threads.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
+    /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn closest_all(&self, queries: &[DVec3], limit: f64, job: &Job<'_>) -> Result<Vec<Option<Closest>>> {
         let mut found = alloc::filled(None, queries.len())?;
@@ -35,7 +35,7 @@ impl Surface<'_> {
         Ok(found)
     }
 
-    /// [`Surface::closest_all`] with answers in the caller's form.
+    /// [`Surface::closest_all`] with answers converted by `form`.
     pub fn closest_into<T: Send>(
         &self,
         queries: &[DVec3],
@@ -67,10 +67,10 @@ impl Surface<'_> {
     }
 }
 
-/// The queries' numbers in the order of Morton's curve through their box.
+/// Sorts the indices of the queries along Morton's curve through their bounding box.
 fn sort_along_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
     let Aabb { low, high } = Aabb::from_points(queries);
-    // 10 bits a coordinate: 2^30 places for 2^16 queries.
+    // 10 bits for each coordinate: 2^30 places for 2^16 queries.
     let scale = 1023.0 / (0.5 * high - 0.5 * low).max_element().max(f64::MIN_POSITIVE);
     order.clear();
     order.extend(queries.iter().enumerate().map(|(k, &query)| {
@@ -81,7 +81,7 @@ fn sort_along_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
     order.sort_unstable();
 }
 
-/// The bits of a number of 21 bits, each in the lowest place of three.
+/// Spreads the lowest 21 bits of a number, each to the lowest of three bits.
 fn interleave(number: u32) -> u64 {
     let mut bits = u64::from(number) & 0x1f_ffff;
     for (shift, mask) in [

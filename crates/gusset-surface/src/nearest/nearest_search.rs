@@ -1,20 +1,23 @@
 //! The search for the nearest point: depth first, then best first.
 //!
-//! Sheets are searched depth first, nearest blocks first: no queue, boxes in single precision, and
-//! a good answer soon. A search that turns out long leaves what is left to the frontier: blocks,
-//! cells and parts of cells by rising lower bounds, until no bound is below the answer by more than
-//! the tolerance. Invariant: every point of the surface is no nearer than the upper bound less the
-//! tolerance, or than `settled`, or is in a task that waits.
+//! Sheets are searched depth first, the nearest blocks first. This needs no queue, tests boxes in
+//! single precision, and soon yields a good answer. A long search moves the rest to the frontier:
+//! blocks, cells and parts of cells by rising lower bounds. It ends when no bound is below the
+//! answer by more than the tolerance.
 //!
-//! At a centre of curvature all of a patch is equally near, and no bound tells its parts apart: the
-//! search ends without proof at [`MAX_EVALUATIONS`] patches, or at [`MIN_EVALUATIONS`] once there
-//! has been no gain for long and little is left to gain. Memory: O(patches examined).
+//! Invariant: a point of the surface is in a waiting task, or its distance is at least the upper
+//! bound less the tolerance, or at least `settled`.
+//!
+//! At a centre of curvature, all points of a patch are equally close, and bounds cannot separate
+//! its parts. The search then ends without proof after [`MAX_EVALUATIONS`] patches. It ends after
+//! [`MIN_EVALUATIONS`] if the last gain is long past and little is left to gain. Memory: O(patches
+//! examined).
 
 use super::block::Block;
 use super::bounds::lower_bound;
 use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
 use super::incumbent::{Answer, Incumbent};
-use super::leaf::{CellCandidate, Leaf};
+use super::leaf::{BlockLeaf, CellCandidate};
 use super::part::PatchPart;
 use crate::cells::Cells;
 use crate::frontier::{BranchAndBound, Frontier};
@@ -23,25 +26,25 @@ use crate::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use std::convert::Infallible;
 
-/// Patches, and blocks of cells, that are examined depth first before the rest waits in the
+/// Number of patches, and of blocks of cells, examined depth first before the rest moves to the
 /// frontier.
 const MAX_DEPTH_FIRST_PATCHES: usize = 64;
 const MAX_DEPTH_FIRST_BLOCKS: usize = 1 << 10;
-/// Patches and parts that are examined before a search may end without proof, half of them since
-/// the last gain, if the gap to the lower bound is small.
+/// Number of patches and parts examined before a search may end without proof. The gap to the lower
+/// bound must be small, and half of these must have been examined since the last gain.
 const MIN_EVALUATIONS: usize = 1 << 12;
-/// Patches and parts that are examined at most.
+/// Largest number of patches and parts examined.
 const MAX_EVALUATIONS: usize = 100_000;
-/// The gap, as part of the distance, that counts as small. Below it are the foci of coarse
-/// surfaces, whose parts do not tell near from nearest.
+/// Gap relative to the distance that counts as small. The foci of coarse surfaces have smaller
+/// gaps, whose parts cannot be separated.
 const SMALL_RELATIVE_GAP: f64 = 1e-3;
-/// Candidates that are gathered before they are examined.
+/// Number of candidates collected before they are examined.
 const MAX_CANDIDATES: usize = 64;
-/// Steps from cell to cell in the final descent.
+/// Largest number of steps from cell to cell in the final descent.
 const MAX_CELL_STEPS: usize = 256;
 
-/// A block on the depth-first stack: where it is, and a lower bound of the square of its distance
-/// in single precision (see [`SinglePrecisionQuery`]).
+/// A block on the depth-first stack, with a lower bound of its squared distance in single precision
+/// (see [`SinglePrecisionQuery`]).
 #[derive(Debug, Clone, Copy, Default)]
 struct StackedBlock {
     bound: f32,
@@ -50,16 +53,16 @@ struct StackedBlock {
     column: u32,
 }
 
-/// No less than a sum of three squares in single precision may be off where they are below its
-/// normal range, and the rounding of what it is compared with: each half of the least number.
+/// Bound of the error of a sum of three squares in single precision below the normal range, and of
+/// the rounding of the number it is compared with. Each is half of the smallest positive number.
 const SUBNORMAL_ERROR: f64 = 2.0 * f32::from_bits(1) as f64;
 
-/// The query for tests of boxes in single precision.
+/// The query, prepared for tests of boxes in single precision.
 struct SinglePrecisionQuery {
-    /// Relative to the index's origin.
+    /// Position relative to the index's origin.
     local: DVec3,
     single: [f32; 3],
-    /// How far the rounding of the query may raise a bound above the distance.
+    /// Bound of how far rounding of the query may raise a bound above the distance.
     rounding: f64,
 }
 
@@ -70,31 +73,31 @@ impl SinglePrecisionQuery {
         SinglePrecisionQuery { local, single: local.to_array().map(|x| x as f32), rounding }
     }
 
-    /// The square that those of boxes farther than `limit` exceed. Sums of three squares are right
-    /// to 2^-22, and to [`SUBNORMAL_ERROR`].
+    /// The squared distance that boxes farther than `limit` exceed. The relative error of sums of
+    /// three squares is 2^-22, the absolute error [`SUBNORMAL_ERROR`].
     #[inline(always)]
     fn threshold(&self, limit: f64) -> f32 {
         let distance = (limit + self.rounding) * (1.0 + 2e-6);
         (distance * distance + SUBNORMAL_ERROR) as f32
     }
 
-    /// The distance that the square of a bound proves.
+    /// The distance that a squared bound proves.
     fn distance(&self, bound: f32) -> f64 {
         let square = (f64::from(bound) - SUBNORMAL_ERROR).max(0.0);
         (square.sqrt() * (1.0 - 2e-6) - self.rounding).max(0.0)
     }
 }
 
-/// Something of a sheet that waits.
+/// A waiting task of a sheet.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Task {
     Block(Block),
-    /// A cell, and parameters near its nearest point.
+    /// A cell, and parameters close to its nearest point.
     Cell {
         cell: [u32; 2],
         start: DVec2,
     },
-    /// A part of a cell whose nearest point is known, without proof.
+    /// A part of a cell. Its nearest point is known, but not proven.
     Part {
         cell: [u32; 2],
         from: DVec2,
@@ -102,27 +105,27 @@ pub(super) enum Task {
     },
 }
 
-/// The patch over a cell, and where the cell is.
+/// The patch over a cell, and the cell.
 struct CellPatch<'a, const N: usize> {
     patch: &'a Patch<N>,
     sheet: u32,
     cell: [u32; 2],
 }
 
-/// A search for the nearest point: answers, tasks, and the work done. It may be used again.
+/// A search for the nearest point: answers, tasks, and the work done. It can be reused.
 #[derive(Debug, Default)]
 pub(super) struct NearestSearch {
     pub(super) incumbent: Incumbent,
-    /// The least lower bound of what was settled: of all points, with the distance of the answer.
+    /// The smallest lower bound of all settled parts.
     pub(super) settled: f64,
-    /// Patches and parts examined, and how many they were when the answer last got notably nearer.
+    /// Number of patches and parts examined, and this number at the last notable gain.
     evaluations: usize,
     evaluations_at_gain: usize,
-    /// Blocks of cells examined.
+    /// Number of blocks of cells examined.
     blocks: usize,
     stack: Vec<StackedBlock>,
     candidates: Vec<CellCandidate>,
-    /// By sheet and task.
+    /// Tasks with their sheet.
     frontier: Frontier<(u32, Task)>,
 }
 
@@ -134,26 +137,27 @@ impl NearestSearch {
         (self.settled, self.evaluations, self.evaluations_at_gain, self.blocks) = (f64::INFINITY, 0, 0, 0);
     }
 
-    /// What is farther need not be examined.
+    /// The distance beyond which nothing needs to be examined.
     #[inline(always)]
     fn prune_bound(&self) -> f64 {
         self.incumbent.upper.prune_bound()
     }
 
-    /// Something needs no more work: none of its points is nearer than this.
+    /// Records the lower bound of a part that needs no more work.
     #[inline(always)]
     fn settle(&mut self, bound: f64) {
         self.settled = self.settled.min(bound);
     }
 
-    /// Adds a task to the frontier; on allocation failure it is dropped and its bound recorded.
-    fn wait(&mut self, bound: f64, sheet: u32, task: Task) {
+    /// Adds a task to the frontier. If the allocation fails, drops the task and records its bound.
+    fn push_task(&mut self, bound: f64, sheet: u32, task: Task) {
         if bound <= self.prune_bound() && self.frontier.push(bound, (), (sheet, task)).is_err() {
             self.settle(bound);
         }
     }
 
-    /// Searches a sheet depth first, nearest children first. In a long search, what is left waits.
+    /// Searches a sheet depth first, the nearest children first. A long search moves the rest to
+    /// the frontier.
     fn search_sheet<const N: usize>(&mut self, cells: &impl Cells<N>, index: &Pyramid, sheet: u32) {
         let query = SinglePrecisionQuery::new(index, self.incumbent.query);
         let levels = index.levels();
@@ -167,12 +171,12 @@ impl NearestSearch {
             let (row, column) = (block.row as usize, block.column as usize);
             if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
                 let (bound, level) = (query.distance(block.bound), block.level as usize);
-                self.wait(bound, sheet, Task::Block(Block { bound, level, row, column }));
+                self.push_task(bound, sheet, Task::Block(Block { bound, level, row, column }));
                 continue;
             }
             if block.level == 0 {
-                let extent = self.search_leaf(&Leaf { cells, index, row, column });
-                // From afar, the first answers, and their direction above all, exclude most others.
+                let extent = self.search_leaf(&BlockLeaf { cells, index, row, column });
+                // From afar, the first answers and their directions exclude most other cells.
                 let is_far = self.incumbent.direction == DVec3::ZERO && self.prune_bound() > 4.0 * extent;
                 if is_far || self.candidates.len() >= MAX_CANDIDATES {
                     self.examine_candidates(cells, sheet);
@@ -185,7 +189,7 @@ impl NearestSearch {
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                if !level.has(row, column) {
+                if !level.has_block(row, column) {
                     continue;
                 }
                 let bound = if boxed > threshold {
@@ -197,7 +201,7 @@ impl NearestSearch {
                 if bound > threshold {
                     continue;
                 }
-                // Sorted as they come: the nearest is taken first, being last.
+                // Insertion sort: the nearest child is last, and taken first.
                 let mut at = stack.len();
                 stack.push(StackedBlock { bound, level: block.level - 1, row: row as u32, column: column as u32 });
                 while at > first && stack[at - 1].bound < bound {
@@ -210,22 +214,22 @@ impl NearestSearch {
         self.examine_candidates(cells, sheet);
     }
 
-    /// Adds a block's candidates; the block's extent.
+    /// Adds a block's candidates. Returns the block's extent.
     #[inline(always)]
-    fn search_leaf<const N: usize>(&mut self, leaf: &Leaf<'_, impl Cells<N>, N>) -> f64 {
+    fn search_leaf<const N: usize>(&mut self, leaf: &BlockLeaf<'_, impl Cells<N>, N>) -> f64 {
         self.blocks += 1;
         let (query, direction) = (self.incumbent.query, self.incumbent.direction);
         leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
     }
 
-    /// Examines the candidates of a sheet, by rising lower bounds.
+    /// Examines the candidates of a sheet by rising lower bounds.
     fn examine_candidates<const N: usize>(&mut self, cells: &impl Cells<N>, sheet: u32) {
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
         for &CellCandidate { bound, direction, start, cell } in &candidates {
             let limit = self.prune_bound();
             if bound > limit {
-                // So are all that follow.
+                // All following candidates are beyond the limit too.
                 break;
             }
             let patch = cells.patch(cell[0] as usize, cell[1] as usize);
@@ -238,7 +242,7 @@ impl NearestSearch {
         self.candidates = candidates;
     }
 
-    /// Examines the patch over a cell. `start`: parameters near its nearest point.
+    /// Examines the patch over a cell. `start` is close to its nearest point.
     fn examine_cell<const N: usize>(&mut self, cells: &impl Cells<N>, sheet: u32, [i, j]: [usize; 2], start: DVec2) {
         self.examine(&CellPatch { patch: &cells.patch(i, j), sheet, cell: [i as u32, j as u32] }, start);
     }
@@ -255,7 +259,7 @@ impl NearestSearch {
         if bound >= foot.distance - tolerance {
             self.settle(bound);
         } else {
-            self.wait(bound, at.sheet, Task::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
+            self.push_task(bound, at.sheet, Task::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
         }
     }
 
@@ -267,14 +271,14 @@ impl NearestSearch {
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
         let local = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance <= self.prune_bound().min(self.incumbent.distance()) {
-            // As the whole patch has it: the part's control points are rounded.
-            self.add(at, &Foot::at(at.patch, query, part.place(local.place)));
+            // Evaluated on the whole patch, because the part's control points are rounded.
+            self.add(at, &Foot::from_place(at.patch, query, part.place(local.place)));
         }
         let bound = lower_bound(&part.patch, query, &local, part.bound, tolerance);
         if bound >= self.incumbent.distance() - tolerance || part.is_smallest() {
             self.settle(bound);
         } else {
-            self.wait(bound, at.sheet, Task::Part { cell: at.cell, from: part.from, size: part.size });
+            self.push_task(bound, at.sheet, Task::Part { cell: at.cell, from: part.from, size: part.size });
         }
     }
 
@@ -289,7 +293,7 @@ impl NearestSearch {
         self.incumbent.add(Answer { point: jet.point, normal, distance, sheet, cell, parameters: place });
     }
 
-    /// True if the search may end though some points may be as near as `bound`.
+    /// True if the search may end although some points may be as close as `bound`.
     fn is_exhausted(&self, bound: f64) -> bool {
         let (distance, tolerance) = (self.incumbent.distance(), self.incumbent.tolerance);
         let is_stalled =
@@ -298,24 +302,31 @@ impl NearestSearch {
         self.evaluations >= MAX_EVALUATIONS || (is_stalled && is_near)
     }
 
-    /// Opens a task of a sheet; its parts may have to wait in their turn.
-    fn open<const N: usize>(&mut self, cells: &impl Cells<N>, index: &Pyramid, sheet: u32, bound: f64, task: Task) {
+    /// Opens a task of a sheet. Its parts may become waiting tasks.
+    fn open_task<const N: usize>(
+        &mut self,
+        cells: &impl Cells<N>,
+        index: &Pyramid,
+        sheet: u32,
+        bound: f64,
+        task: Task,
+    ) {
         let query = self.incumbent.query;
         match task {
             Task::Block(Block { level: 0, row, column, .. }) => {
                 let before = self.incumbent.upper.distance;
-                self.search_leaf(&Leaf { cells, index, row, column });
+                self.search_leaf(&BlockLeaf { cells, index, row, column });
                 let upper = self.incumbent.upper.distance;
                 if upper < before && self.incumbent.is_gain(upper) {
                     self.examine_candidates(cells, sheet);
                 }
                 while let Some(CellCandidate { bound, start, cell, .. }) = self.candidates.pop() {
-                    self.wait(bound.max(0.0), sheet, Task::Cell { cell, start });
+                    self.push_task(bound.max(0.0), sheet, Task::Cell { cell, start });
                 }
             }
             Task::Block(block) => {
                 for child in block.children(index, query).into_iter().flatten() {
-                    self.wait(child.bound.max(bound), sheet, Task::Block(child));
+                    self.push_task(child.bound.max(bound), sheet, Task::Block(child));
                     let cell = child.middle(cells);
                     if self.incumbent.is_gain(cells.corner(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
@@ -326,14 +337,14 @@ impl NearestSearch {
             Task::Part { cell, from, size } => {
                 let patch = cells.patch(cell[0] as usize, cell[1] as usize);
                 let at = CellPatch { patch: &patch, sheet, cell };
-                let part = PatchPart::of(&patch, from, size, bound);
-                part.split(|part| self.examine_part(&at, &part.bounded(query)));
+                let part = PatchPart::from_range(&patch, from, size, bound);
+                part.split(|part| self.examine_part(&at, &part.with_cheap_bounds(query)));
             }
         }
     }
 
-    /// Descends from the nearest answer from cell to cell: a search that ends without proof may not
-    /// have come to the bottom.
+    /// Descends from the nearest answer across cells, because a search that ends without proof may
+    /// have stopped short of the minimum.
     fn descend_across_cells<const N: usize>(&mut self, cells: &impl Cells<N>, closed: [bool; 2]) {
         for _ in 0..MAX_CELL_STEPS {
             let Some(best) = self.incumbent.best else { return };
@@ -347,13 +358,13 @@ impl NearestSearch {
     }
 }
 
-/// The cells round one of a sheet, itself among them, across the seams of closed directions.
+/// A cell and its neighbours in a sheet, across the seams of closed directions.
 pub(super) fn cells_around(
     counts: [usize; 2],
     closed: [bool; 2],
     cell: [usize; 2],
 ) -> impl Iterator<Item = [usize; 2]> {
-    // One before, the same, one after.
+    // Steps 0, 1 and 2 are the previous, the same and the next cell.
     let step = move |k: usize, by: usize| {
         let (at, count) = (cell[k] + by, counts[k]);
         if closed[k] { Some((at + count - 1) % count) } else { at.checked_sub(1).filter(|&at| at < count) }
@@ -361,18 +372,18 @@ pub(super) fn cells_around(
     (0..9).filter_map(move |k| Some([step(0, k / 3)?, step(1, k % 3)?]))
 }
 
-/// A search in a surface.
+/// A search of a surface.
 pub(super) struct SurfaceSearch<'a> {
     pub(super) surface: &'a Surface<'a>,
     pub(super) search: &'a mut NearestSearch,
 }
 
 impl SurfaceSearch<'_> {
-    /// Searches all sheets for the point nearest to `query`, no farther than `limit`.
+    /// Searches all sheets for the point nearest to `query`, at most `limit` away.
     pub(super) fn find(&mut self, query: DVec3, limit: f64, tolerance: f64) {
         let SurfaceSearch { surface, search } = self;
         search.begin(query, limit, tolerance);
-        for k in by_distance(surface, query) {
+        for k in sheets_by_distance(surface, query) {
             let (sheet, index) = surface.indexed(k);
             each_sheet!(sheet, cells => search.search_sheet(cells, index, k as u32));
         }
@@ -402,13 +413,13 @@ impl BranchAndBound for SurfaceSearch<'_> {
     fn branch(&mut self, bound: f64, (sheet, task): (u32, Task)) -> Result<(), Infallible> {
         self.search.evaluations += 1;
         let (cells, index) = self.surface.indexed(sheet as usize);
-        each_sheet!(cells, cells => self.search.open(cells, index, sheet, bound, task));
+        each_sheet!(cells, cells => self.search.open_task(cells, index, sheet, bound, task));
         Ok(())
     }
 }
 
-/// All sheets, the one whose box is nearest first.
-fn by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item = usize> {
+/// All sheets, the one with the nearest box first.
+fn sheets_by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item = usize> {
     let first = if surface.len() == 1 {
         0
     } else {

@@ -1,15 +1,15 @@
-//! Parts of a patch: where they are, and lower bounds of their distances that need no descent.
+//! Parts of a patch, with lower bounds of their distances that need no descent.
 
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::bernstein::restrict;
 
-/// Least size of a part in a parameter: 26 halvings.
+/// Smallest size of a part in a parameter: 26 halvings.
 const MIN_PART_SIZE: f64 = 1.0 / (1 << 26) as f64;
-/// Parts of one patch that are examined before the patch is left undecided.
+/// Number of parts of a patch examined before the patch is left undecided.
 pub(super) const MAX_PARTS: usize = 192;
 
-/// A part of a patch: its control net, where it is, and a lower bound of its distance.
+/// A part of a patch: control net, range of parameters, and a lower bound of the distance.
 pub(super) struct PatchPart<const N: usize> {
     pub(super) patch: Patch<N>,
     pub(super) from: DVec2,
@@ -18,30 +18,30 @@ pub(super) struct PatchPart<const N: usize> {
 }
 
 impl<const N: usize> PatchPart<N> {
-    /// All of a patch.
+    /// The whole patch as a part.
     pub(super) fn whole(patch: &Patch<N>) -> Self {
         PatchPart { patch: *patch, from: DVec2::ZERO, size: DVec2::ONE, bound: 0.0 }
     }
 
-    /// The part of a patch from one pair of parameters on.
-    pub(super) fn of(patch: &Patch<N>, from: DVec2, size: DVec2, bound: f64) -> Self {
+    /// The part of a patch with the given smallest parameters and size.
+    pub(super) fn from_range(patch: &Patch<N>, from: DVec2, size: DVec2, bound: f64) -> Self {
         let (mut patch, to) = (*patch, from + size);
         patch.points.iter_mut().for_each(|row| restrict(row, [from.y, to.y]));
         restrict(&mut patch.points, [from.x, to.x]);
         PatchPart { patch, from, size, bound }
     }
 
-    /// Parameters of the whole patch from those of the part.
+    /// Converts parameters of the part to parameters of the whole patch.
     pub(super) fn place(&self, local: DVec2) -> DVec2 {
         self.from + self.size * local
     }
 
-    /// True if it is too small to be split.
+    /// True if the part is too small to be split.
     pub(super) fn is_smallest(&self) -> bool {
         self.size.min_element() <= MIN_PART_SIZE
     }
 
-    /// Halves it across its longer direction, or both if they are alike.
+    /// Halves the part across its longer direction, or across both if they are similar.
     pub(super) fn split(&self, mut add: impl FnMut(PatchPart<N>)) {
         let half = 0.5 * self.size;
         let mut give = |patch, corner: DVec2, size| add(PatchPart { patch, from: self.from + corner, size, ..*self });
@@ -62,9 +62,9 @@ impl<const N: usize> PatchPart<N> {
         }
     }
 
-    /// With the bounds that need no descent: the box's, and that of the half-space through the
-    /// middle.
-    pub(super) fn bounded(mut self, query: DVec3) -> PatchPart<N> {
+    /// Raises the bound to the bounds that need no descent: the distance of the box, and of the
+    /// half-space through the middle.
+    pub(super) fn with_cheap_bounds(mut self, query: DVec3) -> PatchPart<N> {
         let [[a, b], [c, d]] = self.patch.corners();
         let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();
         let bound = self.patch.box_distance(query).max(self.patch.half_space_distance(query, direction));
@@ -74,7 +74,7 @@ impl<const N: usize> PatchPart<N> {
 }
 
 impl<const N: usize> Patch<N> {
-    /// The greatest distances between first and last control points, in u and in v.
+    /// The largest distances between first and last control points, in u and in v.
     fn extents(&self) -> [f64; 2] {
         let p = &self.points;
         let across = |k: usize| [p[0][k].distance_squared(p[N - 1][k]), p[k][0].distance_squared(p[k][N - 1])];

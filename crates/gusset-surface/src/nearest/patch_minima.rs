@@ -1,15 +1,15 @@
 //! Local minima of the distance on one patch: stationary places inside, and minima along its sides.
 //!
-//! A part of the patch is settled when one of these holds, else it is split:
-//! * *no root*: (S - q) . S_u or (S - q) . S_v vanishes nowhere;
-//! * *no minimum*: the Hessian is nowhere positive definite;
-//! * *one at most*: it is positive definite everywhere, and Newton's method finds the minimum, if
-//!   there is one: the termination criterion of Hanniel and Elber (2007, "Subdivision termination
-//!   criteria in subdivision multivariate solvers") for a gradient field;
-//! * *undecided*: the distance varies by no more than the tolerance, or the part is among the last
-//!   that are examined. One place stands for all undecided parts.
+//! A part of the patch is settled in one of these cases, and otherwise split:
+//! - *no root*: (S - q) . S_u or (S - q) . S_v is nonzero everywhere;
+//! - *no minimum*: the Hessian is nowhere positive definite;
+//! - *at most one minimum*: the Hessian is positive definite everywhere, and Newton's method finds
+//!   the minimum, if it exists. This is the termination criterion of Hanniel and Elber (2007,
+//!   "Subdivision termination criteria in subdivision multivariate solvers") for a gradient field;
+//! - *undecided*: the distance varies by at most the tolerance, or the limit of parts is reached.
+//!   One place represents all undecided parts.
 //!
-//! Control points bound all of these, so that no minimum is missed. At most [`MAX_PARTS`] parts.
+//! All tests use bounds from control points, so no minimum is missed. At most [`MAX_PARTS`] parts.
 
 use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
 use super::part::{MAX_PARTS, PatchPart};
@@ -18,23 +18,24 @@ use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::halves;
 
-/// The same of a patch without area: no part of a line has a definite Hessian, so that splitting
-/// only excludes.
+/// Number of parts examined of a patch without area. The Hessian of a line is never definite, so
+/// splitting can only exclude parts.
 const MAX_PARTS_WITHOUT_AREA: usize = 12;
-/// Parts of a side that are examined before the rest is taken as it is.
+/// Number of parts of a side examined before the rest is accepted unsplit.
 const MAX_PARTS_OF_SIDE: usize = 4 * MAX_PARTS;
-/// How far from the minimum a descent may end for rounding of distances, in parameters.
+/// Largest distance, in parameters, between the end of a descent and the minimum, caused by
+/// rounding.
 const MAX_DESCENT_ERROR: f64 = 1e-6;
-/// Least size of a part of a side.
+/// Smallest size of a part of a side.
 const MIN_SIDE_PART: f64 = 1e-7;
 
-/// A place where the distance is locally least, or may be.
+/// A local minimum of the distance, or a place that may be one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LocalMinimum {
     pub(super) place: DVec2,
     pub(super) point: DVec3,
     pub(super) distance: f64,
-    /// No point of the part that was examined is nearer.
+    /// A lower bound of the distance of the part that was examined.
     pub(super) bound: f64,
     pub(super) proven: bool,
 }
@@ -46,8 +47,8 @@ impl LocalMinimum {
     }
 }
 
-/// The minima inside a patch, those on its border without slope across it included, and one without
-/// proof for all that is left undecided.
+/// Finds the minima inside a patch, including those on its border where the slope across it
+/// vanishes. Adds one unproven place for all undecided parts.
 pub(super) fn interior_minima<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
@@ -73,7 +74,7 @@ pub(super) fn interior_minima<const N: usize>(
         if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
             continue;
         }
-        let on_whole = || Foot::at(patch, query, part.place(foot.place));
+        let on_whole = || Foot::from_place(patch, query, part.place(foot.place));
         if hessian.min_eigenvalue().is_some() && has_ended(&part.patch, &foot, query) {
             if is_stationary(&part.patch, &foot, query) {
                 add(LocalMinimum::new(&on_whole(), part.patch.convexity_distance(query, &foot), true));
@@ -98,24 +99,25 @@ pub(super) fn interior_minima<const N: usize>(
     undecided.into_iter().for_each(add);
 }
 
-/// True if a descent has ended where no permitted step goes down, and not short of it.
+/// True if a descent stopped because no permitted step goes down, and not short of the minimum.
 fn has_ended<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
     foot.projected_gradient(query).abs().cmple(slope_rounding(patch, foot, query, MAX_DESCENT_ERROR)).all()
 }
 
-/// True if the slopes across borders of the part are 0 but for rounding, where a descent has ended.
+/// True if the slopes across borders of the part vanish within rounding, at the end of a descent.
 fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
     let (gradient, _) = gradient_and_hessian(&foot.jet, query);
     let (permitted, slack) = (foot.projected_gradient(query), slope_rounding(patch, foot, query, 1e-12));
     (0..2).all(|k| permitted[k] != 0.0 || gradient[k].abs() <= slack[k])
 }
 
-/// Bounds of computed slopes of |S - q|^2 / 2 where the true ones are 0, if the place is off by
-/// `step`.
+/// Bounds of the computed slopes of |S - q|^2 / 2 where the true slopes vanish and the place is off
+/// by `step`.
 ///
-/// The slope (S - q) . S_u is off by |S_u| times the rounding of S - q, and by |S - q| times that
-/// of S_u, which is not small beside S_u where this vanishes, as on a fold. Over a step it grows by
-/// the second derivative, |S_u|^2 + (S - q) . S_uu, of which only the last part is left there.
+/// The error of the slope (S - q) . S_u is |S_u| times the rounding of S - q, plus |S - q| times
+/// the rounding of S_u. The latter is not small relative to S_u where S_u vanishes, as on a fold.
+/// Over a step, the slope grows by the second derivative, |S_u|^2 + (S - q) . S_uu, whose first
+/// term vanishes there too.
 pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
     let size = foot.jet.point.abs().max(query.abs()).max_element();
     let noise = patch.noise();
@@ -126,9 +128,9 @@ pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, quer
     DVec2::new(of(foot.jet.u, foot.jet.uu), of(foot.jet.v, foot.jet.vv))
 }
 
-/// False if a slope of the distance vanishes nowhere in a patch.
+/// False if a slope of the distance is nonzero everywhere in a patch.
 ///
-/// (S - q) . S_u with S within r of c, the middle: it is within r max |S_u| of (c - q) . S_u.
+/// If S is within r of the middle c, then (S - q) . S_u is within r max |S_u| of (c - q) . S_u.
 fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
     let p = &patch.points;
     let count = (N * N) as f64;
@@ -152,7 +154,7 @@ fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
     })
 }
 
-/// The minima of the distance along each side of a patch, its corners included, from which no
+/// Finds the minima of the distance along each side of a patch, including corners, from which no
 /// permitted step into the patch goes down.
 pub(super) fn side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut add: impl FnMut(LocalMinimum)) {
     let turned = patch.transposed();
@@ -162,16 +164,16 @@ pub(super) fn side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut ad
     }
 }
 
-/// Gives a place on the border to `add` if no permitted step from there goes down.
+/// Passes a place on the border to `add` if no permitted step from it goes down.
 fn add_if_minimum<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, add: &mut impl FnMut(LocalMinimum)) {
-    let foot = Foot::at(patch, query, place);
+    let foot = Foot::from_place(patch, query, place);
     let slope = foot.projected_gradient(query);
     if slope.abs().cmple(slope_rounding(patch, &foot, query, 1e-9)).all() {
         add(LocalMinimum::new(&foot, foot.distance, true));
     }
 }
 
-/// Parameters near all minima of the distance along a curve, its ends included.
+/// Finds parameters close to all minima of the distance along a curve, including its ends.
 fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl FnMut(f64)) {
     let degree = (N - 1) as f64;
     let mut parts = vec![(*points, 0.0, 1.0)];
@@ -204,8 +206,8 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
     }
 }
 
-/// The parameter of the least distance along a curve whose distance is convex: Newton's method on
-/// its slope, with bisection where a step leaves the bracket.
+/// The parameter of the smallest distance along a curve whose distance is convex. Newton's method
+/// on the slope, with bisection if a step leaves the bracket.
 fn convex_minimum<const N: usize>(points: &[DVec3; N], query: DVec3) -> f64 {
     let (mut low, mut high, mut t) = (0.0, 1.0, 0.5);
     let line = Patch { points: [*points; N] };

@@ -1,7 +1,8 @@
-//! The nearest point of one patch, with proof.
+//! The proven nearest point of one patch.
 //!
-//! If the bounds at the foot of a descent (see `bounds`) do not prove it to within the tolerance,
-//! the patch is split by branch and bound, down to 2^-26 of a side and [`MAX_PARTS`] parts.
+//! The bounds at the foot of a descent (see `bounds`) may prove too little for the tolerance.
+//! Branch and bound then splits the patch, down to 2^-26 of a side, into at most [`MAX_PARTS`]
+//! parts.
 
 use super::bounds::lower_bound;
 use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
@@ -16,7 +17,7 @@ use std::convert::Infallible;
 pub(super) struct NearestOnPatch {
     pub(super) place: DVec2,
     pub(super) distance: f64,
-    /// No point of the patch is nearer than this.
+    /// A lower bound of the distance of the patch.
     pub(super) bound: f64,
 }
 
@@ -26,14 +27,14 @@ impl NearestOnPatch {
     }
 }
 
-/// Parts that wait; among equal bounds the first one that was added comes first.
+/// Waiting parts. Among equal bounds, the part added first comes first.
 pub(super) type PartFrontier<const N: usize> = Frontier<PatchPart<N>, u32>;
 
-/// The nearest point of a patch to `query`, looked for from `start`; `None` if all of the patch is
-/// farther than `limit`. `frontier`: a workspace.
+/// Finds the nearest point of a patch to `query`, starting from `start`. Returns `None` if the
+/// whole patch is farther than `limit`. `frontier` is a workspace.
 ///
-/// The answer does not depend on the limit. It is nearest to within `tolerance`, unless its bound
-/// shows that the limits of the search left it without proof.
+/// The result does not depend on the limit. It is the nearest point within `tolerance`, unless its
+/// bound shows that the search ended without proof.
 pub(super) fn nearest_on_patch<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
@@ -54,14 +55,14 @@ pub(super) fn nearest_on_patch<const N: usize>(
     PatchSearch { patch, query, limit, tolerance, best, proven, examined: 0, added: 0, frontier }.search()
 }
 
-/// A search of a patch that cannot be decided as a whole.
+/// A search of a patch that must be split.
 struct PatchSearch<'a, const N: usize> {
     patch: &'a Patch<N>,
     query: DVec3,
     limit: f64,
     tolerance: f64,
     best: Foot,
-    /// The least bound of the parts that are settled.
+    /// The smallest bound of the settled parts.
     proven: f64,
     examined: usize,
     added: u32,
@@ -80,7 +81,7 @@ impl<const N: usize> PatchSearch<'_, N> {
 
     fn split(&mut self, part: &PatchPart<N>) {
         part.split(|part| {
-            let part = part.bounded(self.query);
+            let part = part.with_cheap_bounds(self.query);
             let bound = part.bound;
             if self.frontier.push(bound, self.added, part).is_err() {
                 self.proven = self.proven.min(bound);
@@ -107,8 +108,8 @@ impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
         self.examined += 1;
         let local = minimise(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance < self.best.distance {
-            // As the whole patch has it: the part's control points are rounded.
-            let foot = Foot::at(self.patch, self.query, part.place(local.place));
+            // Evaluated on the whole patch, because the part's control points are rounded.
+            let foot = Foot::from_place(self.patch, self.query, part.place(local.place));
             if foot.distance < self.best.distance {
                 self.best = foot;
             }

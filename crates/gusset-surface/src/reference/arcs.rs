@@ -1,12 +1,12 @@
-//! The logical scale over the points of a curve, which the paper ends with: "all conclusions hold
+//! The logical scale over the points of a curve, with which the paper ends: "all conclusions hold
 //! for curves, too; the points of a curve are its net, and the diameter of a piece is its length".
 //!
-//! A curve is a lattice of one row, closed across itself: its cells are arcs, and its nodes their
-//! ends, so that the search and its theorems are those of surfaces. Lengths of arcs are bounded by
-//! those of their control polygons, which no arc is longer than; corrections E1 to E3 hold for
-//! nodes of arcs, too. For angles (task b) the variation of the tangent takes the part of length:
-//! the greatest angle between the legs of the control polygon, a cone that has all tangents, and
-//! those at the nodes as the neighbours have them.
+//! A curve is a lattice of one row, closed across itself. Its cells are arcs, and its nodes the
+//! ends of arcs, so the search and its theorems for surfaces apply. The length of a control polygon
+//! bounds the length of its arc. Corrections E1 to E3 apply to nodes of arcs too. For angles (task
+//! b), the variation of the tangent takes the place of length. It is the largest angle between legs
+//! of the control polygon, whose cone contains all tangents, and the tangents at the nodes as the
+//! neighbours compute them.
 
 use super::cell_lattice::Lattice;
 use super::figure::Figure;
@@ -22,29 +22,29 @@ use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place};
 use std::f64::consts::PI;
 
-/// The greatest number of arcs.
+/// Largest number of arcs.
 pub const MAX_ARCS: u64 = 1 << 30;
 /// An upper bound of the rounding of angles.
 const ANGLE_ROUNDING: f64 = 1e-9;
 
-/// A curve's points, and bounds of the arcs between them.
+/// The points of a curve, and bounds of the arcs between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arcs {
     /// Bounds of the lengths of arcs.
     pub lengths: Sizes,
-    /// Bounds of the angles between their tangents; pi where there is none.
+    /// Bounds of the angles between tangents of an arc; pi if no bound is known.
     pub variation: Sizes,
     points: Vec<DVec3>,
     tangents: Vec<DVec3>,
 }
 
 impl Arcs {
-    /// Divides each segment of a curve into so many arcs of equal length in the parameter: arc k is
-    /// part k % parts of segment k / parts. O(arcs, degree^2 each).
+    /// Divides each segment of a curve into `parts` arcs of equal length in the parameter. Arc k is
+    /// part k % parts of segment k / parts. O(arcs), with O(degree^2) for each.
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] for no parts; [`Error::TooLarge`] above
-    /// [`MAX_ARCS`]; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] if `parts` is 0; [`Error::TooLarge`]
+    /// above [`MAX_ARCS`]; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn new(curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<Self> {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
@@ -69,7 +69,7 @@ impl Arcs {
             alloc::append(&mut controls, curve.segment(k / parts))?;
             let part = k % parts;
             restrict(&mut controls, [part, part + 1].map(|end| end as f64 / parts as f64));
-            // The ends as the neighbours see them, but for rounding the same.
+            // The ends as the neighbours compute them, equal except for rounding.
             let gap = points[k].distance(controls[0]) + points[k + 1].distance(controls[controls.len() - 1]);
             let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
             let polygon: f64 = legs().map(DVec3::length).sum();
@@ -79,24 +79,24 @@ impl Arcs {
         Ok(Arcs { lengths: Sizes::new(lattice, lengths), variation: Sizes::new(lattice, variation), points, tangents })
     }
 
-    /// How the arcs lie: a row of cells, whose nodes are the points of the curve.
+    /// The lattice of the arcs: a row of cells, whose nodes are the points of the curve.
     pub fn lattice(&self) -> Lattice {
         self.lengths.lattice()
     }
 
-    /// The arcs that may have a point within a distance of a figure, or the nearest one, by the
-    /// corrected search.
+    /// Finds the arcs that may have a point within a distance of a figure, or the nearest one, by
+    /// the corrected search.
     ///
     /// # Errors
-    /// Those of [`super::figure_incidence`].
+    /// The errors of [`super::figure_incidence`].
     pub fn incidence(&self, figure: Figure<'_>, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome> {
         figure.search(&self.lengths, &|[_, k]| self.points[k], options, job)
     }
 
-    /// The arcs that may have a tangent within a deviation of an angle, or the nearest to it.
+    /// Finds the arcs that may have a tangent within a deviation of an angle, or the nearest to it.
     ///
     /// # Errors
-    /// Those of [`AngleTarget::normalized`] and [`search`].
+    /// The errors of [`AngleTarget::normalized`] and [`search`].
     pub fn angle_incidence(
         &self,
         target: AngleTarget,
@@ -108,13 +108,13 @@ impl Arcs {
     }
 }
 
-/// A bound of the angles between the tangents of an arc and those at its ends: twice the half-angle
-/// of a cone that has the legs of its control polygon.
+/// Bounds the angles between the tangents of an arc and the tangents at its ends. The bound is
+/// twice the half-angle of a cone that contains the legs of its control polygon.
 fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
     let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
     let longest = legs().map(DVec3::length).fold(0.0, f64::max);
     let Some(axis) = legs().sum::<DVec3>().try_normalize() else { return PI };
-    // A leg of no length has any direction: the derivative may be 0 there.
+    // A leg of length zero lacks a direction, because the derivative may vanish there.
     if legs().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
         return PI;
     }

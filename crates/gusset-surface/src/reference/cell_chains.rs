@@ -6,21 +6,20 @@ use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 
-/// Steps of chains from a cell; those that no chain reaches have none.
+/// Marks cells that chains do not reach.
 const UNREACHED: u32 = u32::MAX;
 
-/// Cells between two looks at the job.
+/// Number of cells between two progress reports.
 const CELLS: usize = 1 << 17;
 
-/// A shortest chain of cells of a region from one to another, both included; consecutive ones have
-/// a node in common. `None` if there is none.
+/// A shortest chain of cells of a region between two cells, both included. Consecutive cells share
+/// a node. Returns `None` if the cells are not connected.
 ///
-/// Its number of cells is its integer length; the sum of their diameters bounds the distance of any
-/// point of the first cell from any of the last one, within the chain (3).
+/// The number of cells is the chain's integer length. The sum of their diameters bounds the
+/// distance between any points of the first and the last cell, within the chain (3).
 ///
 /// # Errors
-/// [`Error::NoSuch`] for an end that is not of the region, [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// [`Error::NoSuch`] if an end is not in the region, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
     let lattice = region.lattice();
     for end in [from, to] {
@@ -30,7 +29,7 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
         }
     }
     let mut walk = Walk::new(lattice)?;
-    walk.go(region, to, job, 0.0)?;
+    walk.find_chains(region, to, job, 0.0)?;
     let steps = |cell: [usize; 2]| walk.steps[lattice.index(cell)];
     if steps(from) == UNREACHED {
         return Ok(None);
@@ -38,7 +37,7 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
     let mut cells = alloc::with_capacity(steps(from) as usize + 1)?;
     let mut at = from;
     cells.push(at);
-    // Always to a neighbour that is nearer to the end by one.
+    // Always continues to a neighbour that is one step nearer to the end.
     while let Some(next) = lattice.neighbours(at).find(|&next| steps(at) > 0 && steps(next) == steps(at) - 1) {
         at = next;
         cells.push(at);
@@ -46,16 +45,16 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
     Ok(Some(cells))
 }
 
-/// The integer diameter I of a region (4): the number of cells of the longest of the shortest
-/// chains between its cells; 0 for no cells. `None` if the region is in several parts.
+/// The integer diameter I of a region (4): the number of cells of the longest shortest chain
+/// between two of its cells; 0 for an empty region. Returns `None` if the region is not connected.
 ///
-/// Then D <= I d (5). For a whole surface of m x n cells I = max {m, n} (6); half of it, and one,
-/// in a closed direction.
+/// The diameter satisfies D <= I d (5). For a whole surface of m x n cells, I = max {m, n} (6),
+/// with half the number plus one in a closed direction.
 ///
-/// Not all pairs are looked at: with c a cell amid the region, a chain of more than 2 k steps has
-/// an end that is more than k steps from c, so that cells are tried in the order of their steps
-/// from c, the farthest first, until no longer chain is left. O(cells) for each cell tried: few for
-/// compact regions, all for the worst.
+/// Not all pairs are examined. Let c be a cell in the middle of the region. A chain of more than 2
+/// k steps has an end more than k steps from c. Cells are therefore tried by descending steps from
+/// c, until no longer chain is possible. O(cells) for each cell tried: few for compact regions, all
+/// in the worst case.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -68,31 +67,31 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
         return Ok(Some(longest(0).max(longest(1))));
     }
     let mut walk = Walk::new(lattice)?;
-    // Amid the region: half way along a long shortest chain.
-    walk.go(region, first, job, 0.0)?;
+    // The middle of the region: half way along a long shortest chain.
+    walk.find_chains(region, first, job, 0.0)?;
     if walk.order.len() != count {
         return Ok(None);
     }
     let far = walk.order[count - 1];
-    walk.go(region, lattice.cell(far as usize), job, 0.0)?;
-    let mut longest = walk.most();
-    let middle = walk.halfway(longest / 2);
-    walk.go(region, middle, job, 0.0)?;
+    walk.find_chains(region, lattice.cell(far as usize), job, 0.0)?;
+    let mut longest = walk.max_steps();
+    let middle = walk.cell_at_steps(longest / 2);
+    walk.find_chains(region, middle, job, 0.0)?;
     let (steps, order) = (std::mem::take(&mut walk.steps), std::mem::take(&mut walk.order));
     walk = Walk::new(lattice)?;
     for (tried, &cell) in order.iter().rev().enumerate() {
         if longest >= 2 * steps[cell as usize] {
             break;
         }
-        walk.go(region, lattice.cell(cell as usize), job, tried as f64 / count as f64)?;
-        longest = longest.max(walk.most());
+        walk.find_chains(region, lattice.cell(cell as usize), job, tried as f64 / count as f64)?;
+        longest = longest.max(walk.max_steps());
     }
     Ok(Some(longest as usize + 1))
 }
 
-/// Vertices less edges plus cells of a region with its edge: 1 for a region without holes that is
-/// in one part, the paper's simply connected one, if it is not all of a surface closed both ways.
-/// O(cells).
+/// The Euler characteristic of a region with its border: vertices minus edges plus cells. It is 1
+/// for a connected region without holes, the paper's simply connected region, unless the region is
+/// a whole surface closed both ways. O(cells).
 ///
 /// # Errors
 /// [`Error::Cancelled`].
@@ -119,9 +118,9 @@ pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
 /// Shortest chains from one cell to all others of a region.
 struct Walk {
     lattice: Lattice,
-    /// By cell.
+    /// The steps to each cell.
     steps: Vec<u32>,
-    /// The cells that were reached, by rising steps.
+    /// The cells that were reached, by ascending steps.
     order: Vec<u32>,
 }
 
@@ -130,7 +129,7 @@ impl Walk {
         Ok(Walk { lattice, steps: alloc::filled(UNREACHED, lattice.len())?, order: Vec::new() })
     }
 
-    fn go(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
+    fn find_chains(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
         let lattice = self.lattice;
         job.step(fraction, "chains")?;
         self.steps.fill(UNREACHED);
@@ -156,13 +155,13 @@ impl Walk {
         Ok(())
     }
 
-    /// The steps of the farthest cell.
-    fn most(&self) -> u32 {
+    /// The steps to the farthest cell.
+    fn max_steps(&self) -> u32 {
         self.order.last().map_or(0, |&cell| self.steps[cell as usize])
     }
 
-    /// A cell so many steps away from the start, on a shortest chain to the farthest.
-    fn halfway(&self, steps: u32) -> [usize; 2] {
+    /// The cell `steps` steps from the start, on a shortest chain to the farthest cell.
+    fn cell_at_steps(&self, steps: u32) -> [usize; 2] {
         let mut at = self.order.last().map_or([0, 0], |&cell| self.lattice.cell(cell as usize));
         let of = |cell: [usize; 2]| self.steps[self.lattice.index(cell)];
         let nearer = |at: [usize; 2]| {

@@ -1,22 +1,22 @@
-//! How the cells of a sheet lie next to each other.
+//! The adjacency of the cells of a sheet.
 
 use crate::Sheet;
 use gusset_base::error::{Element, Error, Result};
 
 /// Rows and columns of cells, and which directions are closed.
 ///
-/// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j), as far as they exist. Cells that
-/// have a node in common are neighbours, across corners too: chains of cells take the moves of the
-/// king on a chessboard.
+/// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j) that exist. Cells that share a
+/// node are neighbours, also across corners: chains of cells move like the king on a chessboard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Lattice {
     /// The numbers of cells in u and in v.
     pub cells: [usize; 2],
-    /// Whether the last line is the first one again.
+    /// Whether the last line repeats the first one, in u and in v.
     pub closed: [bool; 2],
 }
 
-/// Consecutive intervals of one direction; a closed one runs on from its last to its first.
+/// Consecutive intervals of one direction. In a closed direction, the first interval follows the
+/// last one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Span {
     pub(crate) first: usize,
@@ -26,11 +26,12 @@ pub(crate) struct Span {
 
 impl Span {
     /// All intervals of a direction.
-    pub(crate) fn all(count: usize) -> Span {
+    pub(crate) fn full(count: usize) -> Span {
         Span { first: 0, len: count, count }
     }
 
-    /// A span that begins at `first`, which may be beyond the end of a closed direction.
+    /// A span that begins at `first`, which may exceed the number of intervals in a closed
+    /// direction.
     pub(crate) fn new(first: usize, len: usize, count: usize) -> Span {
         Span { first: first % count, len, count }
     }
@@ -39,7 +40,7 @@ impl Span {
         (self.first..self.first + self.len).map(move |k| if k < self.count { k } else { k - self.count })
     }
 
-    /// The parts before and after the place where a closed direction begins again.
+    /// The ranges before and after the seam of a closed direction.
     pub(crate) fn parts(self) -> [std::ops::Range<usize>; 2] {
         let end = self.first + self.len;
         [self.first..end.min(self.count), 0..end.saturating_sub(self.count)]
@@ -49,7 +50,7 @@ impl Span {
         self.parts().iter().any(|part| part.contains(&k))
     }
 
-    /// True if it has all intervals of the other.
+    /// True if the span contains all intervals of another one.
     pub(crate) fn covers(self, other: Span) -> bool {
         let from = (other.first + self.count - self.first) % self.count;
         self.len >= self.count || other.len == 0 || from + other.len <= self.len
@@ -57,8 +58,8 @@ impl Span {
 }
 
 impl Lattice {
-    /// Of a sheet.
-    pub fn of(sheet: &Sheet<'_>) -> Self {
+    /// Returns the lattice of a sheet.
+    pub fn new(sheet: &Sheet<'_>) -> Self {
         Lattice { cells: sheet.cells(), closed: sheet.is_closed() }
     }
 
@@ -68,12 +69,12 @@ impl Lattice {
         self.cells[0] * self.cells[1]
     }
 
-    /// The number of a cell: row after row.
+    /// The index of a cell, row by row.
     pub fn index(&self, [i, j]: [usize; 2]) -> usize {
         i * self.cells[1] + j
     }
 
-    /// The cell of a number.
+    /// The cell with the given index.
     pub fn cell(&self, index: usize) -> [usize; 2] {
         [index / self.cells[1], index % self.cells[1]]
     }
@@ -83,7 +84,7 @@ impl Lattice {
         [0, 1].map(|k| self.cells[k] + usize::from(!self.closed[k]))
     }
 
-    /// [`Error::NoSuch`] unless the cell exists.
+    /// Returns [`Error::NoSuch`] unless the cell exists.
     pub(crate) fn check(&self, [i, j]: [usize; 2]) -> Result<()> {
         let [rows, columns] = self.cells;
         if i < rows && j < columns {
@@ -93,7 +94,7 @@ impl Lattice {
         Err(Error::NoSuch { element: Element::Cell, index: cell })
     }
 
-    /// The intervals `line - steps .. line + steps - 1` of one direction, as far as they exist.
+    /// The intervals `line - steps .. line + steps - 1` of one direction that exist.
     pub(crate) fn span(&self, direction: usize, line: usize, steps: usize) -> Span {
         let count = self.cells[direction];
         if !self.closed[direction] {
@@ -101,34 +102,34 @@ impl Lattice {
             return Span { first, len: line.saturating_add(steps).min(count) - first, count };
         }
         if steps >= count.div_ceil(2) {
-            return Span::all(count);
+            return Span::full(count);
         }
         Span::new(line + count - steps, 2 * steps, count)
     }
 
-    /// The rows and columns of the block of 2 J x 2 J cells round a node: all that chains of J
-    /// cells from the node reach.
+    /// The rows and columns of the block of 2 J x 2 J cells around a node, where J is `steps`.
+    /// Chains of J cells from the node reach exactly these cells.
     pub(crate) fn block(&self, [i, j]: [usize; 2], steps: usize) -> [Span; 2] {
         [self.span(0, i, steps), self.span(1, j, steps)]
     }
 
     /// The cells at a node: four, or fewer at the edge.
-    pub(crate) fn round(&self, node: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
+    pub(crate) fn cells_at_node(&self, node: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
         let [rows, columns] = self.block(node, 1);
         rows.indices().flat_map(move |i| columns.indices().map(move |j| [i, j]))
     }
 
-    /// The corners of a cell; in closed directions the last line is the first.
+    /// The corners of a cell. In closed directions, the last line is the first one.
     pub(crate) fn corners(&self, [i, j]: [usize; 2]) -> [[usize; 2]; 4] {
         let next = |k: usize, at: usize| if self.closed[k] && at + 1 == self.cells[k] { 0 } else { at + 1 };
         [[i, j], [i, next(1, j)], [next(0, i), j], [next(0, i), next(1, j)]]
     }
 
-    /// The cells that have a node in common with a cell, itself left out.
+    /// The cells that share a node with a cell, except the cell itself.
     pub fn neighbours(&self, cell: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
         let around = |k: usize| {
             let (at, count) = (cell[k], self.cells[k]);
-            // Closed directions have three at least.
+            // Closed directions have at least three cells.
             if self.closed[k] {
                 return Span::new(at + count - 1, 3.min(count), count);
             }

@@ -1,12 +1,12 @@
-//! Masks of cells, the paper's logical scale: a bit for each cell, 1 as long as the cell may hold
-//! the object.
+//! Masks of cells, the paper's logical scale: one bit for each cell, 1 as long as the cell may
+//! contain the object.
 
 use super::cell_lattice::{Lattice, Span};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 
-/// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of
-/// word k / 64.
+/// A set of cells: a *cell region* of the paper. The bit of cell k = row * columns + column is bit
+/// k % 64 of word k / 64.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CellMask {
     lattice: Lattice,
@@ -14,7 +14,7 @@ pub struct CellMask {
 }
 
 impl CellMask {
-    /// With all bits 1, as every search begins.
+    /// Creates a mask with all bits 1, with which every search begins.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -26,7 +26,7 @@ impl CellMask {
         Ok(CellMask { lattice, words })
     }
 
-    /// From words; bits beyond the last cell do not count.
+    /// Creates a mask from words. Ignores bits beyond the last cell.
     ///
     /// # Errors
     /// [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
@@ -40,7 +40,7 @@ impl CellMask {
         Ok(mask)
     }
 
-    /// The cells and how they lie.
+    /// The lattice of the cells.
     pub fn lattice(&self) -> Lattice {
         self.lattice
     }
@@ -67,12 +67,12 @@ impl CellMask {
         }
     }
 
-    /// How many bits are 1.
+    /// The number of bits that are 1.
     pub fn count(&self) -> usize {
         self.words.iter().map(|word| word.count_ones() as usize).sum()
     }
 
-    /// The cells whose bits are 1, row after row.
+    /// The cells whose bits are 1, row by row.
     pub fn cells(&self) -> impl Iterator<Item = [usize; 2]> {
         let mut words = self.words.iter().enumerate();
         let (mut first, mut left) = (0, 0u64);
@@ -87,16 +87,16 @@ impl CellMask {
         })
     }
 
-    /// The corners of these cells, each once, row after row; of closed directions the last line is
-    /// the first.
+    /// The corners of these cells, each once, row by row. In closed directions, the last line is
+    /// the first one.
     pub fn nodes(&self) -> impl Iterator<Item = [usize; 2]> {
         let lattice = self.lattice;
         let [rows, columns] = lattice.lines();
         let all = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
-        all.filter(move |&node| lattice.round(node).any(|cell| self.get(cell)))
+        all.filter(move |&node| lattice.cells_at_node(node).any(|cell| self.get(cell)))
     }
 
-    /// Zeroes a block.
+    /// Clears the bits of a block.
     pub(crate) fn clear(&mut self, [rows, columns]: [Span; 2]) {
         let width = self.lattice.cells[1];
         for i in rows.indices() {
@@ -106,18 +106,18 @@ impl CellMask {
         }
     }
 
-    /// Zeroes the bits from..to.
+    /// Clears the bits from..to.
     fn clear_bits(&mut self, from: usize, to: usize) {
         words(from, to).for_each(|(word, ones)| self.words[word] &= !ones);
     }
 
-    /// True if none of the cells from..to, by number, has a 1.
+    /// True if the bits from..to are all 0.
     pub(crate) fn is_clear(&self, from: usize, to: usize) -> bool {
         words(from, to).all(|(word, ones)| self.words[word] & ones == 0)
     }
 }
 
-/// The words that the bits from..to are in, each with these.
+/// The words that contain the bits from..to, each with a mask of these bits.
 fn words(from: usize, to: usize) -> impl Iterator<Item = (usize, u64)> {
     (from / 64..to.div_ceil(64)).map(move |word| {
         let low = if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };

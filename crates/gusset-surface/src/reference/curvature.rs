@@ -1,10 +1,10 @@
 //! A bound of the principal curvatures, from control nets.
 //!
-//! The curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv) over
-//! |a S_u + b S_v|^2. With a^2 + b^2 = 1 the first is no more than the greater eigenvalue of the
-//! matrix of |S_uu|, |S_uv|, |S_vv|, and |a S_u + b S_v| no less than the smaller singular value of
-//! the mean (S_u, S_v), less what the two are away from their means. Parameters are scaled so that
-//! the means are units.
+//! The normal curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv)
+//! divided by |a S_u + b S_v|^2. Let a^2 + b^2 = 1. The numerator is at most the larger eigenvalue
+//! of the matrix of |S_uu|, |S_uv| and |S_vv|. The root of the denominator is at least the smaller
+//! singular value of the mean of (S_u, S_v), less the deviation of both from their means.
+//! Parameters are scaled so that the means have length 1.
 
 use crate::cells::{Cells, by_cell};
 use crate::{Patch, Sheet, each_sheet};
@@ -12,11 +12,11 @@ use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Halvings of a cell before its surface is taken for not regular.
+/// Number of halvings of a cell after which its surface counts as not regular.
 const MAX_HALVINGS: u32 = 5;
 
-/// K: no principal curvature of the sheet is greater in absolute terms. Infinite where the surface
-/// is not regular or nearly, as at poles: no bound holds there (erratum E4).
+/// The bound K of the absolute values of all principal curvatures of the sheet. It is infinite
+/// where the surface is not regular, or nearly, as at poles: no bound exists there (erratum E4).
 ///
 /// # Errors
 /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
@@ -27,13 +27,14 @@ pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
 }
 
 impl<const N: usize> Patch<N> {
-    /// The bound of a patch, of its quarters if it has none itself.
+    /// The bound of a patch, or the largest bound of its quarters if the whole patch cannot be
+    /// bounded.
     fn curvature_bound(&self, depth: u32) -> f64 {
         let degree = (N - 1) as f64;
         let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
         let p = &self.points;
-        let u = Spread::of(all(N - 1, N).map(|(a, b)| degree * (p[a + 1][b] - p[a][b])));
-        let v = Spread::of(all(N, N - 1).map(|(a, b)| degree * (p[a][b + 1] - p[a][b])));
+        let u = Spread::from_vectors(all(N - 1, N).map(|(a, b)| degree * (p[a + 1][b] - p[a][b])));
+        let v = Spread::from_vectors(all(N, N - 1).map(|(a, b)| degree * (p[a][b + 1] - p[a][b])));
         let (su, sv) = (u.mean.length(), v.mean.length());
         let cosine = u.mean.dot(v.mean) / (su * sv);
         // The smaller singular value of two unit vectors is sqrt(1 - |cosine|).
@@ -59,14 +60,14 @@ fn longest(vectors: impl Iterator<Item = DVec3>) -> f64 {
     vectors.map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
 }
 
-/// The mean of vectors, and how far they are from it.
+/// The mean of vectors, and their largest distance from it.
 struct Spread {
     mean: DVec3,
     radius: f64,
 }
 
 impl Spread {
-    fn of(vectors: impl Iterator<Item = DVec3> + Clone) -> Spread {
+    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> Spread {
         let (sum, count) = vectors.clone().fold((DVec3::ZERO, 0.0), |(sum, count), v| (sum + v, count + 1.0));
         let mean = sum / count;
         Spread { mean, radius: longest(vectors.map(|v| v - mean)) }

@@ -1,15 +1,15 @@
 //! Diameters of cells, from control nets.
 //!
-//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and
-//! half the perimeter bounds nothing but the edge (erratum E6). Of patches it can:
-//! * *Euclidean*: a patch lies in the hull of its control points, whose diameter is that of the
-//!   points.
-//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <=
-//!   1, which is convex in a and b: no more than the greater of |S_u + S_v| and |S_u - S_v|, or
-//!   than |S_u| + |S_v|, each bounded by its Bézier points.
+//! The paper assumes that d is known. A bare net does not determine it: a cell may contain any
+//! bump, and half the perimeter bounds only the edge (erratum E6). Patches determine it:
+//! - *Euclidean*: a patch lies in the hull of its control points, whose diameter is the diameter of
+//!   the points.
+//! - *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v| with |a|, |b|
+//!   <= 1, which is convex in a and b. It is at most the larger of |S_u + S_v| and |S_u - S_v|, and
+//!   at most |S_u| + |S_v|. Bézier points bound each of these.
 //!
-//! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature
-//! need the intrinsic one.
+//! For distances in space, the Euclidean diameter suffices (erratum E8). The rotation of normals by
+//! curvature requires the intrinsic one.
 
 use super::cell_lattice::Lattice;
 use super::sizes::{ROUNDING_FACTOR, Sizes};
@@ -23,28 +23,32 @@ use gusset_base::job::Job;
 /// Bounds of the diameters of all cells of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diameters {
-    /// Of distances in space.
+    /// Bounds of distances in space.
     pub euclidean: Sizes,
-    /// Of the lengths of shortest curves within the cell.
+    /// Bounds of the lengths of shortest curves within the cell.
     pub intrinsic: Sizes,
 }
 
 impl Diameters {
-    /// Bounds the diameters of all cells: O(cells), on the job's threads.
+    /// Bounds the diameters of all cells, on the job's threads. O(cells).
     ///
     /// # Errors
     /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
-        let lattice = Lattice::of(sheet);
-        let both =
-            by_cell(lattice.cells, "cells", job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
+        let lattice = Lattice::new(sheet);
+        let both = by_cell(
+            lattice.cells,
+            "cells",
+            job,
+            |cell| each_sheet!(sheet, cells => cell_diameters(cells, lattice, cell)),
+        )?;
         let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
         Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
     }
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.
-fn of_cell<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
+fn cell_diameters<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
     let patch = cells.patch(i, j);
     let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner(i, j));
     let [[a, b], [c, d]] = patch.corners();
@@ -54,7 +58,7 @@ fn of_cell<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usi
 }
 
 impl<const N: usize> Patch<N> {
-    /// A bound of the distance between two points of the patch or of `others`.
+    /// A bound of the distance between any two points of the patch and of `others`.
     fn euclidean_diameter(&self, others: &[DVec3]) -> f64 {
         let points = self.points.as_flattened();
         let mut greatest = 0.0_f64;
@@ -76,8 +80,8 @@ impl<const N: usize> Patch<N> {
         let pairs = || along_u.points.as_flattened().iter().zip(along_v.points.as_flattened());
         let sum = longest(&mut pairs().map(|(u, v)| *u + *v));
         let difference = longest(&mut pairs().map(|(u, v)| *u - *v));
-        // The slopes as they are, not raised: their points are farther from each other, but the sum
-        // may be less.
+        // Without degree elevation, the control vectors of the slopes are longer, but their sum may
+        // be smaller.
         let degree = (N - 1) as f64;
         let own = |patch: &Patch<N>| {
             let steps = (1..N).flat_map(|a| (0..N).map(move |b| (a, b)));
@@ -86,7 +90,7 @@ impl<const N: usize> Patch<N> {
         (own(self) + own(&self.transposed())).min(sum.max(difference))
     }
 
-    /// S_u as a patch of the same degrees.
+    /// S_u, raised to the degrees of the patch.
     fn raised_slope(&self) -> Patch<N> {
         let degree = (N - 1) as f64;
         let step = |a: usize, b: usize| degree * (self.points[a + 1][b] - self.points[a][b]);
@@ -94,8 +98,8 @@ impl<const N: usize> Patch<N> {
         for a in 0..N {
             let share = a as f64 / degree;
             for b in 0..N {
-                // P'_a = a / n P_a-1 + (1 - a / n) P_a: at the ends one of them has no weight and
-                // does not exist.
+                // P'_a = a / n P_a-1 + (1 - a / n) P_a. At both ends, one of the two has weight 0
+                // and does not exist.
                 let before = if a > 0 { share * step(a - 1, b) } else { DVec3::ZERO };
                 let after = if a + 1 < N { (1.0 - share) * step(a, b) } else { DVec3::ZERO };
                 slope.points[a][b] = before + after;

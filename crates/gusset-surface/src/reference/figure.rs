@@ -1,5 +1,5 @@
-//! What distances may be measured from: points, planes and lines, curves, and other surfaces; the
-//! search for the cells of a sheet that are near (tasks a, c, d and e of the paper).
+//! Figures from which distances are measured: points, planes and lines, curves, and surfaces. The
+//! search for the cells of a sheet that are close to a figure (tasks a, c, d and e of the paper).
 
 use super::diameter::Diameters;
 use super::object::{Object, Target};
@@ -13,7 +13,7 @@ use gusset_base::job::Job;
 use gusset_curve::CurveView;
 use gusset_curve::ops::CurveSearch;
 
-/// What distances are measured from.
+/// A figure from which distances are measured.
 #[derive(Debug, Clone, Copy)]
 pub enum Figure<'a> {
     /// A point, plane or line.
@@ -24,11 +24,11 @@ pub enum Figure<'a> {
     Surface(&'a Surface<'a>),
 }
 
-/// A part of the size of a curve and the distance from it that its nearest points may be off by, for
-/// rounding.
+/// Bound of the rounding error of the nearest points of a curve, as a fraction of the curve's size
+/// and the distance.
 const CURVE_ROUNDING: f64 = 1e-9;
 
-/// Distances from a figure, rounded down.
+/// Computes distances from a figure, rounded down.
 enum Measure<'a> {
     Object(Target),
     Curve { search: CurveSearch<'a>, size: f64 },
@@ -36,10 +36,10 @@ enum Measure<'a> {
 }
 
 impl<'a> Figure<'a> {
-    /// What measures.
+    /// Prepares the measurement of distances.
     ///
     /// # Errors
-    /// Those of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
+    /// The errors of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
     fn measure(&self) -> Result<Measure<'a>> {
         Ok(match *self {
             Figure::Object(object) => Measure::Object(object.target()?),
@@ -52,12 +52,12 @@ impl<'a> Figure<'a> {
     }
 }
 
-/// What a distance from a figure costs, in words of the mask.
+/// Cost of a distance from a figure, in words of the mask.
 const CURVE_COST: usize = 1 << 9;
 const SURFACE_COST: usize = 1 << 12;
 
 impl Figure<'_> {
-    /// The corrected search, whose nodes are at these points.
+    /// Runs the corrected search, with nodes at the given points.
     pub(super) fn search(
         &self,
         sizes: &Sizes,
@@ -76,7 +76,7 @@ impl Figure<'_> {
 }
 
 impl Measure<'_> {
-    /// No point of the figure is nearer.
+    /// A lower bound of the distance of a point from the figure.
     fn distance(&self, from: DVec3) -> f64 {
         match self {
             Measure::Object(target) => target.distance(from),
@@ -89,11 +89,11 @@ impl Measure<'_> {
     }
 }
 
-/// The cells that may have a point within a distance of a figure, or the nearest one, by the
+/// Finds the cells that may have a point within a distance of a figure, or the nearest one, by the
 /// corrected search.
 ///
 /// # Errors
-/// Those of [`Object::target`] and [`super::search`]; [`Error::EmptyCurve`].
+/// The errors of [`Object::target`] and [`super::search`]; [`Error::EmptyCurve`].
 pub fn figure_incidence(
     sheet: &Sheet<'_>,
     diameters: &Diameters,

@@ -1,12 +1,12 @@
 //! Task b) of the paper: places where the normal makes a given angle with a direction.
 //!
-//! The normal plays the part of the point, angles that of distances: the deviation psi = |angle(N,
-//! direction) - alpha| does not rise faster than N turns (theorem T4; the paper has alpha = 0 only,
-//! erratum E4). The variation of normals over a cell, the greatest angle between two of them, is
-//! bounded
-//! * by curvature, the paper's way: K times the intrinsic diameter, K a bound of both principal
-//!   curvatures on the whole surface,
-//! * or by the cell's normal cone, which is tighter and needs no K.
+//! Normals take the place of points, and angles of distances. The deviation psi = |angle(N,
+//! direction) - alpha| does not increase faster than N turns (theorem T4; the paper has only alpha
+//! = 0, erratum E4). The variation of normals over a cell is the largest angle between two of them.
+//! It is bounded
+//! - by curvature, as in the paper: K times the intrinsic diameter, where K bounds both principal
+//!   curvatures of the whole surface;
+//! - or by the cell's normal cone, which is tighter and does not need K.
 
 use super::cell_lattice::Lattice;
 use super::diameter::Diameters;
@@ -24,17 +24,17 @@ use std::f64::consts::PI;
 /// An upper bound of the rounding of angles.
 const ANGLE_ROUNDING: f64 = 1e-13;
 
-/// The variation by normal cones; pi where there is no cone of less than a quarter turn, as
-/// where the surface is not regular.
+/// Bounds the variation by normal cones. The bound is pi where a cone of less than a quarter turn
+/// does not exist, as where the surface is not regular.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
-    let lattice = Lattice::of(sheet);
+    let lattice = Lattice::new(sheet);
     let cone = |cell: [usize; 2]| {
         let (axis, half) = each_sheet!(sheet, cells => cone(cells, cell))?;
         let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle(axis, node) };
-        // Corners as the neighbours see them, where normals may jump.
+        // Corners as the neighbours compute them, where normals may jump.
         let corners = lattice.corners(cell).map(|node| reach(normal(sheet, node))).into_iter().fold(0.0, f64::max);
         Some(2.0 * half.max(corners) + ANGLE_ROUNDING)
     };
@@ -44,13 +44,13 @@ pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Siz
     ))
 }
 
-/// The variation by curvature: K d, and the jumps of normals at corners. `curvature`: K, no
-/// principal curvature of the surface is greater in absolute terms. That is the caller's promise;
-/// [`super::curvature_bound`] proves one.
+/// Bounds the variation by curvature: K d plus the jumps of normals at corners. `curvature` is the
+/// bound K of the absolute principal curvatures of the surface. The caller is responsible for it;
+/// [`super::curvature_bound`] computes a proven one.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a curvature that is no number or negative,
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] if the curvature is NaN or negative, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn normal_variation_by_curvature(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
@@ -58,7 +58,7 @@ pub fn normal_variation_by_curvature(
     job: &Job<'_>,
 ) -> Result<Sizes> {
     Error::require(curvature >= 0.0, "curvature", curvature)?;
-    let lattice = Lattice::of(sheet);
+    let lattice = Lattice::new(sheet);
     let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
         let seen = lattice.corners(cell).map(|node| normal(sheet, node));
@@ -70,8 +70,8 @@ pub fn normal_variation_by_curvature(
     Ok(Sizes::new(lattice, by_cell(lattice.cells, "cells", job, variation)?))
 }
 
-/// The unit normal at a node: that of the cell from there on, or of the last one; 0 if there is
-/// none.
+/// The unit normal at a node, from the cell that begins there, or from the last cell; zero if no
+/// normal exists.
 fn normal(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
     let cells = sheet.cells();
     let of = |k: usize| if node[k] < cells[k] { (node[k], 0.0) } else { (cells[k] - 1, 1.0) };
@@ -82,19 +82,20 @@ fn normal(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
 /// Normals at an angle to a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AngleTarget {
-    /// Of any length but 0.
+    /// The direction, of any nonzero length.
     pub direction: DVec3,
-    /// From 0 to pi.
+    /// The angle, from 0 to pi.
     pub angle: f64,
-    /// True if the other side's normal will do as well.
+    /// True if a normal and its opposite are equivalent.
     pub unsigned: bool,
 }
 
 impl AngleTarget {
-    /// The same with a unit direction.
+    /// The target with a unit direction.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for no direction, or an angle out of range.
+    /// [`Error::OptionOutOfRange`] if the direction is zero or not finite, or the angle is out of
+    /// range.
     pub fn normalized(self) -> Result<Self> {
         Error::require((0.0..=PI).contains(&self.angle), "angle", self.angle)?;
         let direction = Some(self.direction).filter(|direction| direction.is_finite()).and_then(DVec3::try_normalize);
@@ -102,7 +103,8 @@ impl AngleTarget {
         Ok(AngleTarget { direction: direction.ok_or(Error::OptionOutOfRange { option: "direction", value })?, ..self })
     }
 
-    /// How far a unit normal is from the angle; 0 if there is no normal, which may be any.
+    /// The deviation of a unit normal from the angle; 0 if the normal does not exist, because it
+    /// may be any vector.
     pub fn deviation(&self, normal: DVec3) -> f64 {
         if normal == DVec3::ZERO {
             return 0.0;
@@ -112,11 +114,11 @@ impl AngleTarget {
     }
 }
 
-/// The cells that may have a normal within a deviation of an angle, or the nearest to it, by the
-/// corrected search.
+/// Finds the cells that may have a normal within a deviation of an angle, or the nearest to it, by
+/// the corrected search.
 ///
 /// # Errors
-/// Those of [`AngleTarget::normalized`] and [`search`].
+/// The errors of [`AngleTarget::normalized`] and [`search`].
 pub fn angle_incidence(
     sheet: &Sheet<'_>,
     variation: &Sizes,
@@ -128,12 +130,12 @@ pub fn angle_incidence(
     search(variation, |node| target.deviation(normal(sheet, node)), options, job)
 }
 
-/// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier
-/// points of S_u x S_v. `None` for a quarter turn or more. Where a side is one point, the cone has
-/// the limits of the normals there.
+/// The axis and the half-angle of a cone that contains all normals of a cell, because it contains
+/// the Bézier points of S_u x S_v. Returns `None` for a quarter turn or more. Where a side is a
+/// single point, the cone contains the limits of the normals.
 fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DVec3, f64)> {
     let normals = cells.patch(i, j).normal_points();
-    // What rounding leaves where the normal is 0 is no direction.
+    // Where the normal vanishes, rounding is not a direction.
     let noise = 1e-13 * normals.iter().map(|normal| normal.length()).fold(0.0, f64::max);
     let directions = || normals.iter().filter(|normal| normal.length() > noise);
     let axis = directions().map(|normal| normal.normalize_or_zero()).sum::<DVec3>().try_normalize()?;
@@ -142,8 +144,8 @@ fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DV
 }
 
 impl<const N: usize> Patch<N> {
-    /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: of products, sums of
-    /// products by binomial weights.
+    /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: sums of products, weighted
+    /// by binomials.
     fn normal_points(&self) -> Vec<DVec3> {
         let (degree, width) = (N - 1, 2 * N - 2);
         let (lower, full) = (binomial_row::<N>(degree - 1), binomial_row::<N>(degree));

@@ -1,5 +1,4 @@
-//! Objects that distances are measured from: points, planes and lines, as boxes in axes of their
-//! own.
+//! Objects from which distances are measured: points, planes and lines, as boxes in their own axes.
 
 use super::diameter::Diameters;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
@@ -14,34 +13,34 @@ use gusset_base::job::Job;
 pub enum Object {
     /// A point.
     Point(DVec3),
-    /// The plane through a point, across a direction.
+    /// The plane through a point, perpendicular to a direction.
     Plane {
         /// A point of the plane.
         point: DVec3,
-        /// Of any length but 0.
+        /// The normal, of any nonzero length.
         normal: DVec3,
     },
     /// A line, ray or segment.
     Line(Line),
 }
 
-/// An object as a box, perhaps infinite, in orthonormal axes: it is where all the coordinates along
-/// them are within their intervals.
+/// An object as a box in orthonormal axes, which may be infinite: all points whose coordinates
+/// along the axes are within the intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     origin: DVec3,
     axes: [DVec3; 3],
-    /// Least and greatest coordinates.
+    /// The smallest and the largest coordinate along each axis.
     intervals: [[f64; 2]; 3],
-    /// Planes need the first axis only.
+    /// The number of axes used. Planes need only the first one.
     count: usize,
 }
 
 impl Object {
-    /// As a box in axes of its own.
+    /// Returns the object as a box in its own axes.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for what is not finite, or has no direction.
+    /// [`Error::OptionOutOfRange`] if the object is not finite, or lacks a direction.
     pub fn target(&self) -> Result<Target> {
         let bad = |option, value| Error::OptionOutOfRange { option, value };
         let finite = |x: DVec3, option| if x.is_finite() { Ok(x) } else { Err(bad(option, f64::NAN)) };
@@ -67,14 +66,14 @@ impl Object {
 }
 
 impl Target {
-    /// The square of the distance of what has coordinates between `ranges`, a lower bound.
+    /// A lower bound of the squared distance of points with coordinates within `ranges`.
     fn gap_squared(&self, ranges: &[[f64; 2]; 3]) -> f64 {
         let gap = |k: usize| (ranges[k][0] - self.intervals[k][1]).max(self.intervals[k][0] - ranges[k][1]).max(0.0);
         (0..self.count).map(|k| gap(k) * gap(k)).sum()
     }
 
-    /// By what coordinates of a point may be rounded; those of a point along the axes of space are
-    /// not, but for the last bit.
+    /// Bound of the rounding error of a point's coordinates. For points, whose axes are those of
+    /// space, only the last bit is rounded, and the result is 0.
     fn rounding(&self, from: DVec3) -> f64 {
         if self.axes[0] == DVec3::X && self.count == 3 {
             0.0
@@ -90,11 +89,11 @@ impl Target {
     }
 }
 
-/// The cells that may have a point within a distance of an object, or the nearest one, by the
+/// Finds the cells that may have a point within a distance of an object, or the nearest one, by the
 /// corrected search.
 ///
 /// # Errors
-/// Those of [`Object::target`] and [`search`].
+/// The errors of [`Object::target`] and [`search`].
 pub fn incidence(
     sheet: &Sheet<'_>,
     diameters: &Diameters,

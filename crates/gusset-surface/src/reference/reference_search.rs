@@ -1,8 +1,8 @@
-//! The paper's search, corrected: each node evaluated excludes the block of cells round it that
-//! cannot hold the object (theorems T2 to T4 of the module).
+//! The paper's search, corrected: each evaluated node excludes the block of surrounding cells that
+//! cannot contain the object (theorems T2 to T4 of the module).
 //!
-//! Invariant: the cells of the mask are all that may hold it. O(n / 64) for the mask and O(1) to
-//! O(J^2) for each node evaluated.
+//! Invariant: the mask contains all cells that may contain the object. O(n / 64) for the mask and
+//! O(1) to O(J^2) for each evaluated node.
 
 use super::cell_lattice::{Lattice, Span};
 use super::cell_mask::CellMask;
@@ -13,10 +13,10 @@ use gusset_base::job::Job;
 /// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Goal {
-    /// All that is no farther than this (theorem T2).
+    /// All cells with a point at most this far (theorem T2).
     Within(f64),
-    /// The least: farther than the nearest node so far is out (theorem T3; by the paper's rule the
-    /// answer itself would be, erratum E3).
+    /// The nearest points. Cells farther than the nearest node so far are excluded (theorem T3).
+    /// The paper's rule would exclude the answer itself (erratum E3).
     Least,
 }
 
@@ -27,17 +27,17 @@ pub struct SearchOptions {
     pub goal: Goal,
     /// How sizes of cells are summed.
     pub sum: Sum,
-    /// True: every node in the order of rows, as in the paper. False: first a few nodes far apart,
-    /// then those between: fewer in all.
+    /// If true, evaluates all nodes row by row, as in the paper. If false, begins with a few
+    /// distant nodes, then evaluates nodes between them, which needs fewer evaluations.
     pub by_rows: bool,
-    /// Whether lines at the edge are left out when a block covers them from side to side: the rest
-    /// is a smaller surface. Blocks that do not reach an edge, or not from side to side, leave none
-    /// (erratum E5).
+    /// Whether lines at the edge are dropped if a block covers them from side to side, which leaves
+    /// a smaller surface. Blocks that do not reach an edge, or do not extend from side to side,
+    /// drop nothing (erratum E5).
     pub drop_lines: bool,
 }
 
 impl SearchOptions {
-    /// Few nodes first, J d, lines dropped.
+    /// Returns the defaults: few nodes first, J d as the sum, lines dropped.
     pub fn new(goal: Goal) -> Self {
         SearchOptions { goal, sum: Sum::Greatest, by_rows: false, drop_lines: true }
     }
@@ -46,24 +46,24 @@ impl SearchOptions {
 /// The outcome of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOutcome {
-    /// The cells that may hold what is looked for: none is missing.
+    /// All cells that may contain the object.
     pub mask: CellMask,
-    /// How many nodes were looked at.
+    /// The number of evaluated nodes.
     pub evaluations: u64,
-    /// How many blocks were excluded.
+    /// The number of excluded blocks.
     pub blocks: u64,
-    /// How many lines of cells were left out at once.
+    /// The number of lines of cells that were dropped.
     pub dropped: u64,
-    /// The node of the least distance among those looked at, and that distance.
+    /// The nearest evaluated node, and its distance.
     pub least: ([usize; 2], f64),
 }
 
-/// Looks for cells. `measure`: the distance of a node from the object, which must not rise faster
-/// than `sizes` allow: the distance in space with Euclidean diameters, the deviation of the normal
-/// from an angle with the variation of normals.
+/// Finds the cells that may contain an object. `measure` returns the distance of a node from the
+/// object. It must not increase faster than `sizes` allow: distances in space require Euclidean
+/// diameters, deviations of the normal from an angle require the variation of normals.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a goal that is no number or negative, [`Error::OutOfMemory`],
+/// [`Error::OptionOutOfRange`] if the goal is NaN or negative, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn search(
     sizes: &Sizes,
@@ -74,7 +74,7 @@ pub fn search(
     search_at_cost(sizes, 0, &mut measure, options, job)
 }
 
-/// The same where a node costs more than the rest of its visit: `cost`, in words of the mask.
+/// Runs [`search`] with the cost of evaluating a node, in words of the mask.
 pub(super) fn search_at_cost(
     sizes: &Sizes,
     cost: usize,
@@ -86,7 +86,7 @@ pub(super) fn search_at_cost(
         Error::require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
-    let mut window = Window { lattice, spans: lattice.cells.map(Span::all), rings: lattice.closed };
+    let mut window = RemainingCells { lattice, spans: lattice.cells.map(Span::full), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
     let mut found = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
@@ -95,7 +95,7 @@ pub(super) fn search_at_cost(
     let mut ticker = ProgressTicker { job, spent: 0, fraction: 0.0 };
     while stride > 0 {
         for i in (0..lines_u).step_by(stride) {
-            // The negative answer at once: nothing is left.
+            // Stops at once if no cell is left.
             if window.is_empty() {
                 return Ok(found);
             }
@@ -109,12 +109,12 @@ pub(super) fn search_at_cost(
                     j += 62;
                     continue;
                 }
-                // Nodes of coarser passes have been looked at.
+                // Coarser passes have evaluated these nodes.
                 let seen = !options.by_rows
                     && stride < widest
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
-                if !seen && lattice.round([i, j]).any(|cell| found.mask.get(cell)) {
+                if !seen && lattice.cells_at_node([i, j]).any(|cell| found.mask.get(cell)) {
                     let cleared = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
                     ticker.spend(cleared + cost, 0.0)?;
                 }
@@ -126,10 +126,10 @@ pub(super) fn search_at_cost(
     Ok(found)
 }
 
-/// Excludes what a node at distance `r` shows to be out. Returns the work done.
+/// Excludes the cells that a node at distance `r` proves to be too far. Returns the work done.
 fn visit(
     found: &mut SearchOutcome,
-    window: &mut Window,
+    window: &mut RemainingCells,
     sizes: &Sizes,
     node: [usize; 2],
     r: f64,
@@ -143,12 +143,12 @@ fn visit(
         Goal::Within(within) => within,
         Goal::Least => found.least.1,
     };
-    // What is no farther than `within` stays (erratum E2: the paper's rule has the block touch what
-    // is looked for).
+    // Points at most `within` away must remain. With the paper's rule, the block may touch them
+    // (erratum E2).
     let (steps, _) = sizes.steps(node, r - within, options.sum);
     let lattice = sizes.lattice();
     if steps == 0 {
-        for cell in lattice.round(node) {
+        for cell in lattice.cells_at_node(node) {
             if sizes.get(cell) < r - within {
                 found.mask.set(cell, false);
             }
@@ -165,39 +165,39 @@ fn visit(
     if options.sum == Sum::Rings { cleared + block[0].len * block[1].len } else { cleared }
 }
 
-/// True if none of the cells at the nodes j to j + 61 of line i has a 1, as far as they are in one
-/// row.
+/// True if the bits of all cells at the nodes j to j + 61 of line i are 0, and these cells are
+/// contiguous in their rows.
 fn is_quiet(mask: &CellMask, i: usize, j: usize) -> bool {
     let lattice = mask.lattice();
     let width = lattice.cells[1];
-    // At the ends, where closed rows begin again, nodes are looked at one by one.
+    // At the ends of a row, where closed rows continue, nodes are examined one by one.
     if j == 0 || j + 62 > width {
         return false;
     }
     lattice.span(0, i, 1).indices().all(|row| mask.is_clear(row * width + j - 1, row * width + j + 62))
 }
 
-/// The part of the surface that is left when lines have been dropped: a surface itself.
-struct Window {
+/// The part of the surface that remains after lines were dropped, which is again a surface.
+struct RemainingCells {
     lattice: Lattice,
     spans: [Span; 2],
-    /// Closed directions of which no line has been dropped yet: they have no edge.
+    /// Closed directions without dropped lines, which do not have an edge yet.
     rings: [bool; 2],
 }
 
-impl Window {
+impl RemainingCells {
     fn is_empty(&self) -> bool {
         self.spans.iter().any(|span| span.len == 0)
     }
 
-    /// Drops the lines of cells that a block covers from side to side and that are at the edge; how
-    /// many.
+    /// Drops lines of cells at the edge that a block covers from side to side. Returns their
+    /// number.
     fn drop_lines(&mut self, block: [Span; 2]) -> usize {
         (0..2).map(|k| if block[1 - k].covers(self.spans[1 - k]) { self.shorten(k, block[k]) } else { 0 }).sum()
     }
 
-    /// Takes a part away from the span in direction k, if it is at its edge: a ring has none, and
-    /// becomes a strip.
+    /// Removes a part from the span in direction k, if the part is at its edge. A ring does not
+    /// have an edge, so it becomes a strip.
     fn shorten(&mut self, k: usize, part: Span) -> usize {
         let (span, count) = (self.spans[k], self.lattice.cells[k]);
         if span.len == 0 {
@@ -214,7 +214,7 @@ impl Window {
         }
         let last = (span.first + span.len - 1) % count;
         if part.contains(span.first) {
-            // From the first line on, as far as the part goes.
+            // From the first line to the end of the part.
             let dropped = (part.first + part.len + count - span.first) % count;
             self.spans[k] = Span::new(span.first + dropped, span.len - dropped, count);
             return dropped;
@@ -228,7 +228,7 @@ impl Window {
     }
 }
 
-/// Asks from time to time whether to go on.
+/// Reports progress from time to time.
 struct ProgressTicker<'a, 'b> {
     job: &'a Job<'b>,
     spent: usize,

@@ -1,10 +1,10 @@
-//! The paper's approximate normal: from two plane sections through the lines of the surface.
+//! The paper's approximate normal, from two plane sections through the lines of the surface.
 //!
-//! Both planes pass through the point and are parallel to b, the mean of the four normals at the
-//! cell's corners; they are orthogonal to each other. Each crosses the coordinate curves near the
-//! cell. A cubic through four crossings approximates the section, and the tangents of the two span
-//! the tangent plane. Third order in the size of cells, as the derivative of a cubic through four
-//! points is.
+//! Both planes pass through the point, and are parallel to b, the mean of the four normals at the
+//! cell's corners. They are perpendicular to each other. Each plane crosses the coordinate curves
+//! close to the cell, and a cubic through four crossings approximates the section. The tangents of
+//! both sections span the tangent plane. The error is of third order in the size of cells, like the
+//! derivative of a cubic through four points.
 
 use super::cell_lattice::Lattice;
 use crate::cells::Cells;
@@ -13,26 +13,26 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::{evaluate, halves};
 
-/// Lines that a section is drawn through.
+/// Number of lines that a section interpolates.
 const LINES: usize = 4;
-/// Cells to either side in which a crossing with a line is sought.
+/// Number of cells on either side in which a crossing with a line is sought.
 const MAX_CELLS_AWAY: usize = 8;
-/// Cells by which lines are extrapolated beyond an open edge.
+/// Number of cells by which lines are extrapolated beyond an open edge.
 const EXTRAPOLATION: f64 = 0.5;
-/// Halvings of an edge before a crossing is taken as it is: to the last bit.
+/// Number of halvings of an edge after which a crossing is accurate to the last bit.
 const MAX_HALVINGS: u32 = 60;
 
-/// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections;
-/// on the side of S_u x S_v. 0 if there is none: a plane crosses fewer than two lines near the
-/// cell, or normals at its corners cancel out.
+/// The approximate unit normal at parameters (u, v) of a cell, from two perpendicular plane
+/// sections, on the side of S_u x S_v. Returns zero if a plane crosses fewer than two lines close
+/// to the cell, or if the normals at its corners cancel.
 ///
-/// It uses the lines of the surface only; [`Sheet::normal`] is of third order as well, with a
-/// smaller constant, and faster.
+/// It uses only the lines of the surface. [`Sheet::normal`] is also of third order, with a smaller
+/// constant, and faster.
 ///
 /// # Errors
-/// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] for parameters outside 0 to 1.
+/// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] if a parameter is outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
-    Lattice::of(sheet).check(cell)?;
+    Lattice::new(sheet).check(cell)?;
     [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
     let [i, j] = cell;
     let point = sheet.jet(i, j, u, v).point;
@@ -42,8 +42,9 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
     let frame = mean.try_normalize().and_then(|b| Some((b, (along_u - along_u.dot(b) * b).try_normalize()?)));
     let Some((b, first)) = frame else { return Ok(DVec3::ZERO) };
     let second = b.cross(first);
-    let lattice = Lattice::of(sheet);
-    // The plane along `first` crosses lines of constant u, that along `second` lines of constant v.
+    let lattice = Lattice::new(sheet);
+    // The plane along `first` crosses lines of constant u, the plane along `second` lines of
+    // constant v.
     let slope = |direction: usize, along: DVec3, across: DVec3| {
         let section = Section { point, along, across, up: b };
         each_sheet!(sheet, cells => section.slope(cells, lattice, direction, cell))
@@ -55,7 +56,7 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
 /// A plane section near a point of it.
 struct Section {
     point: DVec3,
-    /// Within the plane, across `up`.
+    /// The direction in the plane perpendicular to `up`.
     along: DVec3,
     /// The plane's normal.
     across: DVec3,
@@ -63,8 +64,8 @@ struct Section {
 }
 
 impl Section {
-    /// The slope at the point of the cubic through the crossings with the lines of one direction
-    /// round a cell.
+    /// The slope, at the point, of the cubic through the crossings with lines of one direction
+    /// around a cell.
     fn slope<const N: usize>(
         &self,
         cells: &impl Cells<N>,
@@ -77,7 +78,7 @@ impl Section {
         for k in 0..LINES.min(count + 1) {
             let line = match lattice.closed[direction] {
                 true => (at + count + k - 1) % count,
-                // As far in the middle as the edges allow.
+                // As central as the edges allow.
                 false => at.saturating_sub(1).min((count + 1).saturating_sub(LINES)) + k,
             };
             if let Some(crossing) = self.crossing(cells, lattice, direction, line, cell[1 - direction]) {
@@ -90,7 +91,7 @@ impl Section {
         (found >= 2 && slope.is_finite()).then_some(slope)
     }
 
-    /// Where the plane crosses a line of the surface next to place `at` on it.
+    /// The point where the plane crosses a line of the surface close to place `at` on it.
     fn crossing<const N: usize>(
         &self,
         cells: &impl Cells<N>,
@@ -103,7 +104,7 @@ impl Section {
         let within = |place: usize, range: [f64; 2]| {
             let edge = edge(cells, lattice, direction, line, place);
             let field = edge.map(|control| (control - self.point).dot(self.across));
-            let root = first_root(over(field, range), MAX_HALVINGS)?;
+            let root = first_root(restricted_polynomial(field, range), MAX_HALVINGS)?;
             Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
         };
         for offset in 0..=MAX_CELLS_AWAY {
@@ -121,14 +122,14 @@ impl Section {
                 return nearest;
             }
         }
-        // Next to an open edge the crossing may be beyond it, where the line's last cubic goes on.
+        // Close to an open edge, the crossing may be on the extension of the line's last cubic.
         let ends = [(0, [-EXTRAPOLATION, 0.0]), (count - 1, [1.0, 1.0 + EXTRAPOLATION])];
         let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= MAX_CELLS_AWAY;
         ends.into_iter().filter(near).find_map(|(place, range)| within(place, range))
     }
 }
 
-/// The Bézier points of a line of the surface over one cell: direction 0 for lines of constant u.
+/// The Bézier points of a line of the surface over one cell. Direction 0 means lines of constant u.
 fn edge<const N: usize>(
     cells: &impl Cells<N>,
     lattice: Lattice,
@@ -146,9 +147,8 @@ fn edge<const N: usize>(
     }
 }
 
-/// A polynomial in Bernstein form over another interval: its blossom at as many of the one end and
-/// of the other.
-fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
+/// A polynomial in Bernstein form, reparametrised to another interval by its blossom.
+fn restricted_polynomial<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     std::array::from_fn(|ends| {
         let mut work = field;
         for (step, count) in (1..N).rev().enumerate() {
@@ -159,8 +159,8 @@ fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     })
 }
 
-/// The first root of a polynomial in Bernstein form: halves whose coefficients have one sign have
-/// none.
+/// The first root of a polynomial in Bernstein form. Halves whose coefficients have one sign are
+/// skipped.
 fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
     if field.iter().all(|&x| x > 0.0) || field.iter().all(|&x| x < 0.0) {
         return None;
@@ -176,13 +176,13 @@ fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
     first.or_else(|| first_root(high, depth - 1).map(|t| 0.5 + 0.5 * t))
 }
 
-/// The slope at 0 of the polynomial through points (s, h); not finite if two of them have the same
+/// The slope at 0 of the polynomial through points (s, h). Not finite if two points have the same
 /// s.
 fn slope_at_origin(points: &[[f64; 2]]) -> f64 {
     let mut slope = 0.0;
     for (k, &[s, h]) in points.iter().enumerate() {
         let others = || points.iter().enumerate().filter(move |&(m, _)| m != k).map(|(m, point)| (m, point[0]));
-        // The derivative of the product of the (0 - s_l) / (s - s_l).
+        // The derivative of the product of the factors (0 - s_l) / (s - s_l).
         for (m, from) in others() {
             let rest = others().filter(|&(l, _)| l != m).map(|(_, at)| -at / (s - at));
             slope += h / (s - from) * rest.product::<f64>();

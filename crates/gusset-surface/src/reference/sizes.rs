@@ -1,17 +1,17 @@
-//! Bounds of cells: the greatest distance of two points, or angle of two normals.
+//! Bounds of cells: the largest distance between two points, or angle between two normals.
 
 use super::cell_lattice::Lattice;
 use super::cell_mask::CellMask;
 use gusset_base::error::{Error, Result};
 
-/// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of
-/// them: the paper's d.
+/// A bound for each cell, of its diameter or of the angle between its normals, and the largest
+/// bound, the paper's d.
 ///
-/// A cell's set holds its corners as its neighbours see them too, so that consecutive cells of a
-/// chain have an element in common even where patches meet only nearly. Then (theorem T1) an
-/// element x of a cell that a chain of J cells joins to node A is no farther from A than the sum of
-/// the J bounds: J d, or R_J(A), the sum over k of the greatest bound in the k-th ring of cells
-/// round A.
+/// The bound of a cell includes its corners as the neighbours compute them. Consecutive cells of a
+/// chain therefore share an element, even where patches meet only approximately. Let a chain of J
+/// cells join the cell of an element x to node A. By theorem T1, the distance of x from A is at
+/// most the sum of the J bounds: J d, or R_J(A), the sum over k of the largest bound in the k-th
+/// ring of cells around A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizes {
     lattice: Lattice,
@@ -22,30 +22,31 @@ pub struct Sizes {
 /// How bounds of cells are summed over a block of 2 J x 2 J cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Sum {
-    /// J d, as the paper has it: O(1).
+    /// J d, as in the paper. O(1).
     #[default]
     Greatest,
-    /// R_J, the greatest bound of each ring: larger blocks where cells differ in size, but O(J^2).
+    /// R_J, the sum of the largest bound of each ring. Blocks are larger if cells differ in size,
+    /// but cost O(J^2).
     Rings,
 }
 
-/// The factor that covers the rounding of bounds and of their sums.
+/// Factor that covers the rounding of bounds and of their sums.
 pub(super) const ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
 
 impl Sizes {
-    /// One bound a cell, row after row; none is NaN or negative.
+    /// Creates sizes from one bound for each cell, row by row. Bounds are neither NaN nor negative.
     pub(super) fn new(lattice: Lattice, sizes: Vec<f64>) -> Self {
         let greatest = sizes.iter().copied().fold(0.0, f64::max);
         Sizes { lattice, sizes, greatest }
     }
 
-    /// How the cells lie.
+    /// The lattice of the cells.
     pub fn lattice(&self) -> Lattice {
         self.lattice
     }
 
-    /// The bounds, row after row.
-    pub fn all(&self) -> &[f64] {
+    /// The bounds, row by row.
+    pub fn values(&self) -> &[f64] {
         &self.sizes
     }
 
@@ -54,14 +55,14 @@ impl Sizes {
         self.sizes[self.lattice.index(cell)]
     }
 
-    /// The greatest bound, d.
+    /// The largest bound, d.
     pub fn greatest(&self) -> f64 {
         self.greatest
     }
 
-    /// The largest J such that the block of 2 J x 2 J cells round a node stays nearer to the node
-    /// than `limit`, and the bound of how far it reaches. J is at most the greater number of rows
-    /// or columns: no chain need be longer (6).
+    /// The largest J for which the block of 2 J x 2 J cells around a node stays closer to the node
+    /// than `limit`, and the bound of its reach. J is at most the larger number of rows and
+    /// columns, because longer chains are unnecessary (6).
     pub fn steps(&self, node: [usize; 2], limit: f64, sum: Sum) -> (usize, f64) {
         let [rows, columns] = self.lattice.cells;
         let most = rows.max(columns);
@@ -71,7 +72,7 @@ impl Sizes {
                 if self.greatest == 0.0 {
                     return if limit > 0.0 { (most, 0.0) } else { (0, 0.0) };
                 }
-                // ceil(limit / d) - 1 but for rounding (erratum E2); a quotient that is NaN or
+                // ceil(limit / d) - 1, except for rounding (erratum E2). A quotient that is NaN or
                 // negative gives 0.
                 let mut steps = ((limit / self.greatest).ceil() as usize).min(most);
                 while steps > 0 && reach(steps) >= limit {
@@ -93,13 +94,13 @@ impl Sizes {
         }
     }
 
-    /// R_J: how far from a node the block of 2 J x 2 J cells round it may reach.
+    /// R_J: a bound of the distance from a node within the block of 2 J x 2 J cells around it.
     pub fn ring_sum(&self, node: [usize; 2], steps: usize) -> f64 {
         (1..=steps).map(|k| self.ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
     }
 
-    /// The greatest bound in the k-th ring of cells round a node: those that chains of k cells
-    /// reach and shorter ones do not.
+    /// The largest bound in the k-th ring of cells around a node: the cells that chains of k cells
+    /// reach, but shorter chains do not.
     fn ring(&self, node: [usize; 2], k: usize) -> f64 {
         let ([rows, columns], inner) = (self.lattice.block(node, k), self.lattice.block(node, k - 1));
         let own = rows.indices().flat_map(|i| {
@@ -109,12 +110,12 @@ impl Sizes {
         own.map(|cell| self.get(cell)).fold(0.0, f64::max)
     }
 
-    /// The bound of a cell region whose integer diameter is known: I d, d the greatest bound of its
-    /// cells (5).
+    /// The bound of a cell region with the given integer diameter: I d, where d is the largest
+    /// bound of its cells (5).
     ///
     /// # Errors
-    /// [`Error::SidesDiffer`] if the region is one of another sheet.
-    pub fn of_region(&self, region: &CellMask, integer_diameter: usize) -> Result<f64> {
+    /// [`Error::SidesDiffer`] if the region belongs to another sheet.
+    pub fn region_bound(&self, region: &CellMask, integer_diameter: usize) -> Result<f64> {
         if region.lattice() != self.lattice {
             let [a, b] = [self.lattice.len(), region.lattice().len()];
             return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });

@@ -1,19 +1,19 @@
-//! All common points of a Bézier curve and a patch: all (t, u, v) with C(t) = S(u, v), by
-//! [`subdivide`] of pairs of a part of the curve and a part of the patch, across the longest of the
-//! three directions.
+//! All common points of a Bézier curve and a patch: all (t, u, v) with C(t) = S(u, v).
+//! [`subdivide`] halves pairs of a part of the curve and a part of the patch in their longest
+//! direction.
 //!
-//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
+//! Proofs follow Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
 //! [`gusset_base::geom::subdivision`]:
-//! * *empty*: the control points of the two are apart, along an axis, along the patch's normal, or
-//!   along one of three directions that make the middle Jacobian of C - S the identity. As C - S is
-//!   a sum of a function of t and one of (u, v), its bounds are those of its two parts;
-//! * *unique*: after the same change of directions the Jacobian has a dominant diagonal all over
-//!   the pair, so that C - S takes no value twice; then Newton's method finds the common point, if
-//!   it stays;
-//! * *unresolved*: along the normal, both are within the tolerance. There the curve touches the
-//!   surface, or runs in it, or passes where the surface is not regular.
+//! - *empty*: a direction separates the two sets of control points. The directions tested are the
+//!   coordinate axes, the patch's normal, and three directions that make the middle Jacobian of C -
+//!   S the identity. C - S is the sum of a function of t and a function of (u, v), so its bounds
+//!   are sums too.
+//! - *unique*: in the latter directions the Jacobian is diagonally dominant all over the pair, so
+//!   that C - S is injective. Newton's method finds the common point, if it stays near the pair.
+//! - *unresolved*: along the normal, both parts are within the tolerance. The curve touches the
+//!   surface there, or runs in it, or passes where the surface is not regular.
 //!
-//! Cost: O(M^2 + N^2) a test and O(N^3) a split, [`MAX_PAIRS`] pairs at most.
+//! Cost: O(M^2 + N^2) for a test, O(N^3) for a split; at most [`MAX_PAIRS`] pairs.
 
 use crate::Patch;
 use glam::{DMat3, DVec2, DVec3};
@@ -26,56 +26,57 @@ use gusset_base::geom::subdivision::{
 };
 use std::convert::Infallible;
 
-/// Halvings, of all three directions together, before a pair is given up.
+/// Number of halvings, over all three directions, after which a pair is given up.
 const MAX_SUBDIVISION_DEPTH: u32 = 96;
-/// Pairs examined: a curve in a surface would take them without end.
+/// Largest number of pairs examined. Without a limit, a curve that lies in a surface would never
+/// end.
 const MAX_PAIRS: usize = 2048;
-/// Pairs with more of the curve than this are halved even if they are flat: to tell where a common
-/// part begins and ends.
+/// Pairs with a longer parameter range of the curve are halved even if they are flat. This locates
+/// the ends of a common arc.
 const MAX_UNRESOLVED_LENGTH: f64 = 1.0 / 16.0;
-/// How far outside a pair a common point may be found, as a fraction of it, besides rounding: those
-/// on borders are found from both sides.
+/// How far outside a pair a common point may be found besides rounding, as a fraction of the pair.
+/// Both sides of a border find the points on it.
 const MARGIN: f64 = 1e-12;
 
-/// A point that a curve and a patch have in common, where the one passes through the other.
+/// A common point of a curve and a patch, where the curve passes through the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Crossing {
-    /// On the curve.
+    /// Parameter on the curve.
     pub(crate) t: f64,
-    /// On the patch.
+    /// Parameters on the patch.
     pub(crate) place: DVec2,
-    /// How far rounding may have moved the parameters.
+    /// Bound of the error of the parameters by rounding.
     slack: f64,
 }
 
 /// Common points of a curve and a patch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Crossings {
-    /// Each once.
+    /// The transversal crossings, each once.
     pub(crate) simple: Vec<Crossing>,
-    /// Clusters of (t, u, v) that could not be resolved; the middle of the best box is where curve
-    /// and patch are nearest.
+    /// Clusters of (t, u, v) that could not be resolved. The middle of a cluster's best box is
+    /// where curve and patch are closest.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
 }
 
-/// A part of the curve and one of the patch.
+/// A part of the curve and a part of the patch.
 #[derive(Clone)]
 struct Pair<const M: usize, const N: usize> {
     curve: [DVec3; M],
     patch: Patch<N>,
-    /// The least t, u and v of the two, and the lengths of their ranges.
+    /// The smallest t, u and v of the pair, and the lengths of their ranges.
     from: DVec3,
     size: DVec3,
 }
 
-/// Memory for searches, used again and again.
+/// Memory that searches reuse.
 #[derive(Default)]
 pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
     stack: Stack<Pair<M, N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
-/// The search of one curve and one patch.
+/// The search for common points of one curve and one patch.
 struct CrossingSearch<'a, const M: usize, const N: usize> {
     whole: Pair<M, N>,
     rounding_error: f64,
@@ -84,9 +85,9 @@ struct CrossingSearch<'a, const M: usize, const N: usize> {
     boxes: &'a mut Vec<UnresolvedBox>,
 }
 
-/// Finds all points that a curve of degree M - 1 and a patch have in common. Control points may be
-/// off by `rounding_error`; things within `tolerance` of each other need no resolving. At most
-/// [`MAX_PAIRS`] pairs are examined and split, and as many again left as they are.
+/// Finds all common points of a curve of degree M - 1 and a patch. Control points may be off by
+/// `rounding_error`. Points within `tolerance` of each other need not be told apart. Examines at
+/// most [`MAX_PAIRS`] pairs, and leaves up to as many unresolved.
 pub(crate) fn crossings<const M: usize, const N: usize>(
     curve: &[DVec3; M],
     patch: &Patch<N>,
@@ -95,7 +96,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     workspace: &mut CurveWorkspace<M, N>,
     found: &mut Crossings,
 ) -> Result<()> {
-    // Near the origin, where rounding is small.
+    // Moves the origin to the patch, where rounding is small.
     let origin = patch.points[0][0];
     let curve = curve.map(|point| point - origin);
     let patch = Patch { points: patch.points.map(|row| row.map(|point| point - origin)) };
@@ -149,7 +150,7 @@ impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for CrossingSear
     }
 }
 
-/// The greatest absolute values of the components.
+/// The largest absolute value of each component.
 fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
     vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
 }
@@ -179,7 +180,8 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         let undecided = if is_resolved { BoxTest::Unresolved } else { BoxTest::Undecided(()) };
         let volume = tangent.length() * normal.length();
         if jacobian.determinant().abs() <= 1e-9 * volume || volume == 0.0 {
-            // Nearly in one plane: the directions across their sides may keep them apart there.
+            // Tangents and normal are nearly coplanar. Directions perpendicular to them may still
+            // separate the two.
             let sides = [normal.cross(u), normal.cross(v), normal.cross(tangent)];
             let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, rounding_error));
             return if apart { BoxTest::Empty } else { undecided };
@@ -188,26 +190,26 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         found.unwrap_or(undecided)
     }
 
-    /// True if the two are apart along a direction.
+    /// True if a direction separates the two.
     fn apart(&self, direction: DVec3, rounding_error: f64) -> bool {
         let [low, high] = range(self.curve.iter().map(|point| point.dot(direction)));
         let [from, to] = range(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
         low > to + rounding_error || from > high + rounding_error
     }
 
-    /// Whether there is none or one, seen in directions in which C - S is nearly (t, u, v), less
+    /// Tests for zero or one common point, in directions in which C - S is nearly (t, u, v) minus
     /// its root.
     fn resolve(&self, whole: &Self, inverse: DMat3, rounding_error: f64) -> Option<BoxTest<Crossing, ()>> {
         let curve = self.curve.map(|point| inverse * point);
         let patch = Patch { points: self.patch.points.map(|row| row.map(|point| inverse * point)) };
-        // How far rounding may move the root.
+        // Bound of the error of the root by rounding.
         let rows = inverse.transpose();
         let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
         let (along, across) = (Aabb::from_points(curve), Aabb::from_points(patch.points.as_flattened()));
         if (along.separation(&across) - slack).max_element() > 0.0 {
             return Some(BoxTest::Empty);
         }
-        // All values of the derivatives are within those of their control points.
+        // All values of a derivative lie within the range of its control points.
         let (m, n) = ((M - 1) as f64, (N - 1) as f64);
         let p = &patch.points;
         let by_t = || (0..M - 1).map(|k| m * (curve[k + 1] - curve[k]));
@@ -235,7 +237,8 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         if !(at - 0.5).abs().cmple(0.5 + margin).all() {
             return None;
         }
-        // As the whole has it: the parts' control points are rounded.
+        // Improves the root with the original control points, because splitting rounds the control
+        // points.
         let mut place = self.from + self.size * at;
         for _ in 0..2 {
             let miss = evaluate(&whole.curve, place.x) - whole.patch.place(place.y, place.z);
@@ -246,7 +249,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         Some(BoxTest::Unique(Crossing { t: place.x, place: DVec2::new(place.y, place.z), slack }))
     }
 
-    /// The halves of the longest direction.
+    /// Halves the pair in its longest direction.
     fn halves(self) -> [Self; 2] {
         let p = &self.patch.points;
         let longest = |from: f64, leg: DVec3| from.max(leg.length_squared());
@@ -271,8 +274,8 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         [low, high]
     }
 
-    /// Moves the best place of a cluster to where the curve and the patch are nearest within it:
-    /// Levenberg's and Marquardt's steps, each kept within the cluster.
+    /// Moves the best place of a cluster to where curve and patch are closest within the cluster.
+    /// Levenberg-Marquardt steps, clamped to the cluster.
     fn refine_unresolved(&self, cluster: &mut UnresolvedCluster) {
         let (low, high) = (cluster.low.max(DVec3::ZERO), cluster.high.min(DVec3::ONE));
         let miss = |at: DVec3| evaluate(&self.curve, at.x) - self.patch.place(at.y, at.z);
@@ -354,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn three_of_a_cubic() {
+    fn all_three_crossings_of_a_cubic_are_found() {
         let patch = sum(cubic([0.2, 0.5, 0.9]), [0.0; 4]);
         let line = straight(DVec3::new(0.0, 0.3, 0.0), DVec3::new(1.0, 0.7, 0.0));
         let found = solve(&line, &patch);
@@ -371,19 +374,19 @@ mod tests {
         let found = solve(&wave, &flat);
         assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
         assert!((found.simple[1].t - 0.4).abs() < 1e-13);
-        // Past the patch, and away from it.
+        // A curve past the patch, and a curve away from it.
         let past = straight(DVec3::new(1.1, -0.2, -1.0), DVec3::new(1.0001, 0.5, 1.0));
         assert!(solve(&past, &patch).simple.is_empty() && solve(&past, &patch).unresolved.is_empty());
     }
 
     #[test]
-    fn corners_of_parts_are_found_once() {
+    fn crossings_at_corners_of_parts_are_found_once() {
         let patch = sum([0.0; 4], [0.0; 4]);
         let line = straight(DVec3::new(0.4, 0.6, -0.5), DVec3::new(0.6, 0.4, 0.5));
         let found = solve(&line, &patch);
         assert_eq!(found.simple.len(), 1, "{found:?}");
         assert!(found.simple[0].place.distance(DVec2::splat(0.5)) < 1e-14);
-        // At a corner and on a side of the patch itself.
+        // At a corner and on a side of the patch.
         for place in [DVec2::ZERO, DVec2::new(1.0, 0.25), DVec2::ONE] {
             let at = place.extend(0.0);
             let line = straight(at - DVec3::new(0.3, -0.2, 1.0), at + DVec3::new(0.3, -0.2, 1.0));
@@ -394,13 +397,13 @@ mod tests {
 
     #[test]
     fn touching_and_running_inside_are_reported() {
-        // z = (u - 0.37)^2 and the line z = 0 across.
+        // z = (u - 0.37)^2 and a line with z = 0 across it.
         let dip = [0.37 * 0.37, 0.37 * 0.37 - 0.74 / 3.0, 0.37 * 0.37 - 1.48 / 3.0 + 1.0 / 3.0, 0.63 * 0.63];
         let line = straight(DVec3::new(0.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
         let found = solve(&line, &sum(dip, [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
         assert!((found.unresolved[0].best.middle.x - 0.37).abs() < 1e-4, "{found:?}");
-        // In a plane: the common part is from t = 0.25 to 0.75.
+        // A line in the plane of the patch: the common part runs from t = 0.25 to 0.75.
         let line = straight(DVec3::new(-0.5, 0.5, 0.0), DVec3::new(1.5, 0.5, 0.0));
         let found = solve(&line, &sum([0.0; 4], [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
@@ -410,11 +413,11 @@ mod tests {
                 && (cluster.high.x - 0.75).abs() <= MAX_UNRESOLVED_LENGTH,
             "{found:?}"
         );
-        // In the same plane, and past the patch.
+        // A line in the plane of the patch that misses the patch.
         let past = straight(DVec3::new(0.6, -0.45, 0.0), DVec3::new(1.5, 0.45, 0.0));
         let found = solve(&past, &sum([0.0; 4], [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.is_empty(), "{found:?}");
-        // On a curved sheet, along one of its own curves.
+        // A curve on a curved sheet, along one of its iso-curves.
         let wave = cubic([0.1, 0.5, 0.8]);
         let own: [DVec3; 4] = std::array::from_fn(|k| DVec3::new(k as f64 / 3.0, 0.3, wave[k]));
         let found = solve(&own, &sum(wave, [0.0; 4]));
@@ -424,7 +427,7 @@ mod tests {
     }
 
     #[test]
-    fn any_degree() {
+    fn raised_degrees_give_equal_crossings() {
         // The same cubic, raised to degree 7.
         let patch = sum(cubic([0.2, 0.5, 0.9]), cubic([0.1, 0.2, 0.3]));
         let curve = [DVec3::new(0.1, 0.9, -0.3), DVec3::new(0.5, 0.2, 0.6), DVec3::new(0.4, 0.8, -0.8), DVec3::ONE];

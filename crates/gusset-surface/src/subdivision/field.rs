@@ -1,15 +1,15 @@
-//! A scalar over a patch, in Bernstein form: what plane functions, angles and the like are.
+//! A scalar field over a patch in Bernstein form, such as the height above a plane or an angle.
 
 use gusset_base::geom::bernstein::{halves, value_and_slope_by_differences};
 
-/// Coefficients `c[a][b]` of degree N - 1 in u and in v, over 0 <= u, v <= 1. Its values are
-/// between the least and the greatest of them.
+/// Coefficients `c[a][b]` of degree N - 1 in u and in v, over 0 <= u, v <= 1. All values of the
+/// field lie between the smallest and the largest coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Field<const N: usize> {
     pub(crate) c: [[f64; N]; N],
 }
 
-/// Value and slopes at a point.
+/// Value and partial derivatives at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slope {
     pub(crate) value: f64,
@@ -18,10 +18,10 @@ pub(crate) struct Slope {
 }
 
 impl<const N: usize> Field<N> {
-    /// The least and the greatest coefficient.
+    /// The smallest and the largest coefficient.
     #[inline]
     pub(crate) fn range(&self) -> [f64; 2] {
-        // Comparisons, not f64::min: what is NaN may be passed over, and vectors do them.
+        // Comparisons instead of f64::min: they vectorise, and may skip NaN.
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for &x in self.c.as_flattened() {
             low = if x < low { x } else { low };
@@ -32,7 +32,7 @@ impl<const N: usize> Field<N> {
 
     /// a * self + b * other.
     #[inline]
-    pub(crate) fn combined(&self, a: f64, other: &Field<N>, b: f64) -> Field<N> {
+    pub(crate) fn linear_combination(&self, a: f64, other: &Field<N>, b: f64) -> Field<N> {
         let mut c = self.c;
         for (row, others) in c.iter_mut().zip(&other.c) {
             row.iter_mut().zip(others).for_each(|(x, &y)| *x = a * *x + b * y);
@@ -40,8 +40,8 @@ impl<const N: usize> Field<N> {
         Field { c }
     }
 
-    /// Value and slopes at (u, v).
-    pub(crate) fn at(&self, u: f64, v: f64) -> Slope {
+    /// Evaluates the field and its derivatives at (u, v).
+    pub(crate) fn evaluate(&self, u: f64, v: f64) -> Slope {
         let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
         for (a, row) in self.c.iter().enumerate() {
             [values[a], slopes[a]] = value_and_slope_by_differences(row, v);
@@ -50,7 +50,7 @@ impl<const N: usize> Field<N> {
         Slope { value, u: along_u, v: value_and_slope_by_differences(&slopes, u)[0] }
     }
 
-    /// The least and the greatest coefficient of the derivative by u, and of that by v.
+    /// The smallest and the largest coefficient of the derivative by u, and of the derivative by v.
     #[inline]
     pub(crate) fn slope_ranges(&self) -> [[f64; 2]; 2] {
         let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
@@ -84,7 +84,7 @@ impl<const N: usize> Field<N> {
         halves(&self.c).map(|c| Field { c })
     }
 
-    /// u and v exchanged.
+    /// The field with u and v exchanged.
     pub(crate) fn transposed(&self) -> Field<N> {
         let mut turned = *self;
         for a in 0..N {
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_are_the_whole() {
+    fn parts_equal_the_whole_field() {
         let mut random = fastrand::Rng::with_seed(1);
         let field = Field::<4> { c: [[0.0; 4]; 4].map(|row| row.map(|_| random.f64() - 0.5)) };
         let parts = field.quarters();
@@ -109,7 +109,7 @@ mod tests {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);
             for (q, part) in parts.iter().enumerate() {
                 let (from_u, from_v) = (0.5 * (q / 2) as f64, 0.5 * (q % 2) as f64);
-                let (there, whole) = (part.at(u, v), field.at(from_u + 0.5 * u, from_v + 0.5 * v));
+                let (there, whole) = (part.evaluate(u, v), field.evaluate(from_u + 0.5 * u, from_v + 0.5 * v));
                 assert!((there.value - whole.value).abs() < 1e-15);
                 assert!((there.u - 0.5 * whole.u).abs() < 1e-14 && (there.v - 0.5 * whole.v).abs() < 1e-14);
                 let [low, high] = part.range();

@@ -1,5 +1,6 @@
-//! Equations over patches in Bernstein form: common roots of two fields, and common points of a
-//! curve and a patch. None is missed; the engine is [`gusset_base::geom::subdivision`].
+//! Equations over patches in Bernstein form: the common roots of two fields, and the common points
+//! of a curve and a patch. All solutions are found; the engine is
+//! [`gusset_base::geom::subdivision`].
 
 mod curve_crossings;
 mod field;

@@ -1,15 +1,15 @@
 //! All common roots of two fields over a patch, by [`subdivide`] into quarters.
 //!
-//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
+//! Proofs follow Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
 //! [`gusset_base::geom::subdivision`]:
-//! * *empty*: a field, or a combination of the two that makes the middle Jacobian the identity, has
-//!   coefficients of one sign;
-//! * *unique*: the Jacobian of the combined fields has a dominant diagonal all over the part, so
-//!   that they take no pair of values twice; then Newton's method finds the root, if it stays;
-//! * *unresolved*: all values of a field are within the tolerance. That is where the two curves
-//!   touch, or coincide.
+//! - *empty*: all coefficients of a field have one sign. The fields tested are the two given ones,
+//!   and two combinations of them that make the middle Jacobian the identity.
+//! - *unique*: the Jacobian of the combinations is diagonally dominant all over the part, so that
+//!   they take no pair of values twice. Newton's method finds the root, if it stays near the part.
+//! - *unresolved*: all values of a field are within the tolerance. The two zero curves touch or
+//!   coincide there.
 //!
-//! Cost: O(N^3) a part, [`MAX_PARTS`] parts at most.
+//! Cost: O(N^3) for each part, at most [`MAX_PARTS`] parts.
 
 use super::field::{Field, Slope};
 use glam::DVec2;
@@ -18,22 +18,23 @@ use gusset_base::geom::subdivision::{
     BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
 };
 
-/// Halvings of each parameter before a part is given up.
+/// Number of halvings of each parameter after which a part is given up.
 const MAX_SUBDIVISION_DEPTH: u32 = 22;
-/// Parts examined for one patch: curves that coincide would take them without end.
+/// Largest number of parts examined for one patch. Without a limit, curves that coincide would
+/// never end.
 const MAX_PARTS: usize = 4096;
-/// The same where another method follows if they do not suffice.
+/// Largest number of parts if another method takes over when they do not suffice.
 const MAX_PARTS_IF_SIMPLE: usize = 256;
-/// How far outside a part a root may be found, as a fraction of it, besides rounding: roots on
-/// borders are found from both sides.
+/// How far outside a part a root may be found besides rounding, as a fraction of the part. Both
+/// sides of a border find the roots on it.
 const MARGIN: f64 = 1e-12;
 
-/// Common roots of fields on patches, and memory for the search.
+/// Common roots of fields on patches, and memory that searches reuse.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Roots<const N: usize> {
     /// Parameters of simple roots, each once.
     pub(crate) simple: Vec<DVec2>,
-    /// Where roots could not be told apart.
+    /// Where roots could not be resolved.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
     stack: Stack<FieldPart<N>>,
     boxes: Vec<UnresolvedBox>,
@@ -46,18 +47,18 @@ struct FieldPart<const N: usize> {
     size: f64,
 }
 
-/// The search of one patch.
+/// The search for roots on one patch.
 struct RootSearch<'a> {
     rounding_error: f64,
     tolerance: f64,
     simple: &'a mut Vec<DVec2>,
     boxes: &'a mut Vec<UnresolvedBox>,
-    /// Whether to end with the first box that is unresolved.
+    /// Whether to stop at the first unresolved part.
     simple_only: bool,
 }
 
-/// Finds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values
-/// are all within `tolerance` need no resolving.
+/// Finds the common roots of two fields. Values up to `rounding_error` may be 0. Parts whose values
+/// are all within `tolerance` need not be resolved.
 pub(crate) fn roots<const N: usize>(
     fields: [Field<N>; 2],
     rounding_error: f64,
@@ -69,8 +70,8 @@ pub(crate) fn roots<const N: usize>(
     Ok(())
 }
 
-/// Finds the common roots of two fields if all can be resolved with little work; else returns
-/// false, and what was found is of no use.
+/// Finds the common roots of two fields if all of them can be resolved with little work. Otherwise
+/// returns false, and `found` is meaningless.
 pub(crate) fn simple_roots<const N: usize>(
     fields: [Field<N>; 2],
     rounding_error: f64,
@@ -80,7 +81,7 @@ pub(crate) fn simple_roots<const N: usize>(
     search(fields, rounding_error, tolerance, true, found)
 }
 
-/// Finds simple roots; false if it ended early.
+/// Finds simple roots. Returns false if the search stopped early.
 #[inline]
 fn search<const N: usize>(
     fields: [Field<N>; 2],
@@ -100,22 +101,23 @@ fn search<const N: usize>(
     subdivide(&mut search, whole, stack, Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
 }
 
-/// Stands for the end of a search for simple roots only.
+/// Signals that a search for simple roots met an unresolved part.
 struct NotSimple;
 
 impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
-    /// The root, by the part's parameters, and how far outside the part it may be for rounding.
+    /// The root in the part's parameters, and how far outside the part it may be because of
+    /// rounding.
     type Solution = [DVec2; 2];
     type Split = ();
     type Stop = NotSimple;
 
     #[inline]
     fn classify(&mut self, part: &FieldPart<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimple> {
-        if part.fields.iter().any(|field| has_none(field, self.rounding_error)) {
+        if part.fields.iter().any(|field| is_nonzero(field, self.rounding_error)) {
             return Ok(BoxTest::Empty);
         }
         let test = classify(&part.fields, self.rounding_error);
-        // Values within the tolerance cannot say any more where the other field's roots are.
+        // Within the tolerance, values no longer tell where the other field's roots are.
         let is_within = |field: &Field<N>| {
             let [low, high] = field.range();
             low >= -self.tolerance && high <= self.tolerance
@@ -126,7 +128,7 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
 
     fn accept(&mut self, part: FieldPart<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimple> {
         let place = part.from + part.size * place;
-        // Found again on the border of parts, if it is within what rounding allows.
+        // A part on the other side of a border may have found the same root.
         let near = 2.0 * part.size * margin.max_element() + 1e-11;
         if !self.simple.iter().any(|other| (*other - place).abs().max_element() <= near) {
             self.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
@@ -138,7 +140,7 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
         if self.simple_only {
             return Err(NotSimple);
         }
-        let residual = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
+        let residual = part.fields.iter().map(|field| field.evaluate(0.5, 0.5).value.abs()).fold(0.0, f64::max);
         let half = DVec2::splat(0.5 * part.size).extend(0.0);
         self.boxes.push(UnresolvedBox { middle: part.from.extend(0.0) + half, half, residual });
         Ok(())
@@ -152,28 +154,28 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
     }
 }
 
-fn has_none<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
+fn is_nonzero<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
     let [low, high] = field.range();
     low > rounding_error || high < -rounding_error
 }
 
-/// Tests a pair of fields; a root is by the part's parameters, with how far outside the part it may
-/// be for rounding.
+/// Tests a pair of fields. A root comes with the distance outside the part that rounding allows,
+/// both in the part's parameters.
 fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxTest<[DVec2; 2], ()> {
-    let middle = fields.map(|field| field.at(0.5, 0.5));
+    let middle = fields.map(|field| field.evaluate(0.5, 0.5));
     let determinant = middle[0].u * middle[1].v - middle[0].v * middle[1].u;
     let square = |slope: &Slope| slope.u * slope.u + slope.v * slope.v;
     let scale = square(&middle[0]) * square(&middle[1]);
     if determinant * determinant <= 1e-18 * scale || scale == 0.0 {
         return BoxTest::Undecided(());
     }
-    // The inverse of the Jacobian takes the fields to ones that are nearly u - u0 and v - v0.
+    // The inverse of the Jacobian maps the fields to nearly u - u0 and v - v0.
     let [a, b] = [middle[1].v / determinant, -middle[0].v / determinant];
     let [c, d] = [-middle[1].u / determinant, middle[0].u / determinant];
-    let first = fields[0].combined(a, &fields[1], b);
-    let second = fields[0].combined(c, &fields[1], d);
+    let first = fields[0].linear_combination(a, &fields[1], b);
+    let second = fields[0].linear_combination(c, &fields[1], d);
     let slack = rounding_error * DVec2::new(a.abs() + b.abs(), c.abs() + d.abs());
-    if has_none(&first, slack.x) || has_none(&second, slack.y) {
+    if is_nonzero(&first, slack.x) || is_nonzero(&second, slack.y) {
         return BoxTest::Empty;
     }
     let [first_u, first_v] = first.slope_ranges();
@@ -182,11 +184,11 @@ fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxT
     if first_u[0] <= max_abs(first_v) || second_v[0] <= max_abs(second_u) {
         return BoxTest::Undecided(());
     }
-    // Newton's steps with the middle Jacobian, which is the identity now, converge; with the true
-    // one, quickly.
+    // Newton steps with the middle Jacobian, which is now the identity, would converge linearly.
+    // With the Jacobian at the current place they converge quadratically.
     let mut place = DVec2::splat(0.5);
     for _ in 0..32 {
-        let (f, g) = (first.at(place.x, place.y), second.at(place.x, place.y));
+        let (f, g) = (first.evaluate(place.x, place.y), second.evaluate(place.x, place.y));
         let determinant = f.u * g.v - f.v * g.u;
         let step = DVec2::new(f.value * g.v - g.value * f.v, g.value * f.u - f.value * g.u) / determinant;
         // A dominant diagonal keeps the determinant positive within the part.
@@ -198,7 +200,7 @@ fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxT
             return BoxTest::Undecided(());
         }
         place = next;
-        // The steps shrink quadratically: the next one would be below rounding.
+        // Steps shrink quadratically, so the next one would be below rounding.
         if step.abs().max_element() <= 1e-9 {
             break;
         }
@@ -213,9 +215,8 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// The field (u - a) (v - b) - c and others, from values at the nodes of the Bernstein form of
-    /// degree 1 raised to 3.
-    fn of(f: impl Fn(f64, f64) -> f64) -> Field<4> {
+    /// A bicubic field from its values at the nodes of a regular 4 x 4 lattice.
+    fn field_from_function(f: impl Fn(f64, f64) -> f64) -> Field<4> {
         // Interpolation of bicubics: Bernstein coefficients from values at 0, 1/3, 2/3, 1.
         let invert = |y: [f64; 4]| {
             let [a, b, c, d] = y;
@@ -229,25 +230,25 @@ mod tests {
 
     fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots<4> {
         let mut found = Roots::default();
-        roots([of(f), of(g)], 1e-14, 1e-9, &mut found).unwrap();
+        roots([field_from_function(f), field_from_function(g)], 1e-14, 1e-9, &mut found).unwrap();
         found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
         found
     }
 
     #[test]
-    fn none_one_and_many() {
+    fn all_roots_are_found_whether_none_one_or_nine() {
         assert!(solve(|u, v| u + v + 0.1, |u, v| u - v).simple.is_empty());
         let one = solve(|u, _| u - 0.3, |_, v| v - 0.7);
         assert!(one.simple.len() == 1 && one.simple[0].distance(DVec2::new(0.3, 0.7)) < 1e-14);
-        // A parabola and a line: two.
+        // A parabola and a line meet twice.
         let two = solve(|u, v| v - 4.0 * (u - 0.5) * (u - 0.5), |_, v| v - 0.25);
         assert_eq!(two.simple.len(), 2);
         assert!((two.simple[0].x - 0.25).abs() < 1e-13 && (two.simple[1].x - 0.75).abs() < 1e-13);
-        // Two cubics, nine roots: u takes three values on each of three.
+        // Two cubics with nine common roots: u takes three values on each of three lines.
         let cubic = |t: f64| (t - 0.2) * (t - 0.5) * (t - 0.9);
         let nine = solve(move |u, _| cubic(u), move |_, v| cubic(v));
         assert_eq!((nine.simple.len(), nine.unresolved.len()), (9, 0));
-        // At corners of parts, found once.
+        // Roots at corners of parts are found once.
         let corner = solve(|u, _| u - 0.5, |_, v| v - 0.5);
         assert_eq!(corner.simple.len(), 1);
     }
@@ -256,7 +257,7 @@ mod tests {
     fn touching_curves_are_reported() {
         let touch = solve(|u, v| v - (u - 0.37) * (u - 0.37), |_, v| v);
         assert!(!touch.unresolved.is_empty());
-        // Roots that rounding makes there are in the cluster.
+        // Roots that rounding creates there lie in the cluster.
         let is_near = |at: DVec2, cluster: &UnresolvedCluster| {
             let best = cluster.best.middle;
             best.truncate().distance(at) <= (cluster.high - best).max(best - cluster.low).length()
@@ -265,7 +266,7 @@ mod tests {
         assert!(touch.simple.iter().all(in_cluster), "{touch:?}");
         let is_right = |at: DVec3| (at.x - 0.37).abs() < 1e-3 && at.y < 1e-3;
         assert!(touch.unresolved.iter().all(|cluster| is_right(cluster.best.middle)));
-        // One curve twice.
+        // Two equal curves.
         let same = solve(|u, v| u - v, |u, v| 2.0 * (u - v));
         assert!(!same.unresolved.is_empty() && same.unresolved.len() <= MAX_PARTS);
     }

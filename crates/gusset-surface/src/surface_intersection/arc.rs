@@ -1,12 +1,12 @@
-//! The one arc that a graph has within a box.
+//! Finds the single arc of a box whose solutions form a graph.
 //!
-//! The two points where the curve leaves the box are looked for along the line of the middle, or,
-//! if that does not lead to them, from a solution inside. That it does not come back is proved by
-//! the bounds of slopes: each parameter either always rises or always falls along the curve, or it
-//! stays inside. A curve that runs along a side of the box, to rounding, does neither: it is of the
-//! boxes on both sides, and found by each (`overlap`).
+//! The search looks for the two exits of the curve from the box along the line of the middle. If
+//! the line does not lead to them, it starts at a solution inside. Bounds of slopes prove that the
+//! curve does not return: each parameter is monotone along the curve, or stays inside the box. A
+//! curve that runs along a side of the box within rounding does neither. It belongs to the boxes on
+//! both sides, and each of them finds it (`overlap`).
 //!
-//! Cost: a few steps of Newton's method an end, O(N^2 + M^2) each.
+//! Cost: a few Newton steps for each exit, O(N^2 + M^2) each.
 
 use super::chart::{Chart, MARGIN, ParameterBox};
 use super::equation::{Equation, Frame};
@@ -14,64 +14,67 @@ use glam::{DVec3, DVec4};
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::subdivision::BoxTest;
 
-/// As much of a cell is rounding where a curve crosses a side.
+/// Rounding of the parameter at which a curve crosses a side, as a fraction of the cell.
 pub(super) const PARAMETER_ROUNDING: f64 = 1e-13;
-/// How many times as near to a side as the noise of a solution points tell nothing.
+/// Points closer to a side than this multiple of a solution's rounding error tell nothing.
 const ROUNDINGS: f64 = 64.0;
-/// How much nearer than [`ArcSearch::close`] to a side a curve is that runs along it.
+/// A curve runs along a side if its distance is below this fraction of [`ArcSearch::close`].
 const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
-/// A parameter's slope, in widths of its bounds, from which smaller boxes prove that it has a sign.
+/// Slope of a parameter, relative to the width of its bounds, above which smaller boxes prove its
+/// sign.
 const MIN_SLOPE_SHARE: f64 = 1.0 / 64.0;
 
-/// Curves that are farther from the sides than this part of a box are in the middle of it.
+/// A curve whose distance from the sides is at least this fraction of the box is in the middle of
+/// it.
 const MIN_ROOM: f64 = 1.0 / 16.0;
 
-/// A line that is in the box for less of the free parameter tells little of the curve.
+/// Smallest fraction of the free parameter's range over which the line of the middle must lie in
+/// the box to describe the curve.
 const MIN_LINE_SHARE: f64 = 1.0 / 64.0;
 
-/// An end of an arc, and the directions in which it goes on: by parameters, and in space.
+/// An end of an arc, and the directions in which the arc continues, in parameters and in space.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End {
+pub(super) struct ArcEnd {
     pub(super) x: DVec4,
     pub(super) tangent: DVec4,
     pub(super) direction: DVec3,
 }
 
-/// A solution, and the derivatives there.
+/// A solution, and the derivatives at it.
 type Start = (DVec4, Frame);
 
-/// Nearly how the curve runs by the free parameter f: x + f rates + f^2 bend.
+/// Approximation of the curve by its free parameter f: x + f rates + f^2 bend.
 struct LocalCurve {
     x: DVec4,
     rates: DVec4,
     bend: DVec4,
 }
 
-/// It cannot be told.
+/// The search could not decide.
 struct Unclear;
 
-/// The part of a graph within a box: nothing but runs that may be lost, or one arc between two
-/// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if
-/// that is known.
-pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;
+/// The arc in a box whose solutions form a graph. `Empty`: only runs that may be lost. `Unique`:
+/// one arc between two ends, by rising free parameter. `Undecided`: the parameter to halve the box
+/// by, if known.
+pub(super) type ArcTest = BoxTest<[ArcEnd; 2], Option<usize>>;
 
-/// The search for the arc of a box.
+/// The search for the arc in a box.
 pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
     pub(super) equation: &'a Equation<N, M>,
     pub(super) chart: &'a Chart,
     low: DVec4,
     high: DVec4,
     margin: DVec4,
-    /// Runs of a curve beyond a side up to this may be lost, or be found twice.
+    /// Runs of a curve beyond a side up to this length may be lost, or be found twice.
     shortest: f64,
     rounding_error: f64,
-    /// A length: where curves are as near to a side, points of them tell whether they run along it.
+    /// If a curve is within this length of a side, its points tell whether it runs along the side.
     close: f64,
 }
 
 impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
-    /// `shortest`: arcs up to this may be lost; `rounding_error`: lengths up to that may be
-    /// rounding.
+    /// Creates the search in a box. Arcs no longer than `shortest` may be lost. Lengths up to
+    /// `rounding_error` may be rounding.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &ParameterBox<N, M>,
@@ -80,77 +83,77 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         rounding_error: f64,
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
-        // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along
-        // a side is nearer than 16 times the noise.
+        // A curve that runs along a side is hardly ever inclined to it by more than 1 in 16, so its
+        // distance is below 16 times the noise.
         let close = (1e-3 * resolution).max(512.0 * rounding_error);
         ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, shortest, rounding_error, close }
     }
 
-    /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the
-    /// derivatives in the middle of the box.
-    pub(super) fn along_line(&self, middle: &Frame) -> Option<ArcTest> {
+    /// Finds the arc if the line of the middle leads to its ends, which is the usual case. `middle`
+    /// holds the derivatives in the middle of the box.
+    pub(super) fn find_along_line(&self, middle: &Frame) -> Option<ArcTest> {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();
         if to - from < MIN_LINE_SHARE * (self.high[free] - self.low[free]) {
             return None;
         }
         let half = 0.5 * (from + to);
-        let first = self.exit(&LocalCurve { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
-        // The parabola that has the slopes at this end and in the middle.
+        let first = self.find_exit(&LocalCurve { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
+        // The parabola with the slopes at this end and in the middle.
         let rates = first.tangent / first.tangent[free];
         let bend = (line - rates) / (2.0 * (base[free] - first.x[free]));
         let step = base[free] + half - first.x[free];
         let x = first.x + step * (rates + step * bend);
-        let last = self.exit(&LocalCurve { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
-        Some(self.found(middle, first, last))
+        let last = self.find_exit(&LocalCurve { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
+        Some(self.classify_exits(middle, first, last))
     }
 
-    /// The same from a solution inside.
-    pub(super) fn through_inside(&self, middle: &Frame) -> ArcTest {
-        let (x, frame) = match self.start() {
+    /// Finds the arc from a solution inside the box.
+    pub(super) fn find_from_inside(&self, middle: &Frame) -> ArcTest {
+        let (x, frame) = match self.find_start() {
             Ok(Some(start)) => start,
             Ok(None) => return BoxTest::Empty,
             Err(Unclear) => return BoxTest::Undecided(None),
         };
         let curve = LocalCurve { x, rates: self.rates(&frame), bend: DVec4::ZERO };
-        match (self.exit(&curve, -1.0), self.exit(&curve, 1.0)) {
-            (Some(first), Some(last)) => self.found(middle, first, last),
+        match (self.find_exit(&curve, -1.0), self.find_exit(&curve, 1.0)) {
+            (Some(first), Some(last)) => self.classify_exits(middle, first, last),
             _ => BoxTest::Undecided(None),
         }
     }
 
-    /// Classifies a curve that leaves the box at these ends.
-    fn found(&self, middle: &Frame, first: End, last: End) -> ArcTest {
-        match self.stays(middle, &first, &last) {
-            Stay::Inside => BoxTest::Unique([first, last]),
-            Stay::Outside => BoxTest::Empty,
-            Stay::Unknown(k) => BoxTest::Undecided(k),
+    /// Classifies a curve that leaves the box at two ends.
+    fn classify_exits(&self, middle: &Frame, first: ArcEnd, last: ArcEnd) -> ArcTest {
+        match self.classify_course(middle, &first, &last) {
+            Course::Inside => BoxTest::Unique([first, last]),
+            Course::Outside => BoxTest::Empty,
+            Course::Unknown(k) => BoxTest::Undecided(k),
         }
     }
 
-    /// The slopes of all parameters by the free one.
+    /// The slopes of all parameters with respect to the free one.
     fn rates(&self, frame: &Frame) -> DVec4 {
         let tangent = frame.tangent();
         tangent / tangent[self.chart.free]
     }
 
-    /// True if a parameter surely rises, or surely falls, with the free one.
+    /// True if a parameter is proven to be monotone in the free one.
     fn is_monotone(&self, k: usize) -> bool {
         let [low, high] = self.chart.slopes[k];
         low > 0.0 || high < 0.0
     }
 
-    /// The parameter of [`ArcSearch::close`], or what may be rounding where the surfaces are nearly
-    /// parallel.
-    fn close(&self, frame: &Frame, k: usize) -> f64 {
+    /// [`ArcSearch::close`] as a distance in parameter k. Larger where the surfaces are nearly
+    /// parallel, and rounding is larger.
+    fn side_distance(&self, frame: &Frame, k: usize) -> f64 {
         let rounding = self.rounding_error * frame.sensitivity(self.chart.free, k);
         (self.close / frame.columns[k].length()).max(ROUNDINGS * rounding).min(1e-3)
     }
 
-    /// A solution inside the box, if there is one worth the while.
-    fn start(&self) -> Result<Option<Start>, Unclear> {
+    /// A solution inside the box, if the box holds an arc longer than the shortest one.
+    fn find_start(&self) -> Result<Option<Start>, Unclear> {
         let free = self.chart.free;
-        let mut guess = self.on_line();
+        let mut guess = self.deepest_on_line();
         for _ in 0..4 {
             let Some((x, frame)) = self.equation.solve(guess, free) else {
                 return Err(Unclear);
@@ -159,13 +162,13 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 return Err(Unclear);
             }
             let slack = |k: usize| {
-                if self.is_monotone(k) { PARAMETER_ROUNDING } else { self.close(&frame, k) }
+                if self.is_monotone(k) { PARAMETER_ROUNDING } else { self.side_distance(&frame, k) }
             };
             if (0..4).all(|k| x[k] >= self.low[k] - slack(k) && x[k] <= self.high[k] + slack(k)) {
                 return Ok(Some((x, frame)));
             }
-            // Where else it may be, by the bounds of slopes.
-            let parts = [-1.0, 1.0].map(|way| (way, self.permitted(x, way)));
+            // Bounds of slopes tell where else a solution may be.
+            let parts = [-1.0, 1.0].map(|way| (way, self.feasible_range(x, way)));
             let longest = parts.into_iter().max_by(|a, b| (a.1[1] - a.1[0]).total_cmp(&(b.1[1] - b.1[0])));
             let Some((way, [from, to])) = longest else {
                 return Err(Unclear);
@@ -181,8 +184,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         Err(Unclear)
     }
 
-    /// Where the line of the middle is inside the box, by the free parameter, from its middle on;
-    /// if it is nowhere, the first is the greater.
+    /// The range of the free parameter, relative to its middle, in which the line of the middle is
+    /// inside the box. If it is empty, the first bound is the greater one.
     fn line_inside(&self) -> [f64; 2] {
         let Chart { free, base, line, .. } = *self.chart;
         let (mut from, mut to) = (self.low[free] - base[free], self.high[free] - base[free]);
@@ -193,17 +196,17 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         [from, to]
     }
 
-    /// Where the line of the middle is deepest inside the box, or comes nearest to it.
-    fn on_line(&self) -> DVec4 {
+    /// The point of the line of the middle that is deepest inside the box, or nearest to it.
+    fn deepest_on_line(&self) -> DVec4 {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();
         let step = (0.5 * (from + to)).clamp(self.low[free] - base[free], self.high[free] - base[free]);
         base + step * line
     }
 
-    /// From a solution, how far along the free parameter, upwards or downwards (`way`), others may
-    /// be in the box.
-    fn permitted(&self, x: DVec4, way: f64) -> [f64; 2] {
+    /// The distances from a solution, upwards or downwards (`way`) along the free parameter, at
+    /// which other solutions may be in the box.
+    fn feasible_range(&self, x: DVec4, way: f64) -> [f64; 2] {
         let (mut from, mut to) = (0.0_f64, f64::INFINITY);
         // slope * d <= room for d >= 0.
         let mut restrict = |slope: f64, room: f64| {
@@ -223,10 +226,10 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         if from == f64::INFINITY { [0.0, -1.0] } else { [from, to] }
     }
 
-    /// Where the curve leaves the box upwards or downwards (`way`) by the free parameter.
-    fn exit(&self, curve: &LocalCurve, way: f64) -> Option<End> {
+    /// The exit of the curve from the box, upwards or downwards (`way`) along the free parameter.
+    fn find_exit(&self, curve: &LocalCurve, way: f64) -> Option<ArcEnd> {
         let free = self.chart.free;
-        // The side that a parameter moves to.
+        // The side towards which a parameter moves.
         let rises = |k: usize| k == free && way > 0.0 || k != free && self.chart.slopes[k][0] * way > 0.0;
         let side = |k: usize| if rises(k) { self.high[k] } else { self.low[k] };
         let leaves = |k: usize| k == free || self.is_monotone(k);
@@ -247,7 +250,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             guess[through] = side(through);
             let (x, frame) = self.equation.solve(guess, through)?;
             let rate = way * self.rates(&frame);
-            // The sides passed before.
+            // Sides that the curve has passed already.
             let passed = |k: usize| {
                 if rises(k) { x[k] - side(k) } else { side(k) - x[k] }
             };
@@ -258,8 +261,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 .filter(|&k| k != through && leaves(k) && back(k) > 0.0)
                 .max_by(|&k, &n| back(k).total_cmp(&back(n)));
             let Some(earlier) = earlier else {
-                let end = End { x, tangent: frame.tangent(), direction: frame.direction() };
-                return self.sound(inside, x, way).then_some(end);
+                let end = ArcEnd { x, tangent: frame.tangent(), direction: frame.direction() };
+                return self.is_valid_exit(inside, x, way).then_some(end);
             };
             guess = x - back(earlier) * rate;
             through = earlier;
@@ -267,9 +270,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         None
     }
 
-    /// Whether a point where the curve leaves is on the right side of the one inside, and itself in
-    /// the box.
-    fn sound(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
+    /// Whether an exit is in the box, and in the right direction from the point inside.
+    fn is_valid_exit(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
         let free = self.chart.free;
         let within = |k: usize| {
             let slack = if self.is_monotone(k) { 2.0 * PARAMETER_ROUNDING } else { self.margin[k] };
@@ -279,14 +281,14 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// Whether the parameters that are not monotone stay in the box between two solutions.
-    fn stays(&self, frame: &Frame, first: &End, last: &End) -> Stay {
+    fn classify_course(&self, frame: &Frame, first: &ArcEnd, last: &ArcEnd) -> Course {
         let free = self.chart.free;
         let length = (last.x[free] - first.x[free]).max(0.0);
         let mut samples = None;
         for k in (0..4).filter(|&k| k != free && !self.is_monotone(k)) {
             let [low, high] = self.chart.slopes[k];
             let (from, to) = (first.x[k], last.x[k]);
-            // The highest and the lowest point of the two cones of slopes.
+            // The highest and the lowest point that the bounds of slopes at both ends allow.
             let until = |slope: f64, other: f64| {
                 let time = (to - other * length - from) / (slope - other);
                 from + slope * time.clamp(0.0, length)
@@ -297,51 +299,51 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
             let Some(samples) = samples else {
-                return Stay::Unknown(Some(k));
+                return Course::Unknown(Some(k));
             };
-            match self.beside(k, &samples, frame) {
-                Stay::Inside => {}
+            match self.classify_beside_side(k, &samples, frame) {
+                Course::Inside => {}
                 other => return other,
             }
         }
-        Stay::Inside
+        Course::Inside
     }
 
-    /// Classifies a curve next to a side across parameter k: if it runs along it, to rounding, it
-    /// is of the boxes on both sides; if it touches it, of the box that it comes from. One that
-    /// crosses it is cut there by smaller boxes: beside poles, where lines of parameters are near
-    /// together, it may be that near to the side for several resolutions.
-    fn beside(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Stay {
-        let close = self.close(frame, k);
+    /// Classifies a curve next to a side across parameter k. A curve that runs along the side
+    /// within rounding belongs to the boxes on both sides. A curve that touches it belongs to the
+    /// box it comes from. Smaller boxes cut a curve that crosses it. Beside poles, where parameter
+    /// lines are close together, such a curve may be close to the side for several resolutions.
+    fn classify_beside_side(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Course {
+        let close = self.side_distance(frame, k);
         let [min, max] = range(samples.map(|x| x[k]));
-        // Halved across k, a curve that is in the middle, and hardly moves that way, comes no
-        // farther from the sides: shorter pieces of it have narrower bounds.
+        // Halving across k does not bring a curve in the middle that hardly moves in k closer to
+        // the sides. Shorter pieces of it have narrower bounds.
         let room = (min - self.low[k]).min(self.high[k] - max);
         let is_central = room >= MIN_ROOM * (self.high[k] - self.low[k]);
-        let mut all = Stay::Unknown(if is_central { None } else { Some(k) });
+        let mut all = Course::Unknown(if is_central { None } else { Some(k) });
         for (side, is_high) in [(self.low[k], false), (self.high[k], true)] {
             if min < side - close || max > side + close {
                 continue;
             }
             let (below, above) = (max <= side + ALONG_SIDE_SHARE * close, min >= side - ALONG_SIDE_SHARE * close);
             if !below && !above {
-                return Stay::Unknown(Some(k));
+                return Course::Unknown(Some(k));
             }
             let stays = if is_high { below } else { above };
             let outwards = if is_high == stays { 1.0 } else { -1.0 };
             if self.crosses(k, samples, (side, outwards), frame) {
-                return Stay::Unknown(None);
+                return Course::Unknown(None);
             }
             if !stays {
-                return Stay::Outside;
+                return Course::Outside;
             }
-            all = Stay::Inside;
+            all = Course::Inside;
         }
         all
     }
 
-    /// Whether a curve clearly rises or falls across a side, with more of it beyond, to the side
-    /// that it is said not to be on, than may be lost.
+    /// Whether a curve clearly rises or falls across a side, and runs farther beyond it than may be
+    /// lost. `outwards` is the direction away from the part that would be kept.
     fn crosses(&self, k: usize, samples: &[DVec4; 5], (side, outwards): (f64, f64), frame: &Frame) -> bool {
         let free = self.chart.free;
         let [low, high] = self.chart.slopes[k];
@@ -364,8 +366,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         samples.windows(2).map(run).sum::<f64>() > self.shortest
     }
 
-    /// Both ends and three points between them.
-    fn samples(&self, first: &End, last: &End) -> Option<[DVec4; 5]> {
+    /// Solutions at both ends and at three parameters between them.
+    fn samples(&self, first: &ArcEnd, last: &ArcEnd) -> Option<[DVec4; 5]> {
         let mut samples = [first.x; 5];
         for (sample, part) in samples.iter_mut().zip([0.0, 0.25, 0.5, 0.75, 1.0]) {
             (*sample, _) = self.equation.solve(first.x.lerp(last.x, part), self.chart.free)?;
@@ -374,12 +376,12 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 }
 
-/// The course of parameters that are not monotone.
-enum Stay {
-    /// They stay in the box.
+/// The course of the parameters that are not monotone.
+enum Course {
+    /// All of them stay in the box.
     Inside,
-    /// The curve touches a side from another box.
+    /// The curve belongs to another box, and touches a side from there.
     Outside,
-    /// It cannot be told: the box is to be halved by this parameter, if that is known.
+    /// Undecided. Contains the parameter to halve the box by, if it is known.
     Unknown(Option<usize>),
 }

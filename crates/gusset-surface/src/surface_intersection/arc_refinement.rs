@@ -1,57 +1,56 @@
-//! Points between the ends of an arc, until its chords are within a tolerance of it.
+//! Inserts points between the ends of an arc until its chords are within a tolerance of it.
 //!
-//! Where the curve is between two of its points follows nearly from its tangents there, as the
-//! cubic through both: in space, how far it is from their chord, and so into how many pieces it is
-//! to be cut; by parameters, where the points in between are, so that a step or two of Newton's
-//! method suffice. Near a cusp a curve goes on beyond an end of its chord and comes back: distances
-//! are those from the chord, not from its line.
+//! The tangents at two points of the curve define a cubic that predicts the curve between them. Its
+//! distance from the chord in space gives the number of pieces. Its parameters are good enough for
+//! one or two Newton steps to reach the curve. Near a cusp, a curve may continue beyond an end of
+//! its chord and return. Distances are therefore measured from the chord, not from its line.
 //!
-//! Invariant: every point added solves the equation. Cost: one or two steps of Newton's method a
+//! Invariant: every inserted point solves the equation. Cost: one or two Newton steps for each
 //! point.
 
-use super::arc::End;
+use super::arc::ArcEnd;
 use super::equation::Equation;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Cuts of cuts at most.
+/// Largest number of nested cuts.
 const MAX_CUT_DEPTH: u32 = 6;
-/// Rows of control points of a cubic patch: arcs over such ones have no waves that the ends of
-/// pieces hide.
+/// Rows of control points of a cubic patch. Up to this degree, the ends of pieces reveal all waves
+/// of an arc.
 const CUBIC: usize = 4;
-/// Pieces of one cut at most.
+/// Largest number of pieces in one cut.
 const MAX_PIECES: f64 = 64.0;
 
-/// A point of the arc: where it is, and how it goes on, by parameters for the free one's unit, and
-/// in space.
+/// A point of the arc, and its derivatives: of the parameters with respect to the free one, and the
+/// direction in space.
 #[derive(Clone, Copy)]
 struct Knot {
     x: DVec4,
     rates: DVec4,
     point: DVec3,
     direction: DVec3,
-    /// How long the curve is for the free parameter's unit.
+    /// Length of the curve for one unit of the free parameter.
     speed: f64,
 }
 
-/// An arc that is refined.
+/// Refines one arc.
 pub(super) struct ArcRefinement<'a, const N: usize, const M: usize> {
     pub(super) equation: &'a Equation<N, M>,
-    /// The parameter of which the others are functions.
+    /// The parameter on which the other three depend.
     pub(super) free: usize,
-    /// The greatest distance of the arc from its chords.
+    /// Largest permitted distance of the arc from its chords.
     pub(super) chord: f64,
 }
 
 impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
-    /// Adds the points strictly between the ends, which are at `places`.
-    pub(super) fn between(&self, ends: [End; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
+    /// Inserts the points strictly between the ends. `places` are the ends in space.
+    pub(super) fn insert_points(&self, ends: [ArcEnd; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
         if self.chord == f64::INFINITY {
             return Ok(());
         }
         let knots = [0, 1].map(|k| {
-            let End { x, tangent, direction } = ends[k];
+            let ArcEnd { x, tangent, direction } = ends[k];
             let rates = tangent / tangent[self.free];
             let speed = self.speed(tangent, direction);
             Knot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }
@@ -63,11 +62,11 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         if self.is_bent(&knots) { self.cut(knots, 2.0, MAX_CUT_DEPTH, points) } else { Ok(()) }
     }
 
-    /// Tests the middle for bends that the ends do not show: true if it is too far from the chord,
-    /// or the halves are.
+    /// Tests whether the middle, or a half, is too far from the chord. This detects bends that the
+    /// ends do not show.
     ///
-    /// Where the middle is `off` the chord and a half an arch of height f, the curve is off s + 4 f
-    /// s (1 - s) away from the chord, s of the way to the middle.
+    /// Let the middle be `off` the chord, and let f be the height of the arch of a half. At the
+    /// fraction s of the way to the middle, the curve is off s + 4 f s (1 - s) from the chord.
     fn is_bent(&self, knots: &[Knot; 2]) -> bool {
         let Some(middle) = self.knot(knots, 0.5) else {
             return false;
@@ -81,8 +80,8 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         max > self.chord
     }
 
-    /// Adds the points between two knots that cut the arc into equal pieces by the free parameter,
-    /// and those of pieces that are still too long.
+    /// Inserts the points that cut the arc between two knots into pieces of equal free parameter.
+    /// Cuts pieces further if they are still too long.
     fn cut(&self, knots: [Knot; 2], pieces: f64, depth: u32, points: &mut Vec<DVec4>) -> Result<()> {
         let mut before = knots[0];
         for k in 1..=pieces as usize {
@@ -106,16 +105,16 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         Ok(())
     }
 
-    /// The number of pieces whose chords are near enough to the arc between two knots: their
-    /// distance falls by the square of it.
+    /// The number of pieces after which all chords between two knots are within the tolerance. The
+    /// distance decreases with the square of the number.
     fn pieces(&self, knots: &[Knot; 2]) -> f64 {
         (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES)
     }
 
-    /// How far the cubic between two knots is from their chord. With directions T and U across the
-    /// chord, L long, that is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3)
-    /// |T + U|. If it runs back at an end, by D, the parabola along the chord goes D^2 / (4 (L + D))
-    /// beyond it.
+    /// The distance between the cubic through two knots and their chord. T and U are the components
+    /// of the end directions across the chord, L is its length. The distance is the sum of an arch,
+    /// L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T + U|. If the cubic starts backwards at an end
+    /// by D, the parabola along the chord reaches D^2 / (4 (L + D)) beyond that end.
     fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
         let whole = last.point - first.point;
         let length = whole.length();
@@ -135,7 +134,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         direction.length() / tangent[self.free].abs()
     }
 
-    /// The knot at a part of the way between two by the free parameter.
+    /// The knot at fraction t between two knots, measured by the free parameter.
     fn knot(&self, [first, last]: &[Knot; 2], t: f64) -> Option<Knot> {
         let (s, whole) = (1.0 - t, last.x[self.free] - first.x[self.free]);
         let rise = s * first.rates - t * last.rates;
@@ -147,7 +146,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     }
 }
 
-/// Whether the curve between two knots runs in opposite directions there.
+/// Whether the curve runs in opposite directions at two knots.
 fn turns_back([first, last]: &[Knot; 2]) -> bool {
     first.direction.dot(last.direction) < 0.0
 }

@@ -1,14 +1,14 @@
-//! What unresolved balls do to chains: scraps in them are left out, and loose ends in them joined.
+//! Removes scraps of chains in unresolved balls, and joins loose ends in them.
 //!
-//! Balls stay as they were found: where surfaces touch along a curve there is a row of them, and a
-//! chain that passes the middle of a ring of balls, or ends there, has nothing to do with it. A
-//! ball tells of arcs of its own two sheets only.
+//! Balls keep the extent they were found with. A row of balls marks a curve along which the
+//! surfaces touch. A chain that passes through the middle of a ring of balls, or ends there, is
+//! unrelated to it. A ball concerns only arcs of its own two sheets.
 //!
-//! Cost: O(log n) for each ball, end of a chain, and pair of the two that are near each other.
+//! Cost: O(log n) for each ball, for each end of a chain, and for each close pair of them.
 
 use super::contact::CriticalPoint;
 use super::links::{Chain, Links, NONE};
-use super::solve::{Arc, FoundArcs, UnresolvedBall};
+use super::solve::{FoundArcs, IntersectionArc, UnresolvedBall};
 use glam::DVec3;
 use glam::DVec4;
 use gusset_base::alloc;
@@ -17,59 +17,59 @@ use gusset_base::geom::kd_tree::{KdTree, Radius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// Shorter chains may be scraps.
+/// Chains with fewer arcs may be scraps.
 const MIN_CHAIN_ARCS: usize = 8;
-/// And those that are shorter than so many resolutions.
+/// Chains shorter than this number of resolutions may be scraps.
 const SCRAP_RESOLUTIONS: f64 = 64.0;
-/// Ends of chains in a ball: with more of them it is ambiguous which belong together.
+/// Largest number of chain ends in a ball. With more ends, the joints would be ambiguous.
 const MAX_ENDS: usize = 64;
-/// Ends within this many resolutions may be one point.
+/// Ends within this number of resolutions may be a single point.
 const POINT_RESOLUTIONS: f64 = 8.0;
-/// Chains that are shorter than so many resolutions, and as near to a longer one as that many,
-/// are parts of it that were found once more.
+/// Duplicates of parts of a longer chain: the largest length of the duplicate, and its largest
+/// distance from the longer chain, both in resolutions.
 const REPEATED_RESOLUTIONS: [f64; 2] = [8.0, 2.0];
 
-/// The surfaces that are intersected.
+/// The properties of the intersected surfaces that bridges depend on.
 pub(super) trait Surroundings {
     /// The sheets of a pair of cells.
     fn sheets(&self, pair: u32) -> [u32; 2];
-    /// The cell of the first surface, which is listed where something is not resolved.
+    /// The cell of the first surface, which is reported where something is unresolved.
     fn cell(&self, pair: u32) -> [u32; 2];
     /// The point at parameters of a pair of cells.
     fn point(&self, pair: u32, x: DVec4) -> DVec3;
-    /// Whether a chord is as near to both surfaces as those of the curves are.
-    fn contain(&self, chord: [DVec3; 2]) -> bool;
+    /// Whether a chord is as close to both surfaces as the chords of the curves are.
+    fn contains_chord(&self, chord: [DVec3; 2]) -> bool;
 }
 
-/// The end of a chain that a bridge may begin at, or end at: those of chain k are 2 k and 2 k + 1.
+/// The end of a chain at which a bridge may begin or end. Chain k has the ends 2 k and 2 k + 1.
 #[derive(Clone, Copy)]
 struct LooseEnd {
     arc: u32,
     point: DVec3,
     direction: DVec3,
-    /// At the border of a sheet, or where an arc was cut.
+    /// Whether the end is at the border of a sheet, or where an arc was cut.
     is_bound: bool,
 }
 
-/// Branches that are joined where they cross, or pass each other.
+/// Joints of branches that cross or pass each other.
 #[derive(Debug, Default)]
 pub(super) struct JoinedCrossings {
-    /// Arcs after which a path is at a critical point, with the number of the point, in order.
+    /// Pairs of an arc that ends at a critical point on its path, and that point's index, sorted.
     pub(super) nodes: Vec<(u32, u32)>,
-    /// By critical point, whether the branches round it are joined.
+    /// For each critical point, whether the branches around it are joined.
     pub(super) joined: Vec<bool>,
 }
 
-/// Arcs and unresolved balls.
+/// Joins chains of arcs across unresolved balls.
 pub(super) struct Bridges<'a, S> {
     pub(super) pieces: &'a FoundArcs,
     pub(super) surroundings: &'a S,
     pub(super) tolerance: f64,
-    /// How exactly ends are known.
+    /// Accuracy of ends.
     pub(super) resolution: f64,
 }
 
-/// The tree of some points.
+/// Builds the tree of some points.
 fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
     KdTree::new(points, &Job::default(), "")
 }
@@ -79,15 +79,15 @@ fn radius(length: f64) -> Radius {
 }
 
 impl<S: Surroundings> Bridges<'_, S> {
-    /// The radius within which a ball may have ended a chain: arcs beside it that are shorter than the
-    /// resolution are lost.
+    /// The radius within which a ball may have ended a chain. It includes arcs shorter than the
+    /// resolution, which may be lost beside the ball.
     fn end_radius(&self, ball: &UnresolvedBall) -> f64 {
         ball.radius + 4.0 * self.resolution
     }
 
-    /// The balls and the points of arcs in them, of the same sheets. `points`: those, and the
-    /// pairs of cells of their arcs.
-    fn members(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
+    /// Pairs of a ball and a point of an arc in it, on the same sheets. `points` holds each point
+    /// with the pair of cells of its arc.
+    fn points_in_balls(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
         let places = alloc::collect(points.iter().map(|&(point, _)| point))?;
         let tree = tree(&places)?;
         let mut found = Vec::new();
@@ -103,9 +103,9 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(found)
     }
 
-    /// Leaves out scraps: short chains all of whose points are in balls, each in one of its own
-    /// cell, which is reported; balls may be as wide as cells, and whole branches of others may be
-    /// in them. `is_used`: by ball, whether there may be arcs in it.
+    /// Removes scraps: short chains whose points all lie in balls of their own cell. Balls of other
+    /// cells do not count, because balls may be as wide as cells, and cover whole branches
+    /// elsewhere. `is_used` tells for each ball whether it may contain arcs.
     pub(super) fn drop_scraps(
         &self,
         chains: &[Chain],
@@ -124,7 +124,7 @@ impl<S: Surroundings> Bridges<'_, S> {
             alloc::extend(&mut points, self.points(arc).map(|point| (point, arc.pair)))?;
         }
         let mut within = alloc::filled(false, points.len())?;
-        for (ball, point) in self.members(&points)? {
+        for (ball, point) in self.points_in_balls(&points)? {
             let [own, other] = [self.pieces.balls[ball as usize].pair, points[point as usize].1];
             within[point as usize] |= is_used(ball) && self.surroundings.cell(own) == self.surroundings.cell(other);
         }
@@ -140,16 +140,16 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
-    /// Leaves out chains that are no longer than the resolution; whether there are any.
+    /// Removes chains no longer than the resolution. Returns whether there were any.
     pub(super) fn drop_short(&self, chains: &[Chain], dropped: &mut [bool]) -> bool {
         let short = || chains.iter().filter(|chain| self.length(chain) <= self.resolution);
         short().flat_map(|chain| &chain.arcs).for_each(|&arc| dropped[arc as usize] = true);
         short().next().is_some()
     }
 
-    /// The length of a chain: of the chords of its arcs, or of one that is closed.
+    /// The length of a chain: the sum of the chords of its arcs, or the length of a closed arc.
     fn length(&self, chain: &Chain) -> f64 {
-        let length = |arc: &Arc| match arc.is_closed {
+        let length = |arc: &IntersectionArc| match arc.is_closed {
             true => self.points(arc).zip(self.points(arc).skip(1)).map(|(p, q)| p.distance(q)).sum(),
             false => arc.ends[0].distance(arc.ends[1]),
         };
@@ -157,14 +157,14 @@ impl<S: Surroundings> Bridges<'_, S> {
     }
 
     /// The points of an arc.
-    fn points(&self, arc: &Arc) -> impl Iterator<Item = DVec3> {
+    fn points(&self, arc: &IntersectionArc) -> impl Iterator<Item = DVec3> {
         let all = &self.pieces.points[arc.from as usize..arc.to as usize];
         all.iter().map(|&x| self.surroundings.point(arc.pair, x))
     }
 
-    /// Leaves out chains of a few resolutions all of whose ends are on a longer one: beside
-    /// poles lines of parameters are so near together that curves are found from both sides of them,
-    /// in arcs too short to be told from those that follow each other. Whether there are any.
+    /// Removes short chains whose ends all lie on a longer one. Returns whether there were any.
+    /// Beside poles, parameter lines are so close together that curves are found from both sides.
+    /// Their arcs are too short to be told from successive arcs.
     pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<bool> {
         let arcs = &self.pieces.arcs;
         let [longest, near] = REPEATED_RESOLUTIONS.map(|count| count * self.resolution);
@@ -185,8 +185,8 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(any)
     }
 
-    /// Leaves out chains that are within a contact: rims of lenses that are thinner than the
-    /// tolerance, and scraps of branches that cross.
+    /// Removes chains within a contact: rims of lenses thinner than the tolerance, and scraps of
+    /// crossing branches.
     pub(super) fn drop_within_contacts(
         &self,
         points: &[CriticalPoint],
@@ -208,11 +208,11 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
-    /// Joins the four ends round each point where two branches cross or pass each other.
+    /// Joins the four ends around each point where two branches cross or pass each other.
     ///
-    /// Branches that pass each other keep the middle on the side that the sign of the gap says.
-    /// Where they cross, N_A x N_B points to the point and away from it in turn, so that paths turn
-    /// there: each into itself if it can, else as straight as can be.
+    /// The sign of the gap tells on which side branches pass each other. At a crossing, N_A x N_B
+    /// points alternately towards the point and away from it, so that paths turn there. A path is
+    /// joined to itself if possible, and otherwise as straight as possible.
     pub(super) fn join_crossings(
         &self,
         points: &[CriticalPoint],
@@ -221,7 +221,7 @@ impl<S: Surroundings> Bridges<'_, S> {
     ) -> Result<JoinedCrossings> {
         let mut done = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
         let ends = self.loose_ends(chains)?;
-        // By end, the other end of its path, which grows as chains are joined.
+        // For each end, the other end of its path. The path grows while chains are joined.
         let mut others = alloc::collect((0..ends.len()).map(|k| k ^ 1))?;
         let places = alloc::collect(ends.iter().map(|end| end.point))?;
         let tree = tree(&places)?;
@@ -268,9 +268,10 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(done)
     }
 
-    /// Joins loose ends in a ball, or in two that touch: as straight as can be. Where two branches
-    /// cross, N_A x N_B points to the crossing on the one and away from it on the other, so that a
-    /// path turns from the one into the other. `is_used`: by ball, whether it joins.
+    /// Joins loose ends in a ball, or in two that touch, as straight as possible. Where two
+    /// branches cross, N_A x N_B points towards the crossing on one branch and away from it on the
+    /// other, so that a path turns from one to the other. `is_used` tells for each ball whether it
+    /// joins ends.
     pub(super) fn join(&self, chains: &[Chain], links: &mut Links, is_used: &dyn Fn(u32) -> bool) -> Result<()> {
         let ends = self.loose_ends(chains)?;
         let mut bridges = Vec::new();
@@ -281,7 +282,7 @@ impl<S: Surroundings> Bridges<'_, S> {
             if (from.is_bound || to.is_bound) && !is_point {
                 continue;
             }
-            // The chord of ends that are nearly one point says little.
+            // The chord between ends that nearly coincide says little.
             let along = from.direction + to.direction;
             let straightness = (chord + 4.0 * self.resolution * along).normalize_or_zero().dot(along);
             if straightness >= 0.0 {
@@ -291,14 +292,16 @@ impl<S: Surroundings> Bridges<'_, S> {
         sort::stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
-            if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.contain([from.point, to.point])) {
+            if links.are_free(from.arc, to.arc)
+                && (is_point || self.surroundings.contains_chord([from.point, to.point]))
+            {
                 links.join(from.arc, to.arc);
             }
         }
         Ok(())
     }
 
-    /// The two ends of each chain: none of closed ones.
+    /// The two ends of each open chain.
     fn loose_ends(&self, chains: &[Chain]) -> Result<Vec<LooseEnd>> {
         let open = chains.iter().filter(|chain| !chain.closed);
         alloc::gather(open.flat_map(|chain| {
@@ -311,10 +314,10 @@ impl<S: Surroundings> Bridges<'_, S> {
         }))
     }
 
-    /// Ends and starts of chains that are in one ball, or in two that touch.
+    /// Pairs of an end and a start of chains in one ball, or in two that touch.
     fn pairs(&self, ends: &[LooseEnd], is_used: &dyn Fn(u32) -> bool) -> Result<Vec<[u32; 2]>> {
         let points = alloc::collect(ends.iter().map(|end| (end.point, self.pieces.arcs[end.arc as usize].pair)))?;
-        let mut members = self.members(&points)?;
+        let mut members = self.points_in_balls(&points)?;
         members.retain(|&(ball, _)| is_used(ball));
         let groups: Vec<&[(u32, u32)]> =
             alloc::gather(members.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() <= MAX_ENDS))?;
@@ -324,7 +327,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         let mut pairs = Vec::new();
         for (k, group) in groups.iter().enumerate() {
             let (own, mut result) = (self.end_radius(ball(k)), Ok(()));
-            // Smaller balls only, and so all within twice the radius.
+            // Only smaller balls count, so all of them are within twice the radius.
             tree.for_each_within(centres[k], radius(2.0 * own), &mut |_, n| {
                 let (n, other) = (n as usize, self.end_radius(ball(n as usize)));
                 if result.is_ok() && (other, n) <= (own, k) && centres[k].distance(centres[n]) <= own + other {
@@ -338,9 +341,9 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(pairs)
     }
 
-    /// For each ball whether it is hardly larger than the resolution and a chain passes it, as at
-    /// poles: there is nothing more to it.
-    pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
+    /// For each ball, whether a joint explains it. An explained ball is hardly larger than the
+    /// resolution, and a chain passes through it, as at poles.
+    pub(super) fn explained_by_joints(&self, links: &Links) -> Result<Vec<bool>> {
         let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);
         let limit = POINT_RESOLUTIONS * self.resolution;
         let is_small = |ball: &UnresolvedBall| ball.radius <= limit;
@@ -353,7 +356,7 @@ impl<S: Surroundings> Bridges<'_, S> {
     }
 }
 
-/// Pairs of ends and starts in two balls, which may be one.
+/// Adds pairs of an end and a start in two balls, which may be the same ball.
 fn add_pairs(group: &[(u32, u32)], other: &[(u32, u32)], pairs: &mut Vec<[u32; 2]>) -> Result<()> {
     for (&(_, p), &(_, q)) in group.iter().flat_map(|p| other.iter().map(move |q| (p, q))) {
         match [p % 2, q % 2] {

@@ -1,29 +1,31 @@
 //! Proofs about A = B over a box of parameters.
 //!
-//! * *Nothing there*: two flat pieces are apart exactly if one of six directions shows it: the
-//!   normals, and the products of a side of the one with a side of the other. Each takes two of the
-//!   four parameters out of the equation; the control nets are compared along it.
-//! * *A graph*: take the parameter along which the curve runs as the free one, and multiply the
-//!   equation by the inverse of the derivatives by the other three, x, in the middle. If the
-//!   derivatives by x stay near the identity (a dominant diagonal) all over the box, then x is a
-//!   function of the free parameter on the solutions: no loop can be there. The quotients of
-//!   differences of any two solutions are bounded by the same intervals as the slopes, which tells
-//!   whether the curve can come back through a side that it left by.
+//! - *Empty*: two flat pieces are apart exactly if one of six directions separates them. The
+//!   directions are the two normals, and the cross products of a side of one piece with a side of
+//!   the other. Each of them removes two of the four parameters from the equation. Control nets are
+//!   compared along it.
+//! - *A graph*: the free parameter is the one along which the curve runs. The equation is
+//!   multiplied by the inverse of the derivatives with respect to the other three parameters, x, in
+//!   the middle. Suppose that the derivatives with respect to x stay near the identity (a dominant
+//!   diagonal) all over the box. Then x is a function of the free parameter on the solutions, and
+//!   loops are impossible. The difference quotients of any two solutions obey the same bounds as
+//!   the slopes. They tell whether the curve can return through a side that it left by.
 //!
-//! As A - B is the difference of functions of different parameters, its bounds are the sums of
+//! A - B is a difference of functions of different parameters. Its bounds are therefore sums of
 //! bounds over control nets.
 //!
-//! The second is interval Newton's contraction in the form of a dominant diagonal (Krawczyk 1969;
-//! Hanniel and Elber 2007). Cost: O(N^2 + M^2) a test, O(N^3 + M^3) a split.
+//! The second proof is the contraction of the interval Newton method in the form of a dominant
+//! diagonal (Krawczyk 1969; Hanniel and Elber 2007). Cost: O(N^2 + M^2) for a test, O(N^3 + M^3)
+//! for a split.
 
-use super::coordinate_net::Net;
+use super::coordinate_net::CoordinateNet;
 use super::equation::{Equation, Frame, OTHERS};
 use crate::Patch;
 use crate::subdivision::Field;
 use glam::{DVec3, DVec4};
 use gusset_base::geom::subdivision::BoxTest;
 
-/// How far outside a box a graph is proved, as a fraction of the box.
+/// Distance outside a box up to which a graph is proven, as a fraction of the box.
 pub(super) const MARGIN: f64 = 1.0 / 32.0;
 
 /// A box of parameters, and the control nets over it.
@@ -37,21 +39,21 @@ pub(super) struct ParameterBox<const N: usize, const M: usize> {
 /// A proof that the solutions in a box, and within [`MARGIN`] of it, are a graph.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chart {
-    /// The parameter of which the others are functions.
+    /// The parameter on which the other three depend.
     pub(super) free: usize,
-    /// Where the line of the middle is when the free parameter is in the middle.
+    /// The point of the line of the middle at the middle of the free parameter.
     pub(super) base: DVec4,
-    /// The slopes of that line.
+    /// The slopes of the line of the middle.
     pub(super) line: DVec4,
     /// Bounds of the slopes; 1 for the free parameter.
     pub(super) slopes: [[f64; 2]; 4],
 }
 
-/// Proof that a box holds no solution, or that its solutions are a graph.
+/// A proof that a box is empty, or that its solutions form a graph.
 pub(super) type ChartTest = BoxTest<Chart, ()>;
 
-/// How much wider the range of a polynomial's coefficients, of total degree `degree`, may be over a
-/// box that is wider by [`MARGIN`] on each side: the weights of extrapolation sum to 1, and their
+/// Factor by which the range of the coefficients of a polynomial of total degree `degree` may grow
+/// if its box grows by [`MARGIN`] on each side. The weights of extrapolation sum to 1, their
 /// absolute values to (1 + 2 m)^degree.
 fn growth(degree: usize) -> f64 {
     (0..degree).fold(1.0, |product, _| product * (1.0 + 2.0 * MARGIN))
@@ -62,35 +64,38 @@ fn scaled_about_middle([low, high]: [f64; 2], by: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
-/// How far the values of two fields are apart: negative if their bounds overlap.
+/// The gap between the ranges of two fields; negative if the ranges overlap.
 fn gap<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>) -> f64 {
     let ([low, high], [others_low, others_high]) = (a.range(), b.range());
     let (above, below) = (low - others_high, others_low - high);
     if above > below { above } else { below }
 }
 
-/// The component with the greatest absolute value.
-fn max(tangent: DVec4) -> usize {
+/// The index of the component with the largest absolute value.
+fn largest_component(tangent: DVec4) -> usize {
     (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best })
 }
 
 impl<const N: usize, const M: usize> ParameterBox<N, M> {
-    /// All of two patches, still to be set.
-    pub(super) const WHOLE: Self =
-        ParameterBox { nets: Equation { a: Net::ZERO, b: Net::ZERO }, low: DVec4::ZERO, size: DVec4::ONE };
+    /// The whole of two patches, whose nets are not yet set.
+    pub(super) const WHOLE: Self = ParameterBox {
+        nets: Equation { a: CoordinateNet::ZERO, b: CoordinateNet::ZERO },
+        low: DVec4::ZERO,
+        size: DVec4::ONE,
+    };
 
     pub(super) fn middle(&self) -> DVec4 {
         self.low + 0.5 * self.size
     }
 
-    /// Tests the box. `frame`: in the middle, by the parameters of the cells; `rounding_error`:
-    /// lengths up to that may be rounding; `tolerance`: surfaces that are nearer to each other and
-    /// may be parallel may touch.
+    /// Tests the box. `frame` holds the derivatives in the middle, with respect to the parameters
+    /// of the cells. Lengths up to `rounding_error` may be rounding. Surfaces may touch if they are
+    /// parallel and within `tolerance` of each other.
     pub(super) fn prove(&self, frame: &Frame, rounding_error: f64, tolerance: f64) -> ChartTest {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = max(tangent);
+        let free = largest_component(tangent);
         let others = OTHERS[free];
         let [x, y, z] = others.map(|k| columns[k]);
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
@@ -99,7 +104,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let regular = determinant.abs() > 1e-10 * lengths;
         let rows = normals.map(|normal| if regular { normal / determinant } else { normal });
 
-        let (a, b) = (rows.map(|row| self.nets.a.along(row)), rows.map(|row| self.nets.b.along(row)));
+        let (a, b) = (rows.map(|row| self.nets.a.project(row)), rows.map(|row| self.nets.b.project(row)));
         let mut is_apart = false;
         for k in 0..3 {
             let (gap, length) = (gap(&a[k], &b[k]), rows[k].length());
@@ -109,7 +114,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
             is_apart |= gap > rounding_error * length;
         }
         if !regular {
-            // Of degenerate pieces some directions are 0: at least the boxes must meet.
+            // Some directions of degenerate pieces are zero, so the bounding boxes are tested too.
             let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, tolerance));
             return if self.is_apart(frame, tolerance) || apart() { BoxTest::Empty } else { BoxTest::Undecided(()) };
         }
@@ -117,13 +122,13 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let Some(slopes) = slopes(&a, &b, others, free) else {
             return if self.is_apart(frame, tolerance) { BoxTest::Empty } else { BoxTest::Undecided(()) };
         };
-        // The surfaces are nowhere parallel.
+        // The surfaces are nowhere parallel here.
         if is_apart {
             return BoxTest::Empty;
         }
         let mut chart = Chart { free, base: self.middle(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
         for (k, &other) in others.iter().enumerate() {
-            // From parts of the box to parameters of the cells.
+            // From fractions of the box to parameters of the cells.
             let scale = self.size[other] / self.size[free];
             chart.base[other] -= rows[k].dot(frame.miss) * self.size[other];
             chart.line[other] = line[k] * scale;
@@ -132,48 +137,49 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         BoxTest::Unique(chart)
     }
 
-    /// True if there is no solution, as the directions show that [`ParameterBox::prove`] does not
-    /// try of graphs: products with the one of the derivatives that the curve runs along.
+    /// True if a direction that [`ParameterBox::prove`] does not try for graphs proves the box
+    /// empty. Tries the cross products with the derivative along which the curve runs, and
+    /// [`Self::is_beside`].
     pub(super) fn is_apart(&self, frame: &Frame, rounding_error: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = max(tangent);
+        let free = largest_component(tangent);
         OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), rounding_error))
             || self.is_beside(frame, rounding_error)
     }
 
-    /// True if the pieces are side by side: apart along a direction in a tangent plane, across a
-    /// side of the one.
+    /// True if a direction in a tangent plane, perpendicular to a side of a piece, separates the
+    /// pieces.
     fn is_beside(&self, frame: &Frame, rounding_error: f64) -> bool {
         let normals = frame.normals();
         (0..4).any(|k| self.separated(normals[k / 2].cross(frame.columns[k]), rounding_error))
     }
 
     fn separated(&self, axis: DVec3, rounding_error: f64) -> bool {
-        gap(&self.nets.a.along(axis), &self.nets.b.along(axis)) > rounding_error * axis.length()
+        gap(&self.nets.a.project(axis), &self.nets.b.project(axis)) > rounding_error * axis.length()
     }
 
-    /// True if each piece lies between two planes that are `thickness` apart, along the one's
-    /// normal and along the other's, and they are within `tolerance` of each other there: how they
-    /// meet is below the tolerance.
+    /// True if the pieces are flat and close, so that details of their intersection are below the
+    /// tolerance. Along either normal, each piece lies between two planes `thickness` apart, and
+    /// the pieces are within `tolerance` of each other.
     pub(super) fn is_within(&self, frame: &Frame, thickness: f64, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
-            let (a, b) = (self.nets.a.along(normal).range(), self.nets.b.along(normal).range());
+            let (a, b) = (self.nets.a.project(normal).range(), self.nets.b.project(normal).range());
             let thickest = (a[1] - a[0]).max(b[1] - b[0]);
             thickest <= thickness && a[1].max(b[1]) - a[0].min(b[0]) <= tolerance + 2.0 * thickness
         };
         frame.normals().into_iter().all(|normal| normal.try_normalize().is_some_and(thin))
     }
 
-    /// How long the pieces may be in the four directions, nearly: by the longest legs of the
-    /// control nets.
+    /// Approximate extents of the pieces in the four directions: the longest legs of the control
+    /// nets, times their number.
     pub(super) fn extents(&self) -> [f64; 4] {
         let ([s, t], [u, v]) = (legs(&self.nets.a.patch()), legs(&self.nets.b.patch()));
         [s, t, u, v]
     }
 
-    /// Whether points are all on one side of the box, but for a slack.
-    pub(super) fn has_on_side(&self, points: [DVec4; 2], slack: f64) -> bool {
+    /// Whether all points are on one side of the box, within `slack`.
+    pub(super) fn has_side_through(&self, points: [DVec4; 2], slack: f64) -> bool {
         let on = |side: DVec4| points.map(|x| (x - side).abs().cmple(DVec4::splat(slack)));
         [self.low, self.low + self.size].map(on).into_iter().any(|[first, last]| (first & last).any())
     }
@@ -195,7 +201,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     }
 }
 
-/// The longest legs of a net, in u and in v, times their number.
+/// The length of the longest leg of a net times the number of legs, in u and in v.
 fn legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
     let points = &patch.points;
     let mut longest = [0.0_f64; 2];
@@ -212,8 +218,8 @@ fn legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
     longest.map(|square| square.sqrt() * (N - 1) as f64)
 }
 
-/// Bounds of the slopes of three parameters by the free one, by parts of the box; `None` if the
-/// diagonal may not be dominant.
+/// Bounds of the slopes of three parameters with respect to the free one, in fractions of the box.
+/// Returns `None` if the diagonal may not be dominant.
 fn slopes<const N: usize, const M: usize>(
     a: &[Field<N>; 3],
     b: &[Field<M>; 3],
@@ -244,11 +250,11 @@ fn slopes<const N: usize, const M: usize>(
         }
         max = max.max(size(right[k]) / (1.0 - off));
     }
-    // x' = r - E x', with |x'| <= greatest, and once more with what follows from that.
+    // x' = r - E x', with |x'| <= max. The second pass uses the bounds from the first.
     let first: [f64; 3] = std::array::from_fn(|k| size(right[k]) + max * errors[k].iter().sum::<f64>());
     Some(std::array::from_fn(|k| {
         let off: f64 = errors[k].iter().zip(first).map(|(error, bound)| error * bound.min(max)).sum();
-        // And what was rounded on the way.
+        // Rounding of the steps above.
         let off = off + 1e-13 * (1.0 + max);
         [right[k][0] - off, right[k][1] + off]
     }))

@@ -1,23 +1,24 @@
-//! Points of contact: clusters of unresolved balls, resolved by the relative second form.
+//! Contact points: resolves clusters of unresolved balls by the relative second form.
 //!
-//! Where two surfaces nearly touch, both are graphs over a common tangent plane, and meet where the
-//! difference D of their heights is 0. A cluster of balls is resolved if the second derivatives of
-//! D (the relative second form: Patrikalakis and Maekawa 2002, section 6) are proved, over every
-//! box that the cluster is of, to be definite with one sign, or to be indefinite; then its critical
-//! point, where the normals are parallel, is found by Newton's method, and D there tells:
+//! Where two surfaces nearly touch, both are graphs over a common tangent plane. They meet where
+//! the difference D of their heights is 0. The second derivatives of D are called the relative
+//! second form (Patrikalakis and Maekawa 2002, section 6). A cluster of balls is resolved if this
+//! form is proven to be positive definite, negative definite or indefinite over all boxes of the
+//! cluster. Newton's method then finds its critical point, where the normals are parallel. The
+//! value of D there decides:
 //!
 //! | D at the critical point | definite | indefinite |
 //! |---|---|---|
 //! | 0, to the tolerance | the surfaces touch in a point | two branches cross |
 //! | positive | D > 0: they are apart | two branches pass each other |
-//! | negative | a loop, which `solve` finds | the same, on the other sides |
+//! | negative | a loop, which `solve` finds | two branches pass each other, on the other sides |
 //!
-//! (signs for a positive form). As D is convex where the form is definite, it has one critical
-//! point and one loop at most. All that is left as it was is reported as unresolved.
+//! The table assumes a positive form. D is convex where the form is definite, so it has at most one
+//! critical point and one loop. All other clusters are reported as unresolved.
 //!
-//! Cost: O(n log n) for n balls, O(N^3) a ball, and a few evaluations a cluster.
+//! Cost: O(n log n) for n balls, O(N^3) for each ball, and a few evaluations for each cluster.
 
-use super::graph::{Form, Graph, Interval};
+use super::graph::{Form, HeightGraph, Interval};
 use super::pairs::CellPair;
 use super::solve::UnresolvedBall;
 use crate::{Place, Surface, each_sheet};
@@ -29,68 +30,69 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::geom::kd_tree::{KdTree, Radius};
 use gusset_base::job::Job;
 
-/// Balls of a cluster: of more, something larger than a point is there.
+/// Largest number of balls in a cluster. A larger cluster is not a contact point.
 const MAX_CLUSTER: usize = 4096;
-/// Balls of a cluster from which its critical point is looked for.
+/// Largest number of balls of a cluster from which Newton's method starts.
 const MAX_STARTS: usize = 32;
-/// Neighbours of balls that are looked at between two progress reports.
+/// Number of neighbouring balls visited between two progress reports.
 const VISITS_PER_REPORT: usize = 1 << 18;
-/// How many times as large as its rim, the root of twice the tolerance over the least curvature, a
-/// contact may be: boxes are halved no further than that.
+/// Largest size of a contact, in radii of its rim, sqrt(2 tolerance / smallest curvature). Boxes
+/// are not halved below that size.
 const MAX_RIMS: f64 = 4.0;
-/// Steps of Newton's method.
+/// Largest number of Newton steps.
 const NEWTON_STEPS: usize = 32;
-/// How far outside its cells a critical point may be, by parameters: those on sides are of the
-/// cells on both sides.
+/// How far outside its cells a critical point may be, in parameters. A point on a side belongs to
+/// the cells on both sides.
 const PARAMETER_SLACK: f64 = 1e-6;
 
-/// A place where two surfaces touch, or nearly do.
+/// A critical point of D: a place where two surfaces touch, or nearly touch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CriticalPoint {
-    /// Where it is: a pair of cells, and parameters of both.
+    /// The place: a pair of cells, and parameters of both.
     pub(super) pair: u32,
     pub(super) x: DVec4,
-    /// Relative to the origin of the balls.
+    /// The position relative to the origin of the balls.
     pub(super) point: DVec3,
     /// The unit normal of the first surface.
     pub(super) normal: DVec3,
-    /// How far the first surface is above the second one along its normal.
+    /// Signed height of the first surface above the second one, along the normal of the first one.
     pub(super) gap: f64,
-    /// All of the cluster is within this distance, and all round a minimum that is no higher than
-    /// the tolerance.
+    /// The cluster lies within this distance. So does the neighbourhood in which the heights at a
+    /// minimum differ by at most the tolerance.
     pub(super) radius: f64,
     /// Whether the relative second form is indefinite.
     pub(super) is_saddle: bool,
-    /// Whether the normals are opposed.
+    /// Whether the normals are opposite.
     pub(super) is_opposed: bool,
 }
 
 impl CriticalPoint {
-    /// The side to which branches turn that pass by, seen against the normal: 1 is left.
+    /// The side to which branches turn when they pass each other, seen against the normal: 1 is
+    /// left.
     ///
-    /// Along N_A x N_B, A is above B on the right, and below it if the normals are opposed.
+    /// Along N_A x N_B, A is above B on the right, or below it if the normals are opposite.
     pub(super) fn turn(&self) -> f64 {
         if self.is_opposed { -self.gap.signum() } else { self.gap.signum() }
     }
 }
 
-/// Clusters that are resolved.
+/// The clusters that were resolved.
 #[derive(Debug, Default)]
 pub(super) struct CriticalPoints {
     pub(super) points: Vec<CriticalPoint>,
-    /// By ball, the number of the point that explains it, [`APART`] or [`UNRESOLVED`].
-    pub(super) of_ball: Vec<u32>,
+    /// For each ball, the index of the point that explains it, [`APART`] or [`UNRESOLVED`].
+    pub(super) explanations: Vec<u32>,
 }
 
-/// Of balls in which the surfaces are farther apart than the tolerance.
+/// Marks balls in which the surfaces are farther apart than the tolerance.
 pub(super) const APART: u32 = u32::MAX - 1;
-/// Of balls that are not explained.
+/// Marks balls that are not explained.
 pub(super) const UNRESOLVED: u32 = u32::MAX;
 
-/// What Newton's method finds from a ball.
-enum Search {
+/// The result of Newton's method from a ball.
+enum NewtonOutcome {
     Found(CriticalPoint),
-    /// It leads out of the ball's cells, to about there.
+    /// The iteration left the ball's cells, towards about this point.
     Beyond(DVec3),
 }
 
@@ -102,20 +104,21 @@ pub(super) struct ContactSearch<'a> {
     /// The origin of the balls' coordinates.
     pub(super) origin: DVec3,
     pub(super) tolerance: f64,
-    /// How exactly places are known.
+    /// Accuracy of places.
     pub(super) resolution: f64,
 }
 
-/// An orthonormal frame whose third axis is a normal.
-fn frame_of(normal: DVec3) -> DMat3 {
+/// Returns an orthonormal frame whose third axis is `normal`.
+fn frame_with_normal(normal: DVec3) -> DMat3 {
     let (x, y) = normal.any_orthonormal_pair();
     DMat3::from_cols(x, y, normal)
 }
 
 impl ContactSearch<'_> {
-    /// Resolves the clusters that can be.
+    /// Resolves all clusters that can be resolved.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<CriticalPoints> {
-        let mut found = CriticalPoints { points: Vec::new(), of_ball: alloc::filled(UNRESOLVED, self.balls.len())? };
+        let mut found =
+            CriticalPoints { points: Vec::new(), explanations: alloc::filled(UNRESOLVED, self.balls.len())? };
         if self.balls.is_empty() {
             return Ok(found);
         }
@@ -126,7 +129,7 @@ impl ContactSearch<'_> {
             let Some(point) = self.resolve(cluster) else { continue };
             let is_apart = !point.is_saddle && point.gap.abs() > self.tolerance;
             let number = if is_apart { APART } else { found.points.len() as u32 };
-            cluster.iter().for_each(|&ball| found.of_ball[ball as usize] = number);
+            cluster.iter().for_each(|&ball| found.explanations[ball as usize] = number);
             if !is_apart {
                 alloc::push(&mut found.points, point)?;
             }
@@ -135,10 +138,12 @@ impl ContactSearch<'_> {
         Ok(found)
     }
 
-    /// Balls that are left within a contact, on the rim of a lens that is thinner than the tolerance,
-    /// are of it: arcs there are left out, too.
+    /// Assigns remaining balls within a contact to it. They lie on the rim of a lens thinner than
+    /// the tolerance. Arcs on the rim are removed too.
     fn explain_rims(&self, found: &mut CriticalPoints) {
-        for (ball, number) in self.balls.iter().zip(&mut found.of_ball).filter(|(_, number)| **number == UNRESOLVED) {
+        for (ball, number) in
+            self.balls.iter().zip(&mut found.explanations).filter(|(_, number)| **number == UNRESOLVED)
+        {
             let is_of = |point: &CriticalPoint| {
                 let sheets = [ball.pair, point.pair].map(|pair| self.pairs[pair as usize].sheets);
                 let is_near = ball.centre.distance(point.point) + ball.radius <= point.radius;
@@ -150,8 +155,8 @@ impl ContactSearch<'_> {
         }
     }
 
-    /// Balls that are near each other, of pairs of the same two sheets or of others, by the first:
-    /// between those of a crossing may be others that are resolved.
+    /// Groups balls that are close to each other, whatever their sheets. Between the balls of a
+    /// crossing there may be boxes that are resolved.
     fn clusters(&self, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
         let balls = self.balls;
         let centres = alloc::collect(balls.iter().map(|ball| ball.centre))?;
@@ -159,13 +164,13 @@ impl ContactSearch<'_> {
         let mut sets = DisjointSets::new(balls.len())?;
         let mut visits = 0;
         for (k, ball) in balls.iter().enumerate() {
-            // Where all balls lie together each has all others near it.
+            // If all balls coincide, each of them has all others as neighbours.
             if visits >= VISITS_PER_REPORT || k == 0 {
                 job.step(0.0, "contact")?;
                 visits = 0;
             }
             visits += 1;
-            // Smaller balls only, and so all within four times the radius.
+            // Only smaller balls count, so all of them are within four times the radius.
             let limit = 4.0 * ball.radius + 4.0 * self.resolution;
             tree.for_each_within(ball.centre, Radius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
                 visits += 1;
@@ -189,7 +194,8 @@ impl ContactSearch<'_> {
         Ok(clusters)
     }
 
-    /// The critical point of a cluster, if it is proved to be alone and to explain it.
+    /// The critical point of a cluster, if it is proven to be the only one, and explains the
+    /// cluster.
     fn resolve(&self, cluster: &[u32]) -> Option<CriticalPoint> {
         let ball = |&k: &u32| &self.balls[k as usize];
         if cluster.len() > MAX_CLUSTER || cluster.iter().any(|k| ball(k).is_whole) {
@@ -198,14 +204,14 @@ impl ContactSearch<'_> {
         let mut order: Vec<&UnresolvedBall> = alloc::collect(cluster.iter().map(ball)).ok()?;
         order.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.pair.cmp(&b.pair)));
         let found = self.critical_point_among(&order)?;
-        let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_of(found.normal)));
+        let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_with_normal(found.normal)));
         let form = forms.next()??;
         if form == Form::Unknown || forms.any(|other| other != Some(form)) {
             return None;
         }
         let is_saddle = form == Form::Indefinite;
         let height = if form == Form::Negative { -found.gap } else { found.gap };
-        // A loop is not explained by its middle.
+        // The critical point inside a loop does not explain the loop.
         (is_saddle || height >= -self.tolerance).then_some(CriticalPoint { is_saddle, ..found })
     }
 
@@ -214,8 +220,8 @@ impl ContactSearch<'_> {
         [Place { sheet: a, cell: p, u: x.x, v: x.y }, Place { sheet: b, cell: q, u: x.z, v: x.w }]
     }
 
-    /// The critical point of some balls: looked for from one that the surfaces are nearest at, and
-    /// from others that are nearest to where the last one says that it is.
+    /// Finds the critical point of some balls. Starts at the ball with the smallest gap, and
+    /// continues with the ball nearest to the point towards which the previous start led.
     fn critical_point_among(&self, balls: &[&UnresolvedBall]) -> Option<CriticalPoint> {
         let mut left = alloc::collect(0..balls.len()).ok()?;
         let mut towards: Option<DVec3> = None;
@@ -225,49 +231,52 @@ impl ContactSearch<'_> {
                 left.iter().enumerate().min_by(|a, b| far(a.1).total_cmp(&far(b.1)).then(a.1.cmp(b.1)))?;
             left.swap_remove(at);
             match self.critical_point(balls[ball], balls) {
-                Some(Search::Found(point)) => return Some(point),
-                Some(Search::Beyond(point)) => towards = Some(point),
+                Some(NewtonOutcome::Found(point)) => return Some(point),
+                Some(NewtonOutcome::Beyond(point)) => towards = Some(point),
                 None => {}
             }
         }
         None
     }
 
-    /// The point near a ball where the normals are parallel and the difference of the two points is
-    /// along them, if it is in the ball's cells and in one of the balls.
+    /// Newton's method for the point near a ball where the normals are parallel, and the difference
+    /// of the two points is along them. The result counts if it is in the ball's cells and in one
+    /// of `balls`.
     ///
-    /// With p and q in the tangent plane of the one, slopes g and h, and second derivatives G and H
-    /// there, a move by d of the first point and by d + p - q of the second makes the points equal,
-    /// and the slopes g + G d and h + H (d + p - q).
-    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<Search> {
+    /// Let p and q be the points in the tangent plane of the first surface, g and h the slopes, G
+    /// and H the second derivatives. If the first point moves by d and the second by d + p - q, the
+    /// points coincide in the plane. The slopes become g + G d and h + H (d + p - q), which must be
+    /// equal.
+    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<NewtonOutcome> {
         let (mut x, mut last) = (ball.x, f64::INFINITY);
         for _ in 0..NEWTON_STEPS {
             let [a, b] = self.places(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
-            let frame = frame_of(normal.try_normalize()?);
-            let [one, other] = [Graph::at(&jets[0], &frame)?, Graph::at(&jets[1], &frame)?];
+            let frame = frame_with_normal(normal.try_normalize()?);
+            let [one, other] = [HeightGraph::from_jet(&jets[0], &frame)?, HeightGraph::from_jet(&jets[1], &frame)?];
             let away = (frame.transpose() * (jets[0].point - jets[1].point)).truncate();
-            let second = |graph: &Graph| {
+            let second = |graph: &HeightGraph| {
                 let [xx, xy, yy] = graph.second.map(Interval::middle);
                 DMat2::from_cols(DVec2::new(xx, xy), DVec2::new(xy, yy))
             };
-            let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(Interval::middle));
+            let slopes = |graph: &HeightGraph| DVec2::from_array(graph.slopes.map(Interval::middle));
             let (g, h) = (second(&one), second(&other));
             let in_plane = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
-            let by_parameters =
-                |graph: &Graph, step: DVec2| graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y);
+            let by_parameters = |graph: &HeightGraph, step: DVec2| {
+                graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y)
+            };
             let ([s, t], [u, v]) = (by_parameters(&one, in_plane), by_parameters(&other, in_plane + away));
             let step = DVec4::new(s, t, u, v);
             if !step.is_finite() {
                 return None;
             }
-            // Beyond its cells a polynomial says little.
+            // A polynomial says little beyond its cell.
             if step.abs().max_element() > 1.0 {
-                return Some(Search::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
+                return Some(NewtonOutcome::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
             }
             x += step;
             let length = step.abs().max_element();
-            // In small cells rounding is all that is left before that.
+            // In small cells, only rounding may remain before that.
             let is_rounding = length <= 1e-8 && length > 0.25 * last;
             last = length;
             if length <= 1e-12 || is_rounding {
@@ -278,33 +287,34 @@ impl ContactSearch<'_> {
                 let normal = frame.z_axis;
                 let radius = balls.iter().map(|ball| ball.centre.distance(point) + ball.radius).fold(0.0, f64::max);
                 let gap = (point - other).dot(normal);
-                // A ball is about a point of either surface.
+                // The centre of a ball is a point of either surface.
                 let reach = gap.abs() + 4.0 * self.resolution;
                 let within = |ball: &&UnresolvedBall| ball.centre.distance(point) <= ball.radius + reach;
-                // D grows by the least curvature at least: lambda r^2 / 2.
+                // D grows at least with the smallest curvature: lambda r^2 / 2.
                 let form = g - h;
                 let [trace, determinant] = [form.x_axis.x + form.y_axis.y, form.determinant()];
                 let greatest = 0.5 * (trace.abs() + (trace * trace - 4.0 * determinant).max(0.0).sqrt());
                 let least = (determinant / greatest).abs().max(f64::MIN_POSITIVE);
                 let rim = (2.0 * (self.tolerance + gap.abs()) / least).sqrt();
-                // Elsewhere the surfaces are as near to each other for another reason.
+                // The surfaces are close to each other over a larger area, for another reason than
+                // this point.
                 if self.resolution < self.tolerance && radius > MAX_RIMS * rim {
                     return None;
                 }
                 let radius = if rim.is_finite() && determinant > 0.0 { radius.max(1.1 * rim) } else { radius };
                 if !(inside && balls.iter().any(within)) {
-                    return Some(Search::Beyond(point));
+                    return Some(NewtonOutcome::Beyond(point));
                 }
                 let is_opposed = jets[1].normal().dot(normal) < 0.0;
                 let found =
                     CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
-                return Some(Search::Found(found));
+                return Some(NewtonOutcome::Found(found));
             }
         }
         None
     }
 
-    /// The relative second form over the box of a ball.
+    /// Definiteness of the relative second form over the box of a ball.
     fn form(&self, ball: &UnresolvedBall, frame: &DMat3) -> Option<Form> {
         let places = self.places(ball.pair, ball.low);
         let size = ball.high - ball.low;
@@ -312,9 +322,9 @@ impl ContactSearch<'_> {
             let Place { sheet, cell: [i, j], u, v } = places[k];
             let part = [[u, u + size[0]], [v, v + size[1]]].map(|[from, to]| [from, to.min(1.0)]);
             each_sheet!(self.surfaces[k].sheet(sheet as usize), cells => {
-                Graph::over(&crate::cells::Cells::patch(cells, i as usize, j as usize), part, frame)
+                HeightGraph::from_patch(&crate::cells::Cells::patch(cells, i as usize, j as usize), part, frame)
             })
         };
-        Some(Form::of_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
+        Some(Form::from_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
     }
 }

@@ -1,4 +1,4 @@
-//! A patch by coordinates: so stored, what is done with rows of control points is done with rows of
+//! A patch stored by coordinates, so that operations on rows of control points work on rows of
 //! numbers.
 
 use crate::Patch;
@@ -8,11 +8,11 @@ use gusset_base::geom::bernstein::basis_with_slopes;
 
 /// The fields of x, y and z.
 #[derive(Debug, Clone)]
-pub(super) struct Net<const N: usize>([Field<N>; 3]);
+pub(super) struct CoordinateNet<const N: usize>([Field<N>; 3]);
 
-/// The sum of rows by their weights.
+/// The weighted sum of rows.
 #[inline(always)]
-fn blended<const N: usize>(rows: &[[f64; N]; N], weights: &[f64; N]) -> [f64; N] {
+fn weighted_sum<const N: usize>(rows: &[[f64; N]; N], weights: &[f64; N]) -> [f64; N] {
     let mut sum = [0.0; N];
     for (row, weight) in rows.iter().zip(weights) {
         sum.iter_mut().zip(row).for_each(|(sum, x)| *sum += weight * x);
@@ -25,13 +25,13 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (x, y)| sum + x * y)
 }
 
-impl<const N: usize> Net<N> {
-    pub(super) const ZERO: Self = Net([Field { c: [[0.0; N]; N] }; 3]);
+impl<const N: usize> CoordinateNet<N> {
+    pub(super) const ZERO: Self = CoordinateNet([Field { c: [[0.0; N]; N] }; 3]);
 
-    /// A patch relative to an origin, and the largest of the absolute values of its coordinates
-    /// before and after.
+    /// Creates the net of a patch relative to an origin. Also returns the largest absolute
+    /// coordinate before and after the shift.
     pub(super) fn new(patch: &Patch<N>, origin: DVec3) -> (Self, f64) {
-        let (mut net, mut largest) = (Net::ZERO, DVec3::ZERO);
+        let (mut net, mut largest) = (CoordinateNet::ZERO, DVec3::ZERO);
         let [x, y, z] = &mut net.0;
         for (a, row) in patch.points.iter().enumerate() {
             for (b, &before) in row.iter().enumerate() {
@@ -48,21 +48,21 @@ impl<const N: usize> Net<N> {
         Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
     }
 
-    /// The point.
+    /// Evaluates the point at (u, v).
     #[inline]
     pub(super) fn point(&self, u: f64, v: f64) -> DVec3 {
         let ([of_u, _], [of_v, _]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
         let [x, y, z] = &self.0;
-        DVec3::from_array([x, y, z].map(|field| dot(&blended(&field.c, &of_u), &of_v)))
+        DVec3::from_array([x, y, z].map(|field| dot(&weighted_sum(&field.c, &of_u), &of_v)))
     }
 
-    /// The point and the first derivatives.
+    /// Evaluates the point and the first derivatives.
     #[inline(always)]
     pub(super) fn tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
         let ([of_u, slope_u], [of_v, slope_v]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
         let mut found = [DVec3::ZERO; 3];
         for (k, field) in self.0.iter().enumerate() {
-            let (values, slopes) = (blended(&field.c, &of_u), blended(&field.c, &slope_u));
+            let (values, slopes) = (weighted_sum(&field.c, &of_u), weighted_sum(&field.c, &slope_u));
             found[0][k] = dot(&values, &of_v);
             found[1][k] = dot(&slopes, &of_v);
             found[2][k] = dot(&values, &slope_v);
@@ -70,9 +70,9 @@ impl<const N: usize> Net<N> {
         found
     }
 
-    /// The net along a direction.
+    /// The component of the net along a direction.
     #[inline]
-    pub(super) fn along(&self, axis: DVec3) -> Field<N> {
+    pub(super) fn project(&self, axis: DVec3) -> Field<N> {
         let mut c = self.0[0].c;
         let [_, y, z] = &self.0;
         for (row, (y, z)) in c.iter_mut().zip(y.c.iter().zip(&z.c)) {
@@ -86,11 +86,11 @@ impl<const N: usize> Net<N> {
     /// The halves at u = 1/2.
     pub(super) fn halves(&self) -> [Self; 2] {
         let [x, y, z] = [0, 1, 2].map(|k| self.0[k].halves());
-        [0, 1].map(|half| Net([x[half], y[half], z[half]]))
+        [0, 1].map(|half| CoordinateNet([x[half], y[half], z[half]]))
     }
 
-    /// u and v exchanged.
+    /// The net with u and v exchanged.
     pub(super) fn transposed(&self) -> Self {
-        Net([0, 1, 2].map(|k| self.0[k].transposed()))
+        CoordinateNet([0, 1, 2].map(|k| self.0[k].transposed()))
     }
 }

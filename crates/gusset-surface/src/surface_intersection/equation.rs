@@ -1,19 +1,18 @@
-//! The equation A(s, t) = B(u, v) over a pair of cells: its values and derivatives, and Newton's
-//! method.
+//! The equation A(s, t) = B(u, v) over a pair of cells: values, derivatives and Newton's method.
 //!
-//! Cost: O(N^2 + M^2) an evaluation.
+//! Cost: O(N^2 + M^2) for an evaluation.
 
-use super::coordinate_net::Net;
+use super::coordinate_net::CoordinateNet;
 use glam::{DVec2, DVec3, DVec4};
 
-/// Two patches. Parameters are those of the cells: (s, t) of A, then (u, v) of B.
+/// Two patches. The parameters are (s, t) of A, then (u, v) of B, in their cells.
 #[derive(Clone)]
 pub(super) struct Equation<const N: usize, const M: usize> {
-    pub(super) a: Net<N>,
-    pub(super) b: Net<M>,
+    pub(super) a: CoordinateNet<N>,
+    pub(super) b: CoordinateNet<M>,
 }
 
-/// A - B at some parameters, and its derivatives.
+/// A - B at given parameters, and its derivatives.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     /// A - B.
@@ -22,29 +21,29 @@ pub(super) struct Frame {
     pub(super) columns: [DVec3; 4],
 }
 
-/// The other three of four.
+/// For each of the four parameters, the other three.
 pub(super) const OTHERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
-/// Steps of Newton's method.
+/// Largest number of Newton steps.
 const NEWTON_STEPS: usize = 16;
-/// Guesses nearer than this, by the cells' parameters, are good ones.
+/// A first step shorter than this, in parameters of the cells, marks a good guess.
 const MAX_REFINED_STEP: f64 = 1e-3;
 
 impl Frame {
-    /// N_A and N_B, as long as the cells' areas.
+    /// N_A and N_B, not normalised.
     pub(super) fn normals(&self) -> [DVec3; 2] {
         let [a, b, c, d] = self.columns;
         [a.cross(b), c.cross(d)]
     }
 
-    /// The direction in which A = B goes on, by parameters: that of N_A x N_B in space. It solves
-    /// A_s s' + A_t t' = B_u u' + B_v v', as (A_s x A_t) x N_B = A_t (A_s . N_B) - A_s (A_t . N_B).
+    /// The direction of the curve A = B in parameters; in space it is N_A x N_B. It solves A_s s' +
+    /// A_t t' = B_u u' + B_v v', because (A_s x A_t) x N_B = A_t (A_s . N_B) - A_s (A_t . N_B).
     pub(super) fn tangent(&self) -> DVec4 {
         let ([a, b], [s, t, u, v]) = (self.normals(), self.columns);
         DVec4::new(-t.dot(b), s.dot(b), -v.dot(a), u.dot(a))
     }
 
-    /// The direction in space, N_A x N_B.
+    /// The direction N_A x N_B of the curve in space.
     pub(super) fn direction(&self) -> DVec3 {
         let [a, b] = self.normals();
         a.cross(b)
@@ -58,8 +57,8 @@ impl Frame {
 
     /// The step to the solution nearest to another point, which is `away` from A.
     ///
-    /// To A = B, with the parameter fixed that the curve runs along most, and from there along the
-    /// curve: both at once, as for a line.
+    /// It combines two steps. The first leads to A = B, with the parameter fixed along which the
+    /// curve mainly runs. The second leads along the curve as along a line.
     pub(super) fn step_towards(&self, away: DVec3) -> DVec4 {
         let (tangent, direction) = (self.tangent(), self.direction());
         let fixed = (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best });
@@ -68,8 +67,8 @@ impl Frame {
         left.dot(direction) / direction.length_squared() * tangent - back
     }
 
-    /// The step of the parameters `moved` and the next, those of one surface, that brings it
-    /// nearest to the other's point.
+    /// The step of two parameters of one surface, `moved` and the next one, that brings it nearest
+    /// to the other surface's point.
     pub(super) fn step_across(&self, moved: usize) -> DVec2 {
         let [p, q] = [self.columns[moved], self.columns[moved + 1]];
         let (pp, pq, qq) = (p.length_squared(), p.dot(q), q.length_squared());
@@ -77,14 +76,14 @@ impl Frame {
         DVec2::new(g * pq - f * qq, f * pq - g * pp) / (pp * qq - pq * pq)
     }
 
-    /// How much a parameter changes with A - B where another one is fixed.
+    /// How much parameter k changes with A - B if parameter `fixed` is constant.
     pub(super) fn sensitivity(&self, fixed: usize, k: usize) -> f64 {
         let rows = self.inverse(fixed);
         OTHERS[fixed].iter().zip(rows).find(|(other, _)| **other == k).map_or(0.0, |(_, row)| row.length())
     }
 
-    /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other
-    /// three.
+    /// Rows of the inverse of the derivatives with respect to the three parameters other than
+    /// `fixed`.
     fn inverse(&self, fixed: usize) -> [DVec3; 3] {
         let [x, y, z] = OTHERS[fixed].map(|n| self.columns[n]);
         let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
@@ -93,7 +92,7 @@ impl Frame {
     }
 }
 
-/// Newton's step, by the inverse of the derivatives with one of the parameters fixed.
+/// The Newton step, from the inverse of the derivatives with one parameter fixed.
 fn step(inverse: &[DVec3; 3], miss: DVec3, fixed: usize) -> DVec4 {
     let mut step = DVec4::ZERO;
     for (&n, row) in OTHERS[fixed].iter().zip(inverse) {
@@ -108,21 +107,21 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         Frame { miss: p - q, columns: [s, t, -u, -v] }
     }
 
-    /// The solution near `start` with parameter `fixed` as it is there, and the derivatives next to
-    /// it; `None` if Newton's method does not converge.
+    /// Solves the equation near `start` with parameter `fixed` held constant. Returns the solution
+    /// and the derivatives close to it, or `None` if Newton's method does not converge.
     pub(super) fn solve(&self, start: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..NEWTON_STEPS {
             let frame = self.frame(x);
             let step = step(&frame.inverse(fixed), frame.miss, fixed);
             let length = step.abs().max_element();
-            // Far outside the cells the polynomials say nothing.
+            // Far outside the cells, the polynomials are meaningless.
             if !step.is_finite() || length > 4.0 {
                 return None;
             }
             x -= step;
-            // Convergence is quadratic: the next step would be about this one times the square of
-            // its ratio to the last. Or rounding is all that is left.
+            // Convergence is quadratic: the next step would be about this one times the squared
+            // ratio to the last. Otherwise only rounding remains.
             let ratio = length / last;
             let converged = last < f64::INFINITY && length * ratio * ratio < 1e-15;
             if converged || length < 1e-13 || (length < 1e-9 && ratio > 0.25) {
@@ -133,8 +132,8 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         None
     }
 
-    /// The same for a good guess: after Newton's first step the derivatives hardly change, so that
-    /// A - B is all that a second one needs.
+    /// Solves the equation from a good guess. The derivatives hardly change after the first Newton
+    /// step, so the second step needs only A - B.
     pub(super) fn refine(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let frame = self.frame(guess);
         let inverse = frame.inverse(fixed);
@@ -144,7 +143,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
             let x = guess - first;
             let miss = self.a.point(x.x, x.y) - self.b.point(x.z, x.w);
             let second = step(&inverse, miss, fixed);
-            // The error falls by the same ratio at each step.
+            // The error decreases by the same factor in each step.
             let left = second.abs().max_element();
             if 4.0 * left * left <= 1e-15 * length || left < 1e-14 {
                 return Some((x - second, frame));
@@ -153,7 +152,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         self.solve(guess, fixed)
     }
 
-    /// The point of A, between A and B where they differ by rounding.
+    /// The point of A. At a solution it equals the point of B except for rounding.
     pub(super) fn point(&self, x: DVec4) -> DVec3 {
         self.a.point(x.x, x.y)
     }

@@ -1,19 +1,20 @@
-//! Heights of a piece of a surface over a plane: bounds of their slopes and second derivatives.
+//! A piece of a surface as the graph of a height over a plane: bounds of its derivatives.
 //!
-//! Over the plane of x and y, S(u, v) = (x, y, z) is the graph of a height h(x, y) where x_u y_v -
-//! x_v y_u is not 0. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y, and its
-//! second derivatives those of z less the slopes times those of x and y, taken twice along the
-//! derivatives of (u, v) by (x, y). In intervals each is a bound over all of the piece; the
-//! difference of two such bounds is one of the relative second form of two surfaces that touch.
+//! Where x_u y_v - x_v y_u is not 0, S(u, v) = (x, y, z) is the graph of a height h(x, y) over the
+//! plane of x and y. Its slopes are h_x = z_u u_x + z_v v_x and h_y = z_u u_y + z_v v_y. To obtain
+//! its second derivatives, subtract from z_uu the slopes times x_uu and y_uu, and likewise for uv
+//! and vv. Then apply the derivatives of (u, v) with respect to (x, y) twice. In interval
+//! arithmetic, the results are bounds over the whole piece. The difference of two such bounds
+//! bounds the relative second form of two surfaces that touch.
 //!
-//! Cost: O(N^3) a piece of degree N - 1.
+//! Cost: O(N^3) for a piece of degree N - 1.
 
 use crate::{Jet, Patch};
 use glam::{DMat3, DVec3};
 use gusset_base::geom::bernstein::restrict;
 use std::ops::{Add, Mul, Sub};
 
-/// All numbers from one to another.
+/// A closed interval.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Interval {
     pub(super) low: f64,
@@ -25,7 +26,7 @@ impl Interval {
         Interval { low: x, high: x }
     }
 
-    pub(super) fn with(self, x: f64) -> Self {
+    pub(super) fn including(self, x: f64) -> Self {
         Interval { low: self.low.min(x), high: self.high.max(x) }
     }
 
@@ -33,7 +34,7 @@ impl Interval {
         0.5 * (self.low + self.high)
     }
 
-    /// 1 / self, if 0 is not in it.
+    /// The reciprocal, if the interval does not contain 0.
     pub(super) fn inverse(self) -> Option<Self> {
         let apart = self.low > 0.0 || self.high < 0.0;
         apart.then(|| Interval { low: 1.0 / self.high, high: 1.0 / self.low })
@@ -61,14 +62,14 @@ impl Mul for Interval {
 
     fn mul(self, other: Interval) -> Interval {
         let first = Interval::point(self.low * other.low);
-        first.with(self.low * other.high).with(self.high * other.low).with(self.high * other.high)
+        first.including(self.low * other.high).including(self.high * other.low).including(self.high * other.high)
     }
 }
 
-/// The height of a piece of a surface, over the plane of a frame's first two axes.
+/// The height of a piece of a surface over the plane of a frame's first two axes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Graph {
-    /// The derivatives of u, and of v, by x and y.
+pub(super) struct HeightGraph {
+    /// The derivatives of u and of v with respect to x and y.
     pub(super) inverse: [[Interval; 2]; 2],
     /// h_x and h_y.
     pub(super) slopes: [Interval; 2],
@@ -76,10 +77,10 @@ pub(super) struct Graph {
     pub(super) second: [Interval; 3],
 }
 
-impl Graph {
-    /// From S_u and S_v, and S_uu, S_uv and S_vv, along the axes; `None` if the piece may not be a
-    /// graph.
-    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<Graph> {
+impl HeightGraph {
+    /// Creates the graph from S_u and S_v, and from S_uu, S_uv and S_vv, in coordinates of the
+    /// frame. Returns `None` if the piece may not be a graph.
+    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<HeightGraph> {
         let [[xu, yu, zu], [xv, yv, zv]] = first;
         let factor = (xu * yv - xv * yu).inverse()?;
         let minus = Interval::point(-1.0) * factor;
@@ -90,23 +91,27 @@ impl Graph {
             let ([uk, un], [vk, vn]) = ([inverse[0][k], inverse[0][n]], [inverse[1][k], inverse[1][n]]);
             uu * uk * un + uv * (uk * vn + vk * un) + vv * vk * vn
         };
-        Some(Graph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
+        Some(HeightGraph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
     }
 
-    /// At a point.
-    pub(super) fn at(jet: &Jet, frame: &DMat3) -> Option<Graph> {
+    /// The graph at a point.
+    pub(super) fn from_jet(jet: &Jet, frame: &DMat3) -> Option<HeightGraph> {
         let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::point);
-        Graph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
+        HeightGraph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
     }
 
-    /// Over a part of a patch, by bounds of control points.
-    pub(super) fn over<const N: usize>(patch: &Patch<N>, part: [[f64; 2]; 2], frame: &DMat3) -> Option<Graph> {
+    /// The graph over a part of a patch. Control points give the bounds.
+    pub(super) fn from_patch<const N: usize>(
+        patch: &Patch<N>,
+        part: [[f64; 2]; 2],
+        frame: &DMat3,
+    ) -> Option<HeightGraph> {
         let mut points = patch.points.map(|row| row.map(|point| frame.transpose() * point));
         restrict_rows(&mut points, part[0]);
         let mut turned = Patch { points }.transposed();
         restrict_rows(&mut turned.points, part[1]);
         let net = turned.transposed().points;
-        // Differences of control points, as derivatives by the patch's own parameters.
+        // Differences of control points are derivatives with respect to the patch's own parameters.
         let degree = (N - 1) as f64;
         let scale = part.map(|[from, to]| degree / (to - from));
         let (mut u, mut v) = ([None; 3], [None; 3]);
@@ -132,9 +137,9 @@ impl Graph {
                 }
             }
         }
-        // Of degree 1 the second derivatives vanish.
+        // The second derivatives of degree 1 vanish.
         let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::point(0.0)));
-        Graph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
+        HeightGraph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
     }
 }
 
@@ -149,31 +154,31 @@ fn restrict_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64; 2]) 
 /// Adds a vector to the ranges of its components.
 fn add(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
     for (range, x) in ranges.iter_mut().zip(vector.to_array()) {
-        *range = Some(range.map_or(Interval::point(x), |range| range.with(x)));
+        *range = Some(range.map_or(Interval::point(x), |range| range.including(x)));
     }
 }
 
-/// Definiteness of a symmetric matrix of two rows, proved for all values in its intervals.
+/// Definiteness of a symmetric 2 x 2 matrix, proven for all values in its intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
-    /// All curvatures are positive.
+    /// Both eigenvalues are positive.
     Positive,
-    /// All are negative.
+    /// Both eigenvalues are negative.
     Negative,
-    /// One is positive, and one negative.
+    /// One eigenvalue is positive, the other negative.
     Indefinite,
-    /// It is not proved to be any of these.
+    /// The signs of the eigenvalues are not proven.
     Unknown,
 }
 
 impl Form {
-    /// Of the difference of two graphs.
-    pub(super) fn of_difference(one: &Graph, other: &Graph) -> Form {
+    /// The definiteness of the second derivatives of the difference of two graphs.
+    pub(super) fn from_difference(one: &HeightGraph, other: &HeightGraph) -> Form {
         let [xx, xy, yy] = [0, 1, 2].map(|k| one.second[k] - other.second[k]);
         let Interval { low, high } = xx * yy;
         let square = xy.low.abs().max(xy.high.abs()).powi(2);
         let least = if xy.low <= 0.0 && xy.high >= 0.0 { 0.0 } else { xy.low.abs().min(xy.high.abs()).powi(2) };
-        // And what was rounded on the way.
+        // Rounding of the steps above.
         let slack = 1e-12 * (low.abs().max(high.abs()) + square);
         match () {
             () if low - square > slack && xx.low > 0.0 => Form::Positive,

@@ -1,11 +1,11 @@
-//! From arcs to paths: what was found twice is left out, and ends that are one point are joined.
+//! Joins arcs to paths: removes duplicate arcs, and joins ends that are the same point.
 //!
 //! Cost: O(n log n) for n arcs.
 
 use super::bridge::{Bridges, JoinedCrossings, Surroundings};
 use super::contact::{APART, CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
-use super::solve::{Arc, FoundArcs};
+use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -14,28 +14,27 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use std::ops::ControlFlow;
 
-/// Neighbours of a point that are compared: more of them can only be the same point again and
-/// again.
+/// Largest number of neighbours compared with a point. More neighbours are copies of the point.
 const MAX_NEIGHBOURS: usize = 64;
 
-/// Points between two steps of the job.
+/// Number of points between two progress reports.
 const ENDS_PER_STEP: usize = 1 << 12;
 
-/// Points of about the same place along a direction that are compared with each other: of more, a
-/// tree is faster.
+/// Largest number of points with similar positions along a direction that are compared pairwise.
+/// For more points, a tree is faster.
 const MAX_COMPARED: usize = 16;
 
-/// Pairs of points that are no farther apart than `within`, and how far.
+/// Pairs of points at most `within` apart, with their distances.
 ///
-/// Sorted along some direction, near ones follow each other, and hardly any others: few points are
-/// in one plane across it, to `within`, but for those of curves in such planes.
+/// Points are sorted along a direction, so close points are close in the order. Few other points
+/// come between, except on curves in planes perpendicular to the direction.
 pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result<Vec<(f64, u32, u32)>> {
-    // Not along the axes, to which surfaces are often parallel.
+    // Not an axis, because surfaces are often parallel to axes.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
     let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
     sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut pairs = Vec::new();
-    // Keys are rounded.
+    // Sort keys are rounded, so the limit is wider.
     let mut done = 0;
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
         let own = job.part(done as f64 / points.len() as f64, 1.0);
@@ -86,22 +85,24 @@ fn add_pairs_of_many(
     Ok(())
 }
 
-/// Ends within so many resolutions may be one point.
+/// Ends within this number of resolutions may be the same point.
 pub(super) const REACH: f64 = 2.0;
 
 /// Chains of arcs.
 #[derive(Debug, Default)]
 pub(super) struct Chained {
-    /// Arcs each of which goes on where the one before ends, to the resolution.
+    /// Sequences of arcs, each of which continues where the previous one ends, within the
+    /// resolution.
     pub(super) chains: Vec<Chain>,
     pub(super) crossings: JoinedCrossings,
-    /// By unresolved ball, whether a joint explains it.
+    /// For each unresolved ball, whether a joint explains it.
     pub(super) passed: Vec<bool>,
 }
 
-/// Chains the arcs. `critical`: where the surfaces touch, or nearly do, to `tolerance`;
-/// `resolution`: how exactly ends are known, and how long arcs may be that are lost between them.
-pub(super) fn chains(
+/// Joins the arcs to chains. `critical` holds the points where the surfaces touch within
+/// `tolerance`. `resolution` is the accuracy of ends, and the length of arcs that may be lost
+/// between them.
+pub(super) fn chain_arcs(
     pieces: &FoundArcs,
     critical: &CriticalPoints,
     surroundings: &impl Surroundings,
@@ -109,10 +110,10 @@ pub(super) fn chains(
     job: &Job<'_>,
 ) -> Result<Chained> {
     let arcs = &pieces.arcs;
-    // Starts and ends, in turn.
+    // The start and the end of each arc.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
     let near = near_pairs(&ends, REACH * resolution, job)?;
-    let mut dropped = repeated(arcs, &near, false, resolution)?;
+    let mut dropped = find_repeated(arcs, &near, false, resolution)?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
@@ -121,54 +122,60 @@ pub(super) fn chains(
             alloc::push(&mut joints, (distance, end / 2, start / 2))?;
         }
     }
-    // The nearest first.
+    // The closest pairs first.
     sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let bridges = Bridges { pieces, surroundings, tolerance, resolution };
-    let mut links = Links::of(&joints, &dropped)?;
+    let mut links = Links::from_joints(&joints, &dropped)?;
     let mut chains = links.chains(&dropped)?;
-    // What is left out may have been in the way of others.
+    // An arc that was removed may have taken the place of another one.
     if bridges.drop_short(&chains, &mut dropped) | bridges.drop_repeated(&chains, &mut dropped)? {
-        links = Links::of(&joints, &dropped)?;
+        links = Links::from_joints(&joints, &dropped)?;
         chains = links.chains(&dropped)?;
     }
     if pieces.balls.is_empty() {
         return Ok(Chained { chains: links.chains(&dropped)?, ..Chained::default() });
     }
-    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.of_ball[ball as usize] != APART)?;
+    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.explanations[ball as usize] != APART)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
-    // Branches that cross are joined when each is whole elsewhere.
-    let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;
+    // Branches that cross are joined after each of them is complete elsewhere.
+    let elsewhere = |ball: u32| critical.explanations[ball as usize] == UNRESOLVED;
     bridges.join(&links.chains(&dropped)?, &mut links, &elsewhere)?;
     let crossings = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
     bridges.join(&links.chains(&dropped)?, &mut links, &|_| true)?;
-    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.passed(&links)? })
+    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.explained_by_joints(&links)? })
 }
 
-/// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs
-/// of starts and ends that are near each other. Sheets may be turned against each other, so that
-/// such arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as
-/// neither of the surfaces is the first.
-pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, resolution: f64) -> Result<Vec<bool>> {
+/// Finds duplicates: arcs that were found from both sides of a side of cells or boxes. `near` holds
+/// pairs of ends that are close to each other. Sheets may have opposite orientations, so a
+/// duplicate in other cells may run in the opposite direction. If `either_way`, it may do so in the
+/// same cells too, because neither piece is the first.
+pub(super) fn find_repeated(
+    arcs: &[IntersectionArc],
+    near: &[(f64, u32, u32)],
+    either_way: bool,
+    resolution: f64,
+) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
-        // Most are arcs that follow each other.
+        // Most of these pairs are successive arcs.
         if other.ends[1 - f].distance(one.ends[1 - e]) > REACH * resolution {
             continue;
         }
         let way = if e == f { 1.0 } else { -1.0 };
-        // Short ones that follow each other are no nearer together than they are long.
+        // Short successive arcs are at least as far apart as they are long.
         let chord = one.ends[1] - one.ends[0];
         let between = 0.5 * (one.ends[0] + one.ends[1] - other.ends[0] - other.ends[1]);
         let is_beside = between.dot(chord).abs() <= 0.25 * chord.length_squared();
-        // Arcs whose ends are one point are one to the resolution if their directions are that near:
-        // beside crossings, where the surfaces are nearly parallel, more is not known of them.
+        // Arcs with the same ends are duplicates if their directions agree within the resolution.
+        // Beside crossings, where the surfaces are nearly parallel, directions are not known more
+        // precisely.
         let angle = (resolution / chord.length().max(2.0 * resolution)).max(1e-5);
         let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= angle);
         let along = one.is_along_side && other.is_along_side;
         let may_be_one = one.pair != other.pair || along && (either_way || e == f) && p / 2 != q / 2;
-        // At poles directions are not known.
+        // Directions at poles are unknown.
         let is_parallel = parallel[0] && parallel[1] || along && (parallel[0] || parallel[1]);
         if may_be_one && is_parallel && is_beside {
             dropped[p.max(q) as usize / 2] = true;

@@ -1,13 +1,12 @@
-//! Where a surface meets itself.
+//! Self-intersections of a surface.
 //!
-//! Pairs of cells as of two surfaces, each once. Cells that have points in common as declared are
-//! halved until what they have in common is proved to be no more than that (`near`); all else is
-//! solved as two surfaces are, and the arcs are joined without regard to which of the two pieces is
-//! the first (`trails`).
+//! Pairs of cells are solved as for two surfaces, each pair once. Cells with common points by
+//! declaration are halved until it is proven that they have no others (`near`). Arcs are joined
+//! without regard to which of the two pieces is the first (`trails`).
 
 use super::bridge::Bridges;
 use super::chart::ParameterBox;
-use super::coordinate_net::Net;
+use super::coordinate_net::CoordinateNet;
 use super::joints::Joints;
 use super::links::Chain;
 use super::near::NearPair;
@@ -24,47 +23,52 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::{alloc, par};
 
-/// Pairs of cells told apart between two steps of the job.
+/// Number of pairs of cells classified between two progress reports.
 const PAIRS_PER_STEP: usize = 1 << 16;
-/// Arcs whose normals are evaluated between two steps of the job.
+/// Number of arcs whose normals are evaluated between two progress reports.
 const ARCS_PER_STEP: usize = 1 << 12;
-/// Boxes of parameters examined for cells with points in common before they are put back.
+/// Number of boxes examined for cells with common points before they are postponed.
 const FIRST_MAX_BOXES: usize = 1 << 11;
-/// Boxes examined for all of these that were put back: shared among them.
+/// Number of boxes examined for all postponed pairs together.
 const SECOND_TOTAL_BOXES: usize = 1 << 22;
-/// The most for one of them: a pinch takes some 2^15.
+/// Largest number of boxes for a postponed pair. A pinch point takes about 2^15.
 const SECOND_MAX_BOXES: usize = 1 << 16;
-/// Shorter trails may be scraps, which are within what is reported as unresolved.
+/// Trails with fewer arcs may be scraps, which lie within the places reported as unresolved.
 const MIN_TRAIL_ARCS: usize = 8;
-/// Control points that are this many roundings apart are one.
+/// Control points within this number of rounding errors are the same point.
 const JOINT_ROUNDINGS: f64 = 4.0;
 
 impl Surface<'_> {
-    /// The curves in which a surface meets itself: `places` on the one of two pieces, `others` on
-    /// the other one; they run along N x N', where N is the normal at `places`. Each curve is given
-    /// once. Along a closed one the two pieces may change places, as on a Klein bottle: it ends
-    /// where it begins in space, with `places` and `others` exchanged.
+    /// Finds the curves in which a surface intersects itself. `places` are on one of the two
+    /// pieces, `others` on the other. Curves run along N x N', where N is the normal at `places`.
+    /// Each curve is returned once. The two pieces may change places along a closed curve, as on a
+    /// Klein bottle. The curve then ends where it begins in space, with `places` and `others`
+    /// exchanged.
     ///
-    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`; a
-    /// tolerance that is wider than the surface's own is taken as that.
-    /// Pieces that are joined are taken as one: cells with a common side or corner, across a seam
-    /// too, opposite borders of a sheet whose control points are the same but for rounding, in
-    /// either order, and cells round a pole. Where they are proved to have nothing else in common
-    /// they are not looked at any more. Where the tangents are dependent, as where a curve ends in
-    /// a pinch (Whitney's umbrella) or at a crease, this cannot be proved: the cell is in
-    /// `unresolved`, and curves end within the tolerance of such a place. So are cells that touch
-    /// each other or coincide. Borders that different sheets have in common count as intersections.
+    /// Finds every branch longer than the tolerance outside the cells in `unresolved`. A tolerance
+    /// above the surface's own one is reduced to it.
     ///
-    /// Work and memory in proportion to the cells and to the pairs of cells that may meet, with a
-    /// limit for each.
+    /// Pieces that are joined count as one. Cells are joined if they share a side or a corner, also
+    /// across a seam, or if they are around the same pole. Opposite borders of a sheet are joined
+    /// if their control points agree within rounding, in either order. Joined cells that are proven
+    /// to have no other common points are skipped.
+    ///
+    /// The proof fails where the tangents are dependent, as at a crease, or where a curve ends in a
+    /// pinch point (Whitney's umbrella). The cell is then listed in `unresolved`, and curves end
+    /// within the tolerance of the place. Cells that touch or coincide are listed too. Borders that
+    /// different sheets share count as intersections.
+    ///
+    /// Time and memory are proportional to the number of cells and of pairs of cells that may meet,
+    /// with a limit for each pair.
     ///
     /// # Errors
+    /// The errors of [`Surface::meet`].
     /// As [`Surface::meet`].
     pub fn meet_itself(&self, options: &Options, job: &Job<'_>) -> Result<Paths> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
-        // Cells beside each other are near to each other, and do not touch for that.
+        // Adjacent cells are close to each other without touching.
         let rounding = rounding_error(self.diagonal());
         let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);
         let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
@@ -83,7 +87,8 @@ impl Surface<'_> {
             },
             tolerance,
             resolution: tolerance,
-            // Pinches are found to that, and what is nearer to them is of them.
+            // Pinch points are located within the tolerance, and belong to the cells that are
+            // closer to them.
             shortest: 0.5 * tolerance,
             chord: chord.max(tolerance),
         };
@@ -94,7 +99,7 @@ impl Surface<'_> {
         intersection.trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
     }
 
-    /// How the cells of each sheet are joined, and the pairs of cells that may meet elsewhere.
+    /// The joints of each sheet's cells, and the pairs of cells that may meet elsewhere.
     fn own_pairs(&self, tolerance: f64, job: &Job<'_>) -> Result<(Vec<Joints>, Vec<CellPair>)> {
         let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
         let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
@@ -124,7 +129,8 @@ impl Intersection<'_> {
         Ok(())
     }
 
-    /// The same with so many boxes each; `last`: whether boxes left then are reported.
+    /// Adds the arcs of cells that have points in common, with at most `max_boxes` boxes for each
+    /// pair. If `last`, the remaining boxes are reported.
     fn solve_all_near(
         &self,
         near: &[u32],
@@ -160,14 +166,14 @@ impl Intersection<'_> {
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
-            cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.places.origin));
+            cells.map(|[i, j]| CoordinateNet::new(&sheet.patch(i as usize, j as usize), self.places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);
         NearPair { task: &task, cells, joints }.solve(&whole, found, job)
     }
 
-    /// The arcs, joined.
+    /// Joins the arcs to trails.
     fn trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
         let count = 2 * pieces.arcs.len();
         let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
@@ -180,7 +186,7 @@ impl Intersection<'_> {
         let trails = Trails { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
         let mut trails = trails.run(&job.part(0.5, 1.0))?;
         trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
-        // What was found once more is left out.
+        // Removes duplicates.
         let chains = alloc::try_collect::<_, Error>(trails.iter().map(|trail| {
             let arcs = alloc::collect(trail.steps.iter().map(|step| step.arc))?;
             Ok(Chain { arcs, closed: trail.closed })
@@ -192,7 +198,7 @@ impl Intersection<'_> {
         Ok(trails)
     }
 
-    /// Whether all ends of a trail are in unresolved balls of their pairs of cells.
+    /// Whether all ends of a trail lie in unresolved balls of their pairs of cells.
     fn is_scrap(&self, pieces: &FoundArcs, trail: &Trail) -> bool {
         trail.steps.iter().all(|step| {
             let arc = pieces.arcs[step.arc as usize];
@@ -202,7 +208,7 @@ impl Intersection<'_> {
         })
     }
 
-    /// The paths of trails, and the cells that are not resolved.
+    /// Converts trails to paths, and lists the unresolved cells.
     fn trail_paths(&self, pieces: &FoundArcs, trails: &[Trail], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
         for (k, trail) in trails.iter().enumerate() {
@@ -217,8 +223,8 @@ impl Intersection<'_> {
         Ok(paths)
     }
 
-    /// Adds the points of a trail: of joints within a pair of cells, where parts were halved, only
-    /// those that a long curve needs.
+    /// Adds the points of a trail. A long trail omits joints within a pair of cells, where boxes
+    /// were halved, if they are closer together than the chord tolerance.
     fn add_trail(&self, pieces: &FoundArcs, trail: &Trail, paths: &mut Paths) -> Result<()> {
         let arc = |step: &Step| &pieces.arcs[step.arc as usize];
         let is_long =
@@ -232,7 +238,7 @@ impl Intersection<'_> {
             if !spare {
                 last = Some((own.pair, first));
             }
-            // Where the next arc begins is where this one ends.
+            // The next arc begins at the end of this one.
             let ends_here = n + 1 == trail.steps.len() && !trail.closed;
             let count = own.point_count();
             for at in usize::from(spare)..count - usize::from(!ends_here) {
@@ -254,10 +260,10 @@ mod tests {
     use crate::{Grid, Nodes, Scheme, Sheet};
     use std::f64::consts::TAU;
 
-    /// A ball of few rows of many cells: of the pairs round its poles, which are proved and as many
-    /// as the square of the columns, none is held, and of the others each once.
+    /// A ball with few rows of many cells. The pairs around its poles are proven, and as many as
+    /// the square of the columns, so none of them is stored. All other pairs are stored once.
     #[test]
-    fn pairs_round_poles_are_not_held() {
+    fn pairs_around_poles_are_not_stored() {
         let columns = 64;
         let point = |k: usize| {
             let (u, v) = ((k / (columns + 1)) as f64 / 4.0, (k % (columns + 1) % columns) as f64 / columns as f64);
@@ -271,7 +277,7 @@ mod tests {
         let (_, pairs) = ball.own_pairs(ball.tolerance(), &Job::default()).unwrap();
         let rows = |row: u32| pairs.iter().filter(|pair| pair.cells.iter().all(|cell| cell[0] == row)).count();
         assert!(rows(0) == 0 && rows(3) == 0, "{} {}", rows(0), rows(3));
-        // Elsewhere each cell is a pair with itself and with the one beside it.
+        // Elsewhere, each cell forms a pair with itself and with the next one.
         assert!((1..3).all(|row| rows(row) >= 2 * columns), "{} {}", rows(1), rows(2));
         assert!(pairs.windows(2).all(|two| two[0] < two[1]) && pairs.iter().all(|pair| pair.cells.is_sorted()));
         assert!(ball.meet_itself(&Options::default(), &Job::default()).unwrap().is_empty());

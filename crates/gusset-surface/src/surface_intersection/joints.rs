@@ -1,11 +1,11 @@
-//! Which cells of a sheet have points in common as declared: neighbours, across seams too, and
-//! those round a pole.
+//! Joints: which cells of a sheet have points in common by declaration. These are neighbours, also
+//! across seams, and the cells around a pole.
 //!
-//! Two opposite borders of a sheet are a seam if it is closed there, or if their control points are
-//! the same but for rounding, in the same order or, as in a Möbius band, in the opposite one. A
-//! border whose control points are all one point is a pole.
+//! Two opposite borders of a sheet form a seam if the sheet is closed there, or if their control
+//! points agree within rounding. The order of the control points may be reversed, as in a Möbius
+//! band. A border whose control points are all the same point is a pole.
 //!
-//! Invariant: a joint takes the parameters of the one cell to those of the other continuously.
+//! Invariant: a joint maps the parameters of one cell continuously to the parameters of the other.
 //! Cost: O(cells of the borders) for a sheet, O(1) for a pair of cells.
 
 use super::chart::ParameterBox;
@@ -23,36 +23,36 @@ enum Seam {
     Reversed,
 }
 
-/// Where a cell is by the parameters of one that it has points in common with: at this offset, with
-/// u and v running on or back.
+/// The position of a cell in the parameters of a cell that it has points in common with: its
+/// offset, and whether its u and v run backwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Joint {
     pub(super) offset: [i64; 2],
     pub(super) flips: [bool; 2],
 }
 
-/// How the cells of a sheet are joined.
+/// The joints of a sheet's cells.
 #[derive(Debug)]
 pub(super) struct Joints {
     cells: [i64; 2],
     seams: [Seam; 2],
-    /// By direction and side: the pole that is there.
+    /// By direction and side: the pole at that border.
     poles: [[Option<Pole>; 2]; 2],
 }
 
-/// A border that is one point.
+/// A border that is a single point.
 #[derive(Debug, Clone, Copy)]
 struct Pole {
-    /// The sheet is proved not to meet itself within 2^-band of the cells round it.
+    /// The sheet is proven injective within 2^-band of the cells around the pole.
     band: Option<i32>,
 }
 
-/// Where a part of a cell is: its row and column of parts of this size.
+/// A part of a cell: its row and column among parts of equal size.
 #[derive(Debug, Clone, Copy)]
 struct Part {
     cell: [i64; 2],
     at: [i64; 2],
-    /// How many there are in each direction of the cell.
+    /// Number of parts in each direction of the cell.
     count: i64,
 }
 
@@ -62,13 +62,13 @@ impl Part {
     }
 }
 
-/// The control points of a border of cell `k` along it: of rows (`direction` 0) or columns.
+/// The control points along a border of cell `k`, of rows (`direction` 0) or columns.
 fn side<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> [DVec3; N] {
-    poles::outwards(cells, direction, side, k).points[0]
+    poles::patch_from_border(cells, direction, side, k).points[0]
 }
 
 impl Joints {
-    /// Of a sheet. `noise`: control points that are no farther apart are one.
+    /// Finds the joints of a sheet. Control points at most `noise` apart are the same point.
     pub(super) fn new<const N: usize>(
         cells: &impl Cells<N>,
         closed: [bool; 2],
@@ -109,17 +109,17 @@ impl Joints {
     /// Whether two cells have points in common.
     pub(super) fn are_joined(&self, [p, q]: [[u32; 2]; 2]) -> bool {
         let [p, q] = [p, q].map(Part::whole);
-        self.between(p.cell, q.cell).next().is_some() || self.common_poles(p, q).next().is_some()
+        self.joints_between(p.cell, q.cell).next().is_some() || self.common_poles(p, q).next().is_some()
     }
 
-    /// Whether two cells are proved to have nothing in common but what is declared.
+    /// Whether two cells are proven to have only the declared points in common.
     pub(super) fn are_proved(&self, [p, q]: [[u32; 2]; 2]) -> bool {
         let [p, q] = [p, q].map(Part::whole);
         self.within_band(p, q)
     }
 
-    /// The ways in which two cells have points in common, but for poles.
-    fn between(&self, p: [i64; 2], q: [i64; 2]) -> impl Iterator<Item = Joint> + '_ {
+    /// The ways in which two cells have points in common, except at poles.
+    fn joints_between(&self, p: [i64; 2], q: [i64; 2]) -> impl Iterator<Item = Joint> + '_ {
         let steps = (0..9).map(|k| [k / 3 - 1, k % 3 - 1]);
         steps.filter_map(move |offset| {
             let (cell, flips) = self.neighbour(p, offset)?;
@@ -127,7 +127,7 @@ impl Joints {
         })
     }
 
-    /// The cell at an offset, and whether its u and v run back.
+    /// The cell at an offset, and whether its u and v run backwards.
     fn neighbour(&self, cell: [i64; 2], offset: [i64; 2]) -> Option<([i64; 2], [bool; 2])> {
         let (mut at, mut flips) = ([cell[0] + offset[0], cell[1] + offset[1]], [false; 2]);
         for d in 0..2 {
@@ -145,11 +145,11 @@ impl Joints {
                 }
             }
         }
-        // A side that was turned about may be beyond the first of the two.
+        // A reversed seam may lead outside the range of the first direction.
         (0..2).all(|d| (0..self.cells[d]).contains(&at[d])).then_some((at, flips))
     }
 
-    /// The poles at which both parts are.
+    /// The poles that both parts contain.
     fn common_poles(&self, p: Part, q: Part) -> impl Iterator<Item = Pole> + '_ {
         (0..4).filter_map(move |k| {
             let (d, s) = (k / 2, k % 2);
@@ -161,14 +161,15 @@ impl Joints {
         })
     }
 
-    /// Whether both parts are round one pole, where the sheet is proved not to meet itself.
+    /// Whether both parts are at the same pole, within the band where the sheet is proven
+    /// injective.
     fn within_band(&self, p: Part, q: Part) -> bool {
         (0..4).any(|k| {
             let (d, s) = (k / 2, k % 2);
             let Some(band) = self.poles[d][s].and_then(|pole| pole.band) else {
                 return false;
             };
-            // In parts: how many of them are within the band.
+            // The number of parts within the band.
             let deep = |part: Part| part.count >> band;
             let is_in = |part: Part| match s {
                 0 => part.cell[d] == 0 && part.at[d] < deep(part),
@@ -178,13 +179,17 @@ impl Joints {
         })
     }
 
-    /// How two parts of cells, of one size, are to each other.
-    pub(super) fn meeting<const N: usize>(&self, cells: [[u32; 2]; 2], part: &ParameterBox<N, N>) -> Meeting {
+    /// The relation of two parts of cells, of equal size.
+    pub(super) fn part_relation<const N: usize>(
+        &self,
+        cells: [[u32; 2]; 2],
+        part: &ParameterBox<N, N>,
+    ) -> PartRelation {
         let count = (1.0 / part.size.x) as i64;
         let at = (part.low / part.size).to_array().map(|x| x as i64);
         let [p, q] = [0, 1].map(|k| Part { cell: cells[k].map(i64::from), at: [at[2 * k], at[2 * k + 1]], count });
         if self.within_band(p, q) {
-            return Meeting::Injective;
+            return PartRelation::Injective;
         }
         let touches = |joint: &Joint| {
             (0..2).all(|d| {
@@ -192,22 +197,22 @@ impl Joints {
                 (own + joint.offset[d] * count - p.at[d]).abs() <= 1
             })
         };
-        if let Some(joint) = self.between(p.cell, q.cell).find(touches) {
-            return Meeting::Joined(joint);
+        if let Some(joint) = self.joints_between(p.cell, q.cell).find(touches) {
+            return PartRelation::Joined(joint);
         }
-        if self.common_poles(p, q).next().is_some() { Meeting::AtPole } else { Meeting::Apart }
+        if self.common_poles(p, q).next().is_some() { PartRelation::AtPole } else { PartRelation::Apart }
     }
 }
 
-/// How two parts of cells are to each other.
+/// The relation of two parts of cells.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Meeting {
-    /// They have no points in common as declared.
+pub(super) enum PartRelation {
+    /// They do not have points in common by declaration.
     Apart,
-    /// They are the same, or have a side or a corner in common.
+    /// They are equal, or share a side or a corner.
     Joined(Joint),
     /// They are at the same pole.
     AtPole,
-    /// They are near a pole where the sheet does not meet itself.
+    /// They are near a pole around which the sheet is injective.
     Injective,
 }

@@ -1,9 +1,9 @@
-//! Which arc follows which, and the chains that come of it.
+//! The successor of each arc, and the chains that follow from it.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Arcs in their order along a curve.
+/// Arcs in order along a curve.
 #[derive(Debug)]
 pub(super) struct Chain {
     pub(super) arcs: Vec<u32>,
@@ -12,21 +12,21 @@ pub(super) struct Chain {
 
 pub(super) const NONE: u32 = u32::MAX;
 
-/// The arcs before and after each arc.
+/// The predecessor and the successor of each arc.
 pub(super) struct Links {
     before: Vec<u32>,
     pub(super) after: Vec<u32>,
 }
 
 impl Links {
-    /// Of arcs none of which follows another.
+    /// Creates links without any joints.
     pub(super) fn new(count: usize) -> Result<Self> {
         Ok(Links { before: alloc::filled(NONE, count)?, after: alloc::filled(NONE, count)? })
     }
 
-    /// Of arcs some of which are dropped, by (distance, end, start) of those that may be joined,
-    /// the nearest first.
-    pub(super) fn of(joints: &[(f64, u32, u32)], dropped: &[bool]) -> Result<Self> {
+    /// Joins arcs that are not dropped. `joints` holds (distance, end, start), the closest pairs
+    /// first.
+    pub(super) fn from_joints(joints: &[(f64, u32, u32)], dropped: &[bool]) -> Result<Self> {
         let mut links = Self::new(dropped.len())?;
         let is_kept = |arc: u32| !dropped[arc as usize];
         let kept = joints.iter().filter(|&&(_, end, start)| is_kept(end) && is_kept(start));
@@ -34,19 +34,19 @@ impl Links {
         Ok(links)
     }
 
-    /// Joins two arcs, if neither has a neighbour there.
+    /// Joins the end of an arc to the start of another, if both are free.
     pub(super) fn join(&mut self, end: u32, start: u32) {
         if self.are_free(end, start) {
             (self.after[end as usize], self.before[start as usize]) = (start, end);
         }
     }
 
-    /// Whether nothing follows the one arc, and nothing comes before the other.
+    /// Whether arc `end` lacks a successor, and arc `start` a predecessor.
     pub(super) fn are_free(&self, end: u32, start: u32) -> bool {
         self.after[end as usize] == NONE && self.before[start as usize] == NONE
     }
 
-    /// The chains, by their first arcs.
+    /// The chains, ordered by their first arcs.
     pub(super) fn chains(&self, dropped: &[bool]) -> Result<Vec<Chain>> {
         let mut done = alloc::copied(dropped)?;
         let mut chains = Vec::new();
@@ -54,7 +54,7 @@ impl Links {
             if done[k as usize] {
                 continue;
             }
-            // Back to where it begins, or round to where we are.
+            // Walks back to the beginning, or around to the current arc.
             let mut first = k;
             while self.before[first as usize] != NONE && self.before[first as usize] != k {
                 first = self.before[first as usize];

@@ -1,25 +1,26 @@
-//! Task e) of the paper: where two surfaces meet.
+//! Task e) of the paper: intersections of two surfaces.
 //!
-//! 1. Pairs of cells that may meet are found by descending both pyramids together (`pairs`).
-//! 2. Over a pair the points with A(s, t) = B(u, v) are curves in the four parameters. A box of
-//!    parameters is excluded, or proved to have a graph (`chart`), whose arc is followed from side
-//!    to side (`arc`); else it is halved (`solve`).
-//! 3. Unresolved boxes are clustered, and clusters resolved by the relative second form (`contact`,
+//! 1. Both pyramids are descended together to find the pairs of cells that may meet (`pairs`).
+//! 2. Over a pair, the points with A(s, t) = B(u, v) are curves in four parameters. A box of
+//!    parameters is excluded, or proven to contain a graph (`chart`), whose arc is followed from
+//!    side to side (`arc`). Other boxes are halved (`solve`).
+//! 3. Unresolved boxes are clustered. The relative second form resolves clusters (`contact`,
 //!    `graph`): points where the surfaces touch, and points where branches cross.
-//! 4. Arcs are chained (`intersection_chain`, `links`), through crossings and across unresolved places too
-//!    (`bridge`).
+//! 4. Arcs are chained (`intersection_chain`, `links`), also through crossings and across
+//!    unresolved places (`bridge`).
 //!
-//! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
-//! and in a box that has an arc through it, or is shorter than the resolution, or is within the
-//! radius of a contact, or is reported as unresolved. Bounds are computed in double precision, with
-//! room for rounding (`rounding_error`).
-//! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
-//! of the resolution to a side of a box runs along it, touches it or crosses it, which decides
-//! between the boxes on both sides. One that runs along a side is found from both, and kept once
-//! (`overlap`).
+//! Proven: every common point of the given surfaces lies in a pair of cells of step 1. It lies in a
+//! box whose arc was found or is shorter than the resolution, within the radius of a contact, or in
+//! a cell reported as unresolved. Bounds are computed in double precision, with an allowance for
+//! rounding (`rounding_error`).
 //!
-//! Where one surface meets itself: `itself`, by the same steps, but for cells that have points in
-//! common (`joints`, `near`, `poles`), and for the way in which arcs are joined (`trails`).
+//! One decision is made from points and is not proven. If a curve is closer to a side of a box than
+//! a thousandth of the resolution, it may run along the side, touch it or cross it. The decision
+//! assigns the curve to one of the boxes on both sides. A curve along a side is found from both,
+//! and kept once (`overlap`).
+//!
+//! Self-intersections (`itself`) take the same steps. They differ for cells that have points in
+//! common (`joints`, `near`, `poles`), and in how arcs are joined (`trails`).
 
 mod arc;
 mod arc_refinement;
@@ -53,40 +54,40 @@ use super::{Paths, Place, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
-use coordinate_net::Net;
+use coordinate_net::CoordinateNet;
 use glam::{DVec3, DVec4};
-use intersection_chain::{Chained, chains};
+use intersection_chain::{Chained, chain_arcs};
 use overlap::Overlaps;
 use places::PairPlaces;
-use solve::{Arc, FoundArcs, PairTask};
+use solve::{FoundArcs, IntersectionArc, PairTask};
 use std::ops::Range;
 
-/// Pairs of cells that one thread takes at a time.
+/// Number of pairs of cells that a thread solves in one task.
 const PAIRS_PER_CHUNK: usize = 32;
-/// Boxes of parameters examined between two steps of the job.
+/// Number of boxes of parameters examined between two progress reports.
 const BOXES_PER_STEP: usize = 1 << 16;
-/// Boxes examined for a pair of cells before it is put back.
+/// Number of boxes examined for a pair of cells before the pair is postponed.
 const FIRST_MAX_BOXES: usize = 256;
-/// Boxes examined for all the pairs that were put back: shared among them, but each gets
-/// [`FIRST_MAX_BOXES`] again at least.
+/// Number of boxes examined for all postponed pairs together. Each pair gets at least
+/// [`FIRST_MAX_BOXES`].
 const SECOND_TOTAL_BOXES: usize = 1 << 22;
-/// The most for one of them.
+/// Largest number of boxes for a postponed pair.
 const SECOND_MAX_BOXES: usize = 1 << 17;
 
-/// Arcs that may be lost, in resolutions: those of many boxes in a row, as at poles, are less than
-/// that together.
+/// Length of arcs that may be lost, in resolutions. Arcs of many successive boxes, as at poles, are
+/// shorter than a resolution together.
 const SHORTEST_ARC_SHARE: f64 = 1.0 / 32.0;
 
-/// How intersections are wanted.
+/// Options for intersections.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// The greatest distance of the curve from the chords between its points; `None`: 1e-4 of the
-    /// diagonal of the smaller surface's box; infinity: points are only where it crosses sides of
-    /// cells of either surface.
+    /// Largest distance of the curve from the chords between its points. `None` means 1e-4 times
+    /// the diagonal of the smaller surface's bounding box. Infinity means that points are only
+    /// computed where the curve crosses sides of cells.
     pub chord: Option<f64>,
-    /// Surfaces that are apart, or overlap, by no more than this all over touch there. Branches are
-    /// found and told apart by the smaller one of the surfaces' own tolerances, if this is not
-    /// smaller yet: shorter ones may be lost. `None`: that one.
+    /// Surfaces touch wherever they are apart, or overlap, by at most this length. Branches are
+    /// found and separated by the smallest of this and the surfaces' own tolerances; shorter
+    /// branches may be lost. `None` means the smaller of the surfaces' own tolerances.
     pub tolerance: Option<f64>,
 }
 
@@ -99,30 +100,33 @@ fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f6
 }
 
 impl Surface<'_> {
-    /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they
-    /// run along N_A x N_B, closed ones closed. Every branch is found that is longer
-    /// than the tolerance, or the surfaces' own if that is smaller, and not part of a contact.
+    /// Finds the curves in which two surfaces meet. `places` are on this surface, `others` on the
+    /// other one. Curves run along N_A x N_B, and closed curves are marked as closed. Finds every
+    /// branch that is not part of a contact and is longer than the tolerance (the smallest of the
+    /// option and the surfaces' own).
     ///
-    /// Where the surfaces touch in a point, or two branches cross, to the tolerance, the point is
-    /// in `contacts`: if they are graphs over a plane there whose second derivatives differ by a
-    /// definite or an indefinite form, proved over all that is not resolved otherwise. Surfaces
-    /// that overlap by more than the tolerance have a curve there, and those that are farther apart
-    /// have nothing. What is within the contact's radius, at most some four times the root of twice
-    /// the tolerance over the least curvature of that difference, is left out, and a path that
-    /// comes to it goes straight to its point. As N_A x N_B points to a crossing and away from it
-    /// in turn, paths turn there: each of the four branches is joined with the neighbour that leads
-    /// back to it, so that a figure of eight is two closed paths with one point in common; else as
-    /// straight as can be.
+    /// `contacts` holds the points where, within the tolerance, the surfaces touch or two branches
+    /// cross. At a contact, the surfaces are graphs over a plane, and the difference of their
+    /// second derivatives is proven definite or indefinite over the whole unresolved neighbourhood.
+    /// Surfaces that overlap by more than the tolerance meet in a curve instead. Surfaces that are
+    /// farther apart do not meet.
     ///
-    /// Cells of this surface where the two touch along a curve, at a pole, at the border of a
-    /// sheet, or to a higher order, or coincide, are in `unresolved`, and curves may end there; they are
-    /// joined across such a place where a chord is as near to both surfaces as elsewhere. The
-    /// points are those of this surface; the other one's are the same but for rounding, and but for
-    /// the tolerance at crossings.
+    /// The radius of a contact is at most about four times sqrt(2 tolerance / k), where k is the
+    /// smallest curvature of the difference. Inside it, the curve is omitted, and a path that
+    /// enters continues straight to the point. N_A x N_B points alternately towards a crossing and
+    /// away from it, so paths turn there. Each of the four branches is joined to the neighbour that
+    /// leads back to it, so that a figure of eight becomes two closed paths with a common point. If
+    /// no neighbour leads back, paths are as straight as possible.
     ///
-    /// Work and memory in proportion to the pairs of cells that may be within the tolerance of each
-    /// other, with a limit for each; where surfaces coincide there are many. For where one surface
-    /// meets itself see [`Surface::meet_itself`]: each surface is taken as it is here.
+    /// `unresolved` holds the cells of this surface where the surfaces coincide or touch in another
+    /// way: along a curve, at a pole, at the border of a sheet or to a higher order. Curves may end
+    /// there. They are joined across such a place if a chord is as close to both surfaces as
+    /// elsewhere. Points are on this surface. They agree with the places on the other surface
+    /// within rounding, and at crossings within the tolerance.
+    ///
+    /// Time and memory are proportional to the number of pairs of cells within the tolerance of
+    /// each other, with a limit for each pair. Surfaces that coincide have many such pairs.
+    /// Self-intersections are not included; see [`Surface::meet_itself`].
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
@@ -155,11 +159,11 @@ impl Surface<'_> {
         };
         let critical = search.run(&job.part(0.9, 0.92))?;
         let chained =
-            chains(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
+            chain_arcs(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
         let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
             let is_explained = chained.passed[k]
-                || match critical.of_ball[k] {
+                || match critical.explanations[k] {
                     UNRESOLVED => false,
                     APART => true,
                     n => chained.crossings.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
@@ -181,29 +185,28 @@ impl Surface<'_> {
     }
 }
 
-/// Two surfaces that are intersected.
+/// Two surfaces to intersect.
 struct Intersection<'a> {
     places: PairPlaces<'a>,
     tolerance: f64,
-    /// How exactly ends of arcs are known: the surfaces' own tolerance, if the one that is asked for
-    /// is greater.
+    /// Accuracy of the ends of arcs: the surfaces' own tolerance, if the option is greater.
     resolution: f64,
-    /// Arcs up to this may be lost.
+    /// Length up to which arcs may be lost.
     shortest: f64,
     chord: f64,
 }
 
-/// For rows and columns of a sheet, whether another cell is below and above one of them.
+/// For the row and the column of a cell, whether the sheet has another cell before and after it.
 fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
     let (cells, seams) = (sheet.cells(), sheet.seams());
     match sheet {
         Sheet::Grid(_) => [0, 1].map(|k| [seams[k] || cell[k] > 0, seams[k] || (cell[k] as usize) < cells[k] - 1]),
-        // The sides of patches that are given may differ a little: each patch keeps its own.
+        // Sides of given patches may differ slightly, so each patch keeps its own.
         Sheet::Cubic(_) | Sheet::High(_) => [[false; 2]; 2],
     }
 }
 
-/// What nets of coordinates up to `size`, and their halvings, may be off by.
+/// Bound of the rounding error of coordinate nets up to `size`, and of their halves.
 fn rounding_error(size: f64) -> f64 {
     16.0 * f64::EPSILON * size
 }
@@ -221,7 +224,7 @@ impl Surroundings for Intersection<'_> {
         self.places.point(pair, x)
     }
 
-    fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
+    fn contains_chord(&self, [from, to]: [DVec3; 2]) -> bool {
         let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
         let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
@@ -229,7 +232,7 @@ impl Surroundings for Intersection<'_> {
 }
 
 impl Intersection<'_> {
-    /// The arcs of some of the pairs, in their order.
+    /// Finds the arcs of some pairs of cells, in the order of the pairs.
     fn solve(&self, which: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
         self.solve_all(which, FIRST_MAX_BOXES, false, &mut pieces, &job.part(0.0, 0.8))?;
@@ -243,7 +246,7 @@ impl Intersection<'_> {
         Ok(pieces)
     }
 
-    /// Adds the arcs of some of the pairs.
+    /// Adds the arcs of some pairs.
     fn solve_all(
         &self,
         which: &[u32],
@@ -253,7 +256,7 @@ impl Intersection<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         let chunk = if last { 1 } else { PAIRS_PER_CHUNK };
-        // Most pairs take a box or two, those that are done again all they may.
+        // Most pairs need one or two boxes. Postponed pairs may need all that are permitted.
         let batch = if last { BOXES_PER_STEP.div_ceil(max_boxes) } else { BOXES_PER_STEP / 16 };
         for (k, part) in which.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / which.len() as f64).min(1.0));
@@ -266,7 +269,7 @@ impl Intersection<'_> {
         Ok(())
     }
 
-    /// The arcs of some pairs, whichever their sheets are.
+    /// Finds the arcs of some pairs of any sheets.
     fn chunk(&self, which: &[u32], max_boxes: usize, last: bool, job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
         let sheets = |&k: &u32| self.places.pairs[k as usize].sheets;
@@ -281,7 +284,7 @@ impl Intersection<'_> {
         Ok(pieces)
     }
 
-    /// For the parameters of pair k, whether another cell is below and above.
+    /// For the four parameters of pair k, whether the sheet has another cell before and after.
     fn neighbours(&self, k: u32) -> [[bool; 2]; 4] {
         let CellPair { sheets: [a, b], cells: [p, q] } = self.places.pairs[k as usize];
         let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
@@ -289,14 +292,14 @@ impl Intersection<'_> {
         [s, t, u, v]
     }
 
-    /// How pair k is to be solved.
+    /// The parameters for solving pair k.
     fn task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
         let (neighbours, chord, shortest) = (self.neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
         PairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
     }
 
-    /// The arcs of pairs of two sheets.
+    /// Adds the arcs of pairs of two sheets.
     fn run<const N: usize, const M: usize>(
         &self,
         a: &impl Cells<N>,
@@ -310,37 +313,38 @@ impl Intersection<'_> {
         let (mut last, mut size_a) = (None, 0.0);
         for &k in which {
             let [p, q] = self.places.pairs[k as usize].cells;
-            // Pairs of one cell of A follow each other.
+            // Pairs with the same cell of A are successive.
             if last != Some(p) {
-                (whole.nets.a, size_a) = Net::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
+                (whole.nets.a, size_a) = CoordinateNet::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
                 last = Some(p);
             }
             let size_b;
-            (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
+            (whole.nets.b, size_b) = CoordinateNet::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
             task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces, job)?;
         }
         Ok(())
     }
 
-    /// The arcs, those along sides that others share cut where these end; `None` if they are as
-    /// they were.
+    /// Cuts arcs along sides where other arcs on the same side end. Returns `None` if nothing was
+    /// cut.
     fn cut_overlaps(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let (resolution, chord) = (self.resolution, self.chord);
         Overlaps { pieces, places: &self.places, resolution, chord }.cut(job)
     }
 
-    /// Where paths end, but not at the border of a sheet: something is not resolved there.
+    /// The ends of paths that are not at the border of a sheet. Something is unresolved there.
     fn loose_ends(&self, pieces: &FoundArcs, chained: &Chained) -> impl Iterator<Item = Place> {
         let open = chained.chains.iter().filter(|chain| !chain.closed);
         let ends = open.flat_map(|chain| [(chain.arcs[0], 0), (chain.arcs[chain.arcs.len() - 1], 1)]);
         ends.filter_map(|(arc, k)| {
-            let Arc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
+            let IntersectionArc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
             let x = pieces.points[[from, to - 1][k] as usize];
             (!at_border[k] && !self.is_near_border(pair, x)).then(|| self.places.places(pair, x)[0])
         })
     }
 
-    /// Whether a curve that ends there may have been lost on the way to the border of a sheet.
+    /// Whether a curve that ends here may continue to the border of a sheet in an arc too short to
+    /// be found.
     fn is_near_border(&self, pair: u32, x: DVec4) -> bool {
         let neighbours = self.neighbours(pair);
         let columns = self.places.frame(pair, x).1.columns;
@@ -356,14 +360,14 @@ impl Intersection<'_> {
         Contact { kind, place, other, gap: point.gap, radius: point.radius }
     }
 
-    /// The points of chains of arcs, with the critical points that they pass.
+    /// Converts chains of arcs to paths, with the critical points they pass through.
     fn paths(&self, pieces: &FoundArcs, chained: &Chained, critical: &[CriticalPoint], job: &Job<'_>) -> Result<Paths> {
         let chains = &chained.chains;
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
             let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
-            // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs
-            // them all the same.
+            // Joints within a pair of cells result from halving boxes, and are omitted. A curve of
+            // few arcs needs them.
             let is_long =
                 chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
             let mut last: Option<(u32, DVec3)> = None;
@@ -381,7 +385,7 @@ impl Intersection<'_> {
                 let number = chain.arcs[n];
                 let nodes = &chained.crossings.nodes;
                 let node = nodes.binary_search_by_key(&number, |&(arc, _)| arc).ok();
-                // Where the next arc begins is where this one ends.
+                // The next arc begins at the end of this one.
                 let ends_here = node.is_some() || n + 1 == chain.arcs.len() && !chain.closed;
                 let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
@@ -406,7 +410,7 @@ impl Intersection<'_> {
         Ok(paths)
     }
 
-    /// The points and normals at the places of paths.
+    /// Evaluates points and normals at the places of paths.
     fn evaluate(&self, paths: &mut Paths) -> Result<()> {
         paths.levels = alloc::filled(0, paths.len())?;
         paths.points = alloc::with_capacity(paths.places.len())?;

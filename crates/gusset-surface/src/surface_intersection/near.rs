@@ -1,33 +1,35 @@
-//! Cells of one sheet that have points in common as declared: where else do they meet?
+//! Other common points of two cells that have points in common by declaration.
 //!
-//! Parts P and Q of one size, the same one or with a side or a corner in common, have S(p) = S(q)
-//! for p = q. That this is all follows from two rows L if the derivatives of L S have a dominant
-//! diagonal over both: the way from p to q through a common point runs in one direction by each
-//! parameter, so that L S(q) - L S(p) = M d, where M has entries within the bounds of those
-//! derivatives; M d = 0 needs |m_11| |d_1| <= |m_12| |d_2| and |m_22| |d_2| <= |m_21| |d_1|, which
-//! min |m_11| min |m_22| > max |m_12| max |m_21| leaves to d = 0 alone. L is the inverse of the
-//! tangents in the middle. This is the mean value theorem on a convex set of parameters; for the
-//! dominance see Hanniel and Elber (2007, "Subdivision termination criteria").
+//! Let the parts P and Q of equal size be the same, or share a side or a corner, so that S(p) =
+//! S(q) for p = q. To prove that they have no other common points, find two rows L for which the
+//! derivatives of L S have a dominant diagonal over both parts. The way from p to q through a
+//! common point is monotone in each parameter. So L S(q) - L S(p) = M d, and the entries of M obey
+//! the bounds of the derivatives. M d = 0 requires |m_11| |d_1| <= |m_12| |d_2| and |m_22|
+//! |d_2| <= |m_21| |d_1|. If min |m_11| min |m_22| > max |m_12| max |m_21|, only d = 0 satisfies
+//! both. L is the inverse of the tangents in the middle. This is the mean value theorem on a convex
+//! set of parameters; for the dominance see Hanniel and Elber (2007, "Subdivision termination
+//! criteria").
 //!
-//! Other parts are halved; those that are apart by their parameters are solved as two surfaces.
-//! Where the tangents are dependent, as where a curve of self-intersection ends (Whitney's
-//! umbrella), halving ends where both are as good as a line to the resolution.
+//! If the proof fails, the parts are halved. Parts without common parameters are solved like two
+//! surfaces. Where the tangents are dependent, as at the end of a self-intersection (Whitney's
+//! umbrella), halving stops once both parts are straight lines within the resolution.
 //!
-//! Cost: O(N^2) a test, and O(N^3) a split; a few parts for each halving round a singular point.
+//! Cost: O(N^2) for a test, O(N^3) for a split; a few parts for each halving around a singular
+//! point.
 
 use super::chart::ParameterBox;
-use super::coordinate_net::Net;
-use super::joints::{Joint, Joints, Meeting};
+use super::coordinate_net::CoordinateNet;
+use super::joints::{Joint, Joints, PartRelation};
 use super::solve::{FoundArcs, PairSearch, PairTask, Stop};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Pairs of parts of one size that have points in common, and are not proved to have no others:
-/// above that they are reported as they are.
+/// Largest number of pairs of parts with common points that are not proven to have no others.
+/// Beyond it, the parts are reported as unresolved.
 const MAX_PARTS: usize = 512;
-/// Parts between two steps of the job.
+/// Number of parts between two progress reports.
 const PARTS_PER_STEP: usize = 1 << 8;
 
 /// Two cells of one sheet that have points in common.
@@ -37,7 +39,7 @@ pub(super) struct NearPair<'a> {
     pub(super) joints: &'a Joints,
 }
 
-/// Bounds of the derivatives of L S by both parameters: rows, then columns.
+/// Bounds of the derivatives of L S with respect to both parameters: rows, then columns.
 type Slopes = [[[f64; 2]; 2]; 2];
 
 impl NearPair<'_> {
@@ -53,7 +55,7 @@ impl NearPair<'_> {
         search.finish(done, whole)
     }
 
-    /// Goes through the parts, level by level.
+    /// Processes the parts level by level.
     fn descend<const N: usize>(
         &self,
         search: &mut PairSearch<'_, N, N>,
@@ -66,14 +68,14 @@ impl NearPair<'_> {
                 if (k + 1).is_multiple_of(PARTS_PER_STEP) {
                     search.step()?;
                 }
-                let joint = match self.joints.meeting(self.cells, &part) {
-                    Meeting::Injective => continue,
-                    Meeting::Apart => {
+                let joint = match self.joints.part_relation(self.cells, &part) {
+                    PartRelation::Injective => continue,
+                    PartRelation::Apart => {
                         search.run_near(&part)?;
                         continue;
                     }
-                    Meeting::Joined(joint) => Some(joint),
-                    Meeting::AtPole => None,
+                    PartRelation::Joined(joint) => Some(joint),
+                    PartRelation::AtPole => None,
                 };
                 if !joint.is_some_and(|joint| self.is_injective(&part, joint)) {
                     alloc::push(&mut left, part)?;
@@ -92,18 +94,19 @@ impl NearPair<'_> {
         Ok(())
     }
 
-    /// True if both parts are within half the resolution of one line: as near to a pinch they are
-    /// all within the resolution of each other, whatever their size.
+    /// True if both parts are within half the resolution of one line. All parts so close to a pinch
+    /// point, of any size, are within the resolution of each other.
     fn is_thin<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
         let [centre, u, v] = part.nets.a.tangents(0.5, 0.5);
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };
         let axis = longer.normalize_or_zero();
         let far = |p: &DVec3| (p - centre - axis * axis.dot(p - centre)).length();
-        let nets = [&part.nets.a, &part.nets.b].map(Net::patch);
+        let nets = [&part.nets.a, &part.nets.b].map(CoordinateNet::patch);
         nets.iter().flat_map(|net| net.points.as_flattened()).all(|p| far(p) <= 0.5 * self.task.resolution)
     }
 
-    /// Adds the 16 pairs of quarters of both parts; of one part with itself each pair once.
+    /// Adds the 16 pairs of quarters of both parts. If both parts are the same, adds each pair
+    /// once.
     fn split<const N: usize>(&self, part: &ParameterBox<N, N>, parts: &mut Vec<ParameterBox<N, N>>) -> Result<()> {
         let is_one = self.cells[0] == self.cells[1] && part.low.x == part.low.z && part.low.y == part.low.w;
         alloc::reserve(parts, 16)?;
@@ -121,7 +124,7 @@ impl NearPair<'_> {
         Ok(())
     }
 
-    /// True if S(p) = S(q) over the two parts is proved to have none but the trivial solutions.
+    /// True if S(p) = S(q) over the two parts is proven to have only the trivial solutions.
     fn is_injective<const N: usize>(&self, part: &ParameterBox<N, N>, joint: Joint) -> bool {
         let signs = joint.flips.map(|flips| if flips { -1.0 } else { 1.0 });
         let [_, u, v] = part.nets.a.tangents(0.5, 0.5);
@@ -145,10 +148,10 @@ impl NearPair<'_> {
     }
 }
 
-/// Bounds of the derivatives of a net along two rows, its parameters turned by signs.
-fn bounds<const N: usize>(net: &Net<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
+/// Bounds of the derivatives of a net along two rows. A negative sign reverses a parameter.
+fn bounds<const N: usize>(net: &CoordinateNet<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
     rows.map(|row| {
-        let ranges = net.along(row).slope_ranges();
+        let ranges = net.project(row).slope_ranges();
         [0, 1].map(|k| {
             let [low, high] = ranges[k];
             if signs[k] < 0.0 { [-high, -low] } else { [low, high] }

@@ -1,14 +1,14 @@
-//! Arcs along sides that cells share: cut where others end.
+//! Arcs along sides shared by cells: cuts each of them where others end.
 //!
-//! A curve along a side of a cell, or of a box, is found from both sides of it, in arcs that end in
-//! different places, as boxes are halved otherwise beyond. Cut at each other's ends they are the
-//! same arcs several times, of which `intersection_chain` keeps one. A cut of an arc that is found once does
-//! nothing: its two parts are joined again.
+//! A curve along a side of a cell, or of a box, is found from both sides. The arcs end at different
+//! places, because boxes on both sides are halved differently. Cut at each other's ends, the arcs
+//! become copies of each other, and `intersection_chain` keeps one. A cut of an arc without copies
+//! is harmless, because the two parts are joined again.
 //!
-//! Cost: O(log n) for each arc along a side, and a few evaluations for each end near to it.
+//! Cost: O(log n) for each arc along a side, and a few evaluations for each close end.
 
 use super::places::{CurvePoint, PairPlaces};
-use super::solve::{Arc, FoundArcs};
+use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -16,11 +16,11 @@ use gusset_base::geom::kd_tree::{KdTree, Radius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// Arcs between two steps of the job, if they are along sides.
+/// Number of arcs along sides between two progress reports.
 const ARCS_PER_STEP: usize = 1 << 6;
 
-/// Ends of others as near as this part of an arc's length, between so many resolutions, to its own
-/// are these.
+/// Ends of other arcs within this fraction of an arc's length count as its own ends. The limit is
+/// clamped to this range of resolutions.
 const OWN_SHARE: f64 = 0.25;
 const OWN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
 
@@ -28,22 +28,22 @@ const OWN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
 struct Cut {
     arc: u32,
     behind: u32,
-    /// How far along the chord there.
+    /// Fraction of the chord at the cut.
     way: f64,
     at: CurvePoint,
 }
 
-/// The curves of the pairs of cells.
+/// Cuts the arcs of all pairs of cells.
 pub(super) struct Overlaps<'a> {
     pub(super) pieces: &'a FoundArcs,
     pub(super) places: &'a PairPlaces<'a>,
-    /// How exactly ends are known.
+    /// Accuracy of ends.
     pub(super) resolution: f64,
     pub(super) chord: f64,
 }
 
 impl Overlaps<'_> {
-    /// The arcs, those along sides cut; `None` if there is nothing to cut.
+    /// Cuts the arcs along sides. Returns `None` if no cut was needed.
     pub(super) fn cut(&self, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let along = || self.pieces.arcs.iter().filter(|arc| arc.is_along_side);
         let ends = alloc::gather(along().flat_map(|arc| arc.ends))?;
@@ -61,22 +61,29 @@ impl Overlaps<'_> {
         if cuts.is_empty() { Ok(None) } else { self.apply(&cuts).map(Some) }
     }
 
-    /// The distance up to which an end of another arc is one of its own: of short arcs, as there
-    /// are beside poles, a part of their length.
-    fn reach(&self, arc: &Arc) -> f64 {
+    /// The distance up to which an end of another arc counts as one of this arc's ends. For short
+    /// arcs, as beside poles, it is a fraction of their length.
+    fn reach(&self, arc: &IntersectionArc) -> f64 {
         let length = arc.ends[0].distance(arc.ends[1]);
         self.resolution * (OWN_SHARE * length / self.resolution).clamp(OWN_RESOLUTIONS[0], OWN_RESOLUTIONS[1])
     }
 
-    /// Adds the cuts of one arc: at ends of others on it that are not its own.
-    fn add_cuts(&self, k: u32, arc: &Arc, ends: &[DVec3], tree: &KdTree<'_>, cuts: &mut Vec<Cut>) -> Result<()> {
+    /// Adds the cuts of one arc: at ends of other arcs that lie on it.
+    fn add_cuts(
+        &self,
+        k: u32,
+        arc: &IntersectionArc,
+        ends: &[DVec3],
+        tree: &KdTree<'_>,
+        cuts: &mut Vec<Cut>,
+    ) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
         let within = self.reach(arc);
         let mut from = self.places.point(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
             let to = self.places.point(arc.pair, pair[1]);
             let (whole, mut result) = (to - from, Ok(()));
-            // Without a bound of chords, arcs are of boxes over which they turn by little.
+            // Without a chord tolerance, an arc turns little, because its box is small.
             let chord = self.chord.min(whole.length());
             let reach = Radius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
             tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
@@ -98,7 +105,7 @@ impl Overlaps<'_> {
         Ok(())
     }
 
-    /// The arcs with cuts, which are in order.
+    /// Applies the cuts, which are sorted.
     fn apply(&self, cuts: &[Cut]) -> Result<FoundArcs> {
         let mut made = FoundArcs {
             points: alloc::copied(&self.pieces.points)?,
@@ -112,7 +119,7 @@ impl Overlaps<'_> {
             rest = others;
             let mut last = None;
             for cut in own {
-                // Ends of several others are nearly one point.
+                // The ends of several other arcs may nearly coincide.
                 let before = last.map_or(arc.ends[0], |cut: &Cut| cut.at.point);
                 if before.distance(cut.at.point) > self.reach(arc) {
                     self.add_part(arc, [last, Some(cut)], &mut made)?;
@@ -124,11 +131,11 @@ impl Overlaps<'_> {
         Ok(made)
     }
 
-    /// Adds the part of an arc between two cuts; without one, it is to the arc's own end.
-    fn add_part(&self, arc: &Arc, cuts: [Option<&Cut>; 2], made: &mut FoundArcs) -> Result<()> {
+    /// Adds the part of an arc between two cuts. `None` means the arc's own end.
+    fn add_part(&self, arc: &IntersectionArc, cuts: [Option<&Cut>; 2], made: &mut FoundArcs) -> Result<()> {
         let [from, to] = cuts.map(|cut| cut.map(|cut| arc.from + cut.behind + 1));
         let inner = from.unwrap_or(arc.from) as usize..to.unwrap_or(arc.to) as usize;
-        let mut part = Arc { from: made.points.len() as u32, ..*arc };
+        let mut part = IntersectionArc { from: made.points.len() as u32, ..*arc };
         let [first, last] = cuts.map(|cut| cut.map(|cut| cut.at.x));
         alloc::extend(&mut made.points, first)?;
         alloc::append(&mut made.points, &self.pieces.points[inner])?;

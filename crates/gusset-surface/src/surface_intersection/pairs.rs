@@ -1,9 +1,9 @@
-//! Pairs of cells that may meet: both pyramids are descended together, and pairs of blocks that are
-//! apart are dropped.
+//! Pairs of cells that may meet. Both pyramids are descended together, and separated pairs of
+//! blocks are discarded.
 //!
-//! Axes of separation: Gottschalk, Lin and Manocha (1996, "OBBTree"). Invariant: boxes contain the
-//! surface over their cells, so that no pair that meets is dropped. Cost: O(pairs of blocks that
-//! come near to each other).
+//! Separating axes: Gottschalk, Lin and Manocha (1996, "OBBTree"). Invariant: boxes contain the
+//! surface over their cells, so that no pair that meets is discarded. Cost: O(pairs of blocks close
+//! to each other).
 
 use crate::cells::{BLOCK, Cells, cells_of_block};
 use crate::index::{OrientedBox, Pyramid};
@@ -18,16 +18,16 @@ use gusset_base::sort;
 /// A pair of cells of two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CellPair {
-    /// The sheet of the first surface, and that of the second.
+    /// The sheets of the first and of the second surface.
     pub sheets: [u32; 2],
-    /// Row and column of the cell of the first, and of the second.
+    /// Row and column of the cell of the first surface, and of the second.
     pub cells: [[u32; 2]; 2],
 }
 
-/// The largest number of pairs of cells.
+/// Largest number of pairs of cells.
 pub const MAX_PAIRS: u64 = 1 << 26;
 
-/// Pairs of blocks, or of cells, between two looks at the job.
+/// Number of pairs of blocks, or of cells, between two progress reports.
 const PAIRS_PER_STEP: usize = 1 << 16;
 
 /// A sheet and its index.
@@ -46,8 +46,8 @@ struct Node {
     solid: Option<Parallelepiped>,
 }
 
-/// A parallelepiped: its centre, its half edges and how long they are, the products of two of them,
-/// and the product of all.
+/// A parallelepiped: centre, half edges and their lengths, cross products of two half edges, and
+/// the triple product of all.
 #[derive(Clone, Copy)]
 struct Parallelepiped {
     centre: DVec3,
@@ -64,14 +64,14 @@ impl Parallelepiped {
         Parallelepiped { centre, half, lengths: half.map(DVec3::length), normals, volume: x.dot(normals[0]).abs() }
     }
 
-    fn of(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
+    fn from_oriented_box(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
         let (centre, half) = oriented.edges();
         Parallelepiped::new(centre + shift, half)
     }
 
-    /// False if one of the axes of separation shows that the solids are farther apart than `by`:
-    /// those across faces and across pairs of edges. Extents along these are sums of products of
-    /// the half edges of the one and the normals of the other.
+    /// False if a separating axis proves that the solids are farther apart than `by`. The axes are
+    /// the normals of faces, and the cross products of pairs of edges. Extents along them are sums
+    /// of products of the half edges of one solid and the normals of the other.
     fn meets(&self, other: &Parallelepiped, by: f64) -> bool {
         let between = other.centre - self.centre;
         let products = |one: &Parallelepiped, other: &Parallelepiped| {
@@ -91,7 +91,8 @@ impl Parallelepiped {
         if beyond(other, &of_self) {
             return false;
         }
-        // The half edges that are not in the axis a x b: (c, a, b) = (a x b, c), up to the sign.
+        // Half edges not parallel to the axis a x b contribute: (c, a, b) = (a x b, c), up to the
+        // sign.
         let edges = |i: usize, j: usize| {
             let extent =
                 of_other[(i + 1) % 3][j] + of_other[(i + 2) % 3][j] + of_self[(j + 1) % 3][i] + of_self[(j + 2) % 3][i];
@@ -104,20 +105,20 @@ impl Parallelepiped {
 
 impl Node {
     fn root(index: &Pyramid, shift: DVec3) -> Node {
-        let bounds = shifted(index.bounds(), shift - index.origin());
+        let bounds = translated(index.bounds(), shift - index.origin());
         Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
-    /// Child k, if there is one and it may be as near to another block as `by`.
+    /// Child k, if it exists and may be within `by` of another block.
     fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
         let level = &index.levels()[self.level - 1];
-        // Of a block that does not exist they are empty.
-        let bounds = shifted(level.child_boxes(self.row, self.column).get(k), shift);
-        if !overlap(&bounds, &near.bounds, by) {
+        // The boxes of blocks that do not exist are empty.
+        let bounds = translated(level.child_boxes(self.row, self.column).get(k), shift);
+        if !boxes_overlap(&bounds, &near.bounds, by) {
             return None;
         }
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
-        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::of(oriented, shift));
+        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
         (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
     }
@@ -127,16 +128,16 @@ impl Node {
     }
 }
 
-fn shifted(bounds: Aabb, by: DVec3) -> Aabb {
+fn translated(bounds: Aabb, by: DVec3) -> Aabb {
     Aabb { low: bounds.low + by, high: bounds.high + by }
 }
 
-fn overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
+fn boxes_overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
     (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
 }
 
-/// A cell's quadrilateral, relative to the common origin: the points c + x a + y b + x y t, x and y
-/// from -1 to 1.
+/// The quadrilateral of a cell, relative to the common origin: the points c + x a + y b + x y t for
+/// x and y from -1 to 1.
 #[derive(Clone, Copy)]
 struct Quadrilateral {
     cell: [u32; 2],
@@ -145,7 +146,7 @@ struct Quadrilateral {
     half: [DVec3; 2],
     twist: DVec3,
     lengths: [f64; 2],
-    /// a x b, and what t reaches along it.
+    /// a x b, and the extent of t along it.
     normal: DVec3,
     rise: f64,
 }
@@ -166,10 +167,10 @@ impl Quadrilateral {
         }
     }
 
-    /// False if the quadrilaterals are farther apart than `by`, as the axes of separation of two
-    /// parallelograms show, their twists added.
+    /// False if a separating axis of the two parallelograms, with their twists added, proves that
+    /// the quadrilaterals are farther apart than `by`.
     fn meets(&self, other: &Quadrilateral, by: f64) -> bool {
-        if !overlap(&self.bounds, &other.bounds, by) {
+        if !boxes_overlap(&self.bounds, &other.bounds, by) {
             return false;
         }
         let between = other.centre - self.centre;
@@ -195,24 +196,24 @@ impl Quadrilateral {
     }
 }
 
-/// The corners of the cells of a block, and those cells that may meet another.
-struct Block {
+/// The corners of the cells of a block, and the cells that may meet another block.
+struct BlockCells {
     at: [usize; 2],
     corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
-    /// How far the surface may be from the cells' quadrilaterals.
+    /// Bound of the distance between the surface and the cells' quadrilaterals.
     deviation: f64,
     quads: Vec<Quadrilateral>,
 }
 
-impl Block {
-    const NONE: Block = Block {
+impl BlockCells {
+    const NONE: BlockCells = BlockCells {
         at: [usize::MAX; 2],
         corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
         deviation: 0.0,
         quads: Vec::new(),
     };
 
-    /// Reads the block at a node, unless it is that already.
+    /// Reads the block at a node, unless it is the current one.
     fn read(&mut self, sheet: &Indexed<'_>, node: &Node, origin: DVec3) {
         if self.at == [node.row, node.column] {
             return;
@@ -230,15 +231,15 @@ impl Block {
         });
     }
 
-    /// Chooses the cells that may be as near to a box as `by`.
-    fn choose(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
+    /// Selects the cells that may be within `by` of a box.
+    fn select_cells(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
         self.quads.clear();
         for [i, j] in cells_of_block(self.at, sheet.cells()) {
             let (r, c) = (i % BLOCK, j % BLOCK);
             let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
             let [[p, q], [s, t]] = corners;
             let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
-            if overlap(&bounds, near, by) {
+            if boxes_overlap(&bounds, near, by) {
                 self.quads.push(Quadrilateral::new([i as u32, j as u32], corners, bounds));
             }
         }
@@ -246,23 +247,24 @@ impl Block {
 }
 
 impl Surface<'_> {
-    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that
-    /// may meet), by sheets and cells: all that are, and few others.
+    /// Returns the pairs of cells of the two surfaces that may be within `within` of each other,
+    /// sorted by sheets and cells. With 0, these are the pairs that may meet. The list is complete,
+    /// and contains few other pairs.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite;
-    /// [`Error::TooLarge`] above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] if the distance is negative or not finite; [`Error::TooLarge`]
+    /// above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
         let all = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
         self.candidates_among(all, other, (within, &|_| true), job)
     }
 
-    /// Pairs of cells of the surface itself, each once. Without those that are `proved` to have
-    /// nothing to be looked for: round a pole they are as many as the square of its cells, of which
-    /// none needs be held.
+    /// Returns the pairs of cells of the surface with itself, each once. Omits pairs that are
+    /// `proved` to have no undeclared common points. Around a pole, their number is the square of
+    /// its cells.
     ///
     /// # Errors
-    /// As [`Surface::candidates`].
+    /// The errors of [`Surface::candidates`].
     pub(super) fn candidates_of_itself(
         &self,
         within: f64,
@@ -297,7 +299,7 @@ impl Surface<'_> {
     }
 }
 
-/// Adds the pairs of cells of two sheets that are wanted and may be as near as `within`, in order.
+/// Adds the wanted pairs of cells of two sheets that may be within `within`, sorted.
 fn pairs(
     a: &Indexed<'_>,
     b: &Indexed<'_>,
@@ -307,14 +309,14 @@ fn pairs(
 ) -> Result<()> {
     let origin = a.index.origin();
     let shift = b.index.origin() - origin;
-    // Boxes hold the surface to the bit; the shift from one origin to the other rounds.
+    // Boxes contain the surface exactly, but the shift between the two origins rounds.
     let size = [a, b].map(|sheet| {
         let Aabb { low, high } = sheet.index.bounds();
         low.abs().max(high.abs()).max_element()
     });
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
-    let blocks = [Block::NONE; 2];
+    let blocks = [BlockCells::NONE; 2];
     let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
     descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
     let key = |pair: &CellPair| {
@@ -324,7 +326,7 @@ fn pairs(
     sort::sort(&mut found[before..], |one, other| key(one).cmp(&key(other)), &job.part(0.0, 0.0), "pairs of cells")
 }
 
-/// The descent of both pyramids.
+/// The simultaneous descent of both pyramids.
 struct Descent<'a> {
     a: &'a Indexed<'a>,
     b: &'a Indexed<'a>,
@@ -332,19 +334,19 @@ struct Descent<'a> {
     origin: DVec3,
     shift: DVec3,
     by: f64,
-    /// Which pairs of cells are.
+    /// Tells which pairs of cells are wanted.
     wanted: &'a dyn Fn(&CellPair) -> bool,
-    /// The last ones of A and of B.
-    blocks: [Block; 2],
-    /// Pairs since the last look at the job.
+    /// The most recent blocks of A and of B.
+    blocks: [BlockCells; 2],
+    /// Number of pairs since the last progress report.
     unheard: usize,
     found: &'a mut Vec<CellPair>,
     job: &'a Job<'a>,
 }
 
 impl Descent<'_> {
-    /// So many more pairs are looked at.
-    fn count(&mut self, pairs: usize) -> Result<()> {
+    /// Counts examined pairs, and reports progress.
+    fn count_pairs(&mut self, pairs: usize) -> Result<()> {
         self.unheard += pairs;
         if self.unheard >= PAIRS_PER_STEP {
             self.unheard = 0;
@@ -353,9 +355,9 @@ impl Descent<'_> {
         Ok(())
     }
 
-    /// Adds the pairs of cells of two blocks.
+    /// Adds the pairs of cells of two blocks of any level.
     fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
-        self.count(1)?;
+        self.count_pairs(1)?;
         if one.level == 0 && other.level == 0 {
             return self.cells(one, other);
         }
@@ -373,15 +375,15 @@ impl Descent<'_> {
         Ok(())
     }
 
-    /// Adds the pairs of cells of two blocks of cells.
+    /// Adds the pairs of cells of two blocks of level 0.
     fn cells(&mut self, one: &Node, other: &Node) -> Result<()> {
         let Descent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
         let [left, right] = blocks;
         left.read(a, one, self.origin);
         right.read(b, other, self.origin);
         let by = self.by + left.deviation + right.deviation;
-        left.choose(a.sheet, &other.bounds, by);
-        right.choose(b.sheet, &one.bounds, by);
+        left.select_cells(a.sheet, &other.bounds, by);
+        right.select_cells(b.sheet, &one.bounds, by);
         for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
             let pair = CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] };
             if wanted(&pair) && p.meets(q, by) {
@@ -390,7 +392,7 @@ impl Descent<'_> {
         }
         Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)?;
         let looked_at = left.quads.len() * right.quads.len();
-        self.count(looked_at)
+        self.count_pairs(looked_at)
     }
 }
 
@@ -398,10 +400,10 @@ impl Descent<'_> {
 mod tests {
     use super::*;
 
-    /// Boxes turned at random and a gap apart, which an axis of separation crosses straight: one
-    /// across a face, or across an edge of each.
+    /// Randomly rotated boxes, a gap apart along an axis through a face, or through an edge of
+    /// each.
     #[test]
-    fn the_bound_of_boxes_is_the_whole_one() {
+    fn boxes_a_gap_apart_meet_exactly_within_the_gap() {
         let mut random = fastrand::Rng::with_seed(3);
         for k in 0..10_000 {
             let mut turned = || {
@@ -417,8 +419,8 @@ mod tests {
                 solid.half.map(|half| half * half.dot(along).signum()).iter().sum()
             };
             let gap = 0.01 + random.f64();
-            // From the farthest corner of the one to the nearest of the other, so that this is how
-            // far they are apart.
+            // The gap runs from the farthest corner of one box to the nearest of the other, so it
+            // is the distance between them.
             other.centre = corner(&one) + gap * along + corner(&other);
             assert!(one.meets(&other, gap * (1.0 + 1e-9)), "{k}");
             assert!(!one.meets(&other, 0.5 * gap), "{k}");

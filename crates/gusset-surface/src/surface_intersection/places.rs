@@ -1,4 +1,4 @@
-//! Where parameters of a pair of cells are on the two surfaces.
+//! Places on both surfaces for parameters of a pair of cells.
 
 use super::equation::Frame;
 use super::pairs::CellPair;
@@ -6,15 +6,15 @@ use crate::{Place, Surface};
 use glam::DVec3;
 use glam::DVec4;
 
-/// Steps of Newton's method to a point of a curve.
+/// Largest number of Newton steps to a point of a curve.
 const NEAREST_STEPS: usize = 16;
-/// Steps that are shorter than this part of the tolerance are the last.
+/// A step shorter than this fraction of the tolerance is the last one.
 const NEAREST_STEP_SHARE: f64 = 1e-3;
-/// Parameters that are farther outside their cells than this are moved with those of the other one.
+/// If parameters are farther outside their cell than this, the other surface's place is adapted.
 const CLAMP_ROUNDING: f64 = 1e-13;
 
-/// A point of the intersection: by parameters of a pair of cells, in space, and the direction
-/// there.
+/// A point of the intersection: parameters of a pair of cells, position, and the direction of the
+/// curve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CurvePoint {
     pub(super) x: DVec4,
@@ -31,7 +31,7 @@ pub(super) struct PairPlaces<'a> {
 }
 
 impl PairPlaces<'_> {
-    /// The places of parameters, those outside the cells at their sides.
+    /// The places of parameters. Clamps parameters to the cells.
     pub(super) fn places(&self, pair: u32, x: DVec4) -> [Place; 2] {
         let CellPair { sheets, cells } = self.pairs[pair as usize];
         let x = x.clamp(DVec4::ZERO, DVec4::ONE);
@@ -52,9 +52,9 @@ impl PairPlaces<'_> {
         (a.point - self.origin, Frame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] })
     }
 
-    /// The places of a solution, which may be outside its cells by the noise of a curve along a
-    /// side where the surfaces are nearly parallel: then the one surface's place is moved into its
-    /// cell, and the other's to the point there.
+    /// The places of a solution that may be slightly outside its cells. This happens for a curve
+    /// along a side where the surfaces are nearly parallel. Clamps the parameters of one surface,
+    /// and moves the other surface's place nearest to the clamped point.
     pub(super) fn places_inside(&self, pair: u32, x: DVec4) -> [Place; 2] {
         let mut inside = x.clamp(DVec4::ZERO, DVec4::ONE);
         let off = (inside - x).abs();
@@ -69,8 +69,8 @@ impl PairPlaces<'_> {
         self.places(pair, inside)
     }
 
-    /// The point of a pair's curve nearest to another, from parameters near it, far within the
-    /// tolerance.
+    /// The point of a pair's curve that is nearest to the point `to`, starting from nearby
+    /// parameters. Its error is far below the tolerance.
     pub(super) fn nearest(&self, pair: u32, start: DVec4, to: DVec3, tolerance: f64) -> Option<CurvePoint> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..NEAREST_STEPS {
@@ -80,8 +80,8 @@ impl PairPlaces<'_> {
                 return None;
             }
             x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
-            // By lengths, as parameters are noise beside poles. Beside crossings rounding moves the point
-            // by more than the last step may be: there steps do not fall any more.
+            // Measured as lengths, because parameters are noise beside poles. Beside crossings,
+            // rounding moves the point by more than the last step may be, so steps stop decreasing.
             let [s, t, u, v] = frame.columns;
             let (moved, other) = (s * step.x + t * step.y, u * step.z + v * step.w);
             let length = moved.length().max(other.length());

@@ -1,17 +1,17 @@
-//! Proof that a sheet does not meet itself round a pole.
+//! Proof that a sheet is injective around a pole.
 //!
-//! At a pole S(0, v) = c, the sheet is S = c + u T(u, v). Over a plane let r and a be the radius
-//! and the angle of u T. By s = log u and v their derivatives are
+//! At a pole S(0, v) = c, the sheet is S = c + u T(u, v). Let r and a be the radius and the angle
+//! of u T in a plane. Their derivatives with respect to s = log u and v are
 //!
 //! r_s / r = 1 + T . u T_u / T^2, r_v / r = T . T_v / T^2,
 //! a_s = T x u T_u / T^2, a_v = T x T_v / T^2.
 //!
-//! If min(r_s / r) min(a_v) > max |r_v / r| max |a_s| over all the cells round the pole, two points
-//! whose log r and a are the same are one, as each row of the mean values of these derivatives
-//! shows for differences in (s, v), of which all are within a convex region. Once round, a rises by
-//! 2 pi: over the plane, and so in space, the sheet does not meet itself.
+//! Suppose that min(r_s / r) min(a_v) > max |r_v / r| max |a_s| over all cells around the pole. Two
+//! points with equal log r and a are then the same point. This follows from the mean values of
+//! these derivatives for differences in (s, v), all of which lie in a convex region. After one
+//! turn, a has increased by 2 pi. The sheet is therefore injective over the plane, and so in space.
 //!
-//! Cost: O(N^3) a cell and depth.
+//! Cost: O(N^3) for each cell and depth.
 
 use super::graph::Interval;
 use crate::Patch;
@@ -23,15 +23,20 @@ use gusset_base::geom::bernstein::elevate;
 use gusset_base::job::Job;
 use std::f64::consts::TAU;
 
-/// Halvings towards the pole that are tried.
+/// Largest number of halvings towards the pole.
 const MAX_BAND: i32 = 8;
-/// Cells between two steps of the job.
+/// Number of cells between two progress reports.
 const CELLS_PER_STEP: usize = 1 << 8;
-/// Pieces of a cell round the pole.
+/// Number of pieces of a cell around the pole.
 const PIECES: usize = 8;
 
-/// Cell k of those along a border, with u running from the border inwards.
-pub(super) fn outwards<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> Patch<N> {
+/// The patch of cell k along a border, with u running inwards from the border.
+pub(super) fn patch_from_border<const N: usize>(
+    cells: &impl Cells<N>,
+    direction: usize,
+    side: usize,
+    k: usize,
+) -> Patch<N> {
     let last = cells.counts()[direction] - 1;
     let at = if side == 0 { 0 } else { last };
     let mut patch = match direction {
@@ -44,7 +49,7 @@ pub(super) fn outwards<const N: usize>(cells: &impl Cells<N>, direction: usize, 
     patch
 }
 
-/// T, of degree N - 1 by raising.
+/// T, raised to degree N - 1.
 fn quotient<const N: usize>(patch: &Patch<N>) -> Patch<N> {
     let mut points = [[DVec3::ZERO; N]; N];
     for a in 1..N {
@@ -58,17 +63,18 @@ fn quotient<const N: usize>(patch: &Patch<N>) -> Patch<N> {
 
 /// Bounds over pieces.
 struct Bounds {
-    /// The least of r_s / r and of a_v.
+    /// The smallest r_s / r, and the smallest a_v.
     least: [f64; 2],
-    /// The greatest of |r_v / r| and of |a_s|.
+    /// The largest |r_v / r|, and the largest |a_s|.
     greatest: [f64; 2],
-    /// How far the angle goes at the pole, and how much farther elsewhere.
+    /// The total angle at the pole, and the largest deviation from it elsewhere.
     turn: f64,
     spread: f64,
 }
 
 impl Bounds {
-    /// Adds a piece; `None` if nothing can be said of it. `normal`: of the plane.
+    /// Adds a piece. Returns `None` if its derivatives cannot be bounded. `normal` is the normal of
+    /// the plane.
     fn add<const N: usize>(&mut self, piece: &Patch<N>, normal: DVec3) -> Option<()> {
         let middle = piece.point(0.5, 0.5);
         let x = (middle - normal * middle.dot(normal)).try_normalize()?;
@@ -78,21 +84,21 @@ impl Bounds {
         let mut value = flat[0][0].map(Interval::point);
         let (mut by_u, mut by_v) = ([Interval::point(0.0); 2], [const { None }; 2]);
         for (a, b, k) in (0..N * N * 2).map(|n| (n / 2 / N, n / 2 % N, n % 2)) {
-            value[k] = value[k].with(flat[a][b][k]);
+            value[k] = value[k].including(flat[a][b][k]);
             if a + 1 < N {
-                // u T_u, with u from 0 to 1 by the piece's own parameters.
-                by_u[k] = by_u[k].with(degree * (flat[a + 1][b][k] - flat[a][b][k]));
+                // u T_u, with u from 0 to 1 in the piece's own parameters.
+                by_u[k] = by_u[k].including(degree * (flat[a + 1][b][k] - flat[a][b][k]));
             }
             if b + 1 < N {
                 let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES as f64;
-                by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.with(slope)));
+                by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.including(slope)));
             }
         }
         let by_v = [by_v[0]?, by_v[1]?];
         if value[0].low <= 0.0 {
             return None;
         }
-        let square = Interval::point(0.0).with((value[1].low.abs()).max(value[1].high.abs()).powi(2));
+        let square = Interval::point(0.0).including((value[1].low.abs()).max(value[1].high.abs()).powi(2));
         let inverse = (value[0] * value[0] + square).inverse()?;
         let along = |slope: [Interval; 2]| (value[0] * slope[0] + value[1] * slope[1]) * inverse;
         let across = |slope: [Interval; 2]| (value[0] * slope[1] - value[1] * slope[0]) * inverse;
@@ -107,7 +113,7 @@ impl Bounds {
         Some(())
     }
 
-    /// Whether they prove it.
+    /// Whether the bounds prove the sheet injective.
     fn are_injective(&self, is_ring: bool) -> bool {
         let all = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
         let is_dominant = self.least[0] > 0.0
@@ -118,8 +124,8 @@ impl Bounds {
     }
 }
 
-/// The least number of halvings towards a pole after which the sheet is proved not to meet itself
-/// there. `is_ring`: the last cell round it is followed by the first.
+/// The smallest number of halvings towards a pole after which the sheet is proven injective there.
+/// `is_ring` tells whether the last cell around the pole is followed by the first.
 pub(super) fn injective_band<const N: usize>(
     cells: &impl Cells<N>,
     direction: usize,
@@ -128,7 +134,7 @@ pub(super) fn injective_band<const N: usize>(
     job: &Job<'_>,
 ) -> Result<Option<i32>> {
     let count = cells.counts()[1 - direction];
-    let mut quotients = alloc::collect((0..count).map(|k| quotient(&outwards(cells, direction, side, k))))?;
+    let mut quotients = alloc::collect((0..count).map(|k| quotient(&patch_from_border(cells, direction, side, k))))?;
     for band in 0..=MAX_BAND {
         if are_injective(&quotients, is_ring, job)? {
             return Ok(Some(band));

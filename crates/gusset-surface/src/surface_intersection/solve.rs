@@ -1,12 +1,12 @@
-//! All arcs of the intersection of a pair of cells, by [`subdivide`] of boxes of the four
+//! All arcs of the intersection of a pair of cells. [`subdivide`] halves boxes of the four
 //! parameters across their longest sides.
 //!
-//! A box is decided if it is proved to hold no solution, or if its solutions are proved to be a
-//! graph (`chart`) whose arc is found (`arc`). It is unresolved when the two pieces over it are
-//! within the tolerance of each other all over: they touch there, or coincide. Cost: O(N^2) a test
-//! and O(N^3) a split, `max_boxes` boxes at most.
+//! A box is decided if it is proven to contain no solution, or if its solutions are proven to form
+//! a graph (`chart`) whose arc is found (`arc`). A box is unresolved if the two pieces over it are
+//! within the tolerance of each other everywhere: the surfaces touch there, or coincide. Cost:
+//! O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
 
-use super::arc::{ArcSearch, End, PARAMETER_ROUNDING};
+use super::arc::{ArcEnd, ArcSearch, PARAMETER_ROUNDING};
 use super::arc_refinement::ArcRefinement;
 use super::chart::ParameterBox;
 use super::equation::Equation;
@@ -18,81 +18,82 @@ use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use gusset_base::job::Job;
 use std::borrow::Cow;
 
-/// The box at which the cells are tested for contact in many places and for having no area:
-/// transversal intersections need fewer.
+/// Number of boxes after which the cells are tested for multiple contacts and for zero area.
+/// Transversal intersections need fewer boxes.
 const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
-/// Boxes that are shorter than so many tolerances are too small for a contact if the surfaces are
-/// transversal there, and those of so many resolutions in any case: contacts are as wide as the root
-/// of the tolerance times the radius of curvature.
+/// Boxes shorter than this many tolerances are too small for a contact if the surfaces are
+/// transversal there. Boxes shorter than this many resolutions are always too small. The width of a
+/// contact is the square root of the tolerance times the radius of curvature.
 const SLENDER_TOLERANCES: f64 = 64.0;
 const TINY_RESOLUTIONS: f64 = 4.0;
-/// How thick pieces are, in tolerances, when they are not halved any more: thinner than the lens
-/// between surfaces that overlap by more than the tolerance, so that its rim is found whole.
+/// Thickness of pieces below which they are not halved further, in tolerances. It is smaller than
+/// the lens between surfaces that overlap by more than the tolerance, so the complete rim of a lens
+/// is found.
 const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
 
-/// Boxes that are smaller than this, by a parameter, are halved by another one.
+/// Boxes smaller than this in a parameter are halved in another parameter.
 const MIN_SPLIT_SIZE: f64 = 1e-8;
-/// Curves whose ends are as near as this to a side, by parameters, may run along it.
+/// A curve may run along a side if both ends are within this distance of it, in parameters.
 const SIDE_SLACK: f64 = 1e-6;
-/// And if they are no steeper to it than this, by parameters.
+/// Largest slope of a curve that runs along a side, in parameters.
 const SIDE_SLOPE: f64 = 1e-2;
 
-/// Boxes of a pair between two steps of the job.
+/// Number of boxes of a pair between two progress reports.
 const BOXES_PER_STEP: usize = 1 << 10;
 
-/// Spots of one pair that do not touch each other.
+/// Largest number of separate balls of one pair.
 const MAX_BALLS: usize = 64;
 
-/// A piece of the intersection over one pair of cells, in the direction N_A x N_B.
+/// An arc of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
-    /// Which pair.
+pub(super) struct IntersectionArc {
+    /// The index of the pair.
     pub(super) pair: u32,
-    /// Its points among those of the [`FoundArcs`].
+    /// The range of its points in [`FoundArcs`].
     pub(super) from: u32,
     pub(super) to: u32,
-    /// The first and the last point, and the directions there.
+    /// The first and the last point, and the directions at them.
     pub(super) ends: [DVec3; 2],
     pub(super) directions: [DVec3; 2],
-    /// Whether they are on the border of a sheet.
+    /// Whether each end is on the border of a sheet.
     pub(super) at_border: [bool; 2],
-    /// Whether the arc was cut there.
+    /// Whether the arc was cut at each end.
     pub(super) is_cut: [bool; 2],
-    /// Whether it ends where it begins: it goes round a cell that is closed.
+    /// Whether the arc is a closed curve around a closed cell.
     pub(super) is_closed: bool,
-    /// Whether both ends are on one side of its box, so that the box beyond may have it too.
+    /// Whether both ends are on one side of its box. The adjacent box may then find the arc too.
     pub(super) is_along_side: bool,
 }
 
-impl Arc {
-    /// How many points it has.
+impl IntersectionArc {
+    /// The number of points.
     pub(super) fn point_count(&self) -> usize {
         (self.to - self.from) as usize
     }
 }
 
-/// Where cells touch, or may do: a ball round it.
+/// A ball around a place where cells touch, or may touch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnresolvedBall {
     pub(super) pair: u32,
     pub(super) x: DVec4,
     pub(super) centre: DVec3,
     pub(super) radius: f64,
-    /// How far the cells are apart at x.
+    /// Distance between the cells at x.
     pub(super) gap: f64,
     /// The box of the parameters.
     pub(super) low: DVec4,
     pub(super) high: DVec4,
-    /// Whether it stands for all of both cells.
+    /// Whether the ball represents both whole cells.
     pub(super) is_whole: bool,
 }
 
-/// The arcs over some pairs, and unresolved balls.
+/// The arcs and the unresolved balls of some pairs.
 #[derive(Debug, Default)]
 pub(super) struct FoundArcs {
     pub(super) points: Vec<DVec4>,
-    pub(super) arcs: Vec<Arc>,
+    pub(super) arcs: Vec<IntersectionArc>,
     pub(super) balls: Vec<UnresolvedBall>,
     /// Pairs that need more boxes than permitted.
     pub(super) exhausted: Vec<u32>,
@@ -104,52 +105,52 @@ impl FoundArcs {
         [self.points.len(), self.arcs.len(), self.balls.len()]
     }
 
-    /// Forgets what was added since.
+    /// Removes all points, arcs and balls beyond the given counts.
     fn truncate(&mut self, [points, arcs, balls]: [usize; 3]) {
         self.points.truncate(points);
         self.arcs.truncate(arcs);
         self.balls.truncate(balls);
     }
 
-    /// Adds what was found over other pairs.
+    /// Adds the arcs and balls of other pairs.
     pub(super) fn append(&mut self, other: &FoundArcs) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
-        let moved = |arc: &Arc| Arc { from: arc.from + before, to: arc.to + before, ..*arc };
+        let moved = |arc: &IntersectionArc| IntersectionArc { from: arc.from + before, to: arc.to + before, ..*arc };
         alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))?;
         alloc::append(&mut self.balls, &other.balls)?;
         alloc::append(&mut self.exhausted, &other.exhausted)
     }
 }
 
-/// How a pair of cells is to be solved.
+/// The parameters for solving a pair of cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PairTask {
     pub(super) pair: u32,
-    /// By parameter, whether another cell is below and above.
+    /// For each parameter, whether the sheet has another cell before and after.
     pub(super) neighbours: [[bool; 2]; 4],
-    /// Surfaces no farther apart may touch.
+    /// Distance up to which surfaces may touch.
     pub(super) tolerance: f64,
-    /// How exactly ends are known: it is no greater than the tolerance.
+    /// Accuracy of ends; at most the tolerance.
     pub(super) resolution: f64,
-    /// Arcs up to this may be lost.
+    /// Length up to which arcs may be lost.
     pub(super) shortest: f64,
-    /// The greatest distance of a chord from the curve.
+    /// Largest distance of a chord from the curve.
     pub(super) chord: f64,
-    /// Boxes that may be examined.
+    /// Largest number of boxes to examine.
     pub(super) max_boxes: usize,
-    /// Whether boxes left then are reported; else the pair is only named.
+    /// Whether boxes beyond the limit are reported; else the pair is added to `exhausted`.
     pub(super) last: bool,
-    /// Lengths up to this may be rounding.
+    /// Length up to which a difference may be rounding.
     pub(super) rounding_error: f64,
 }
 
 impl PairTask {
-    /// Whether the ends of an arc are on a side that no other cell is beyond; one that it runs along
-    /// does not end it.
+    /// Whether each end of an arc is on a side without another cell beyond it. A side along which
+    /// the arc runs does not count.
     fn are_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
         let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
-        // A short arc that ends there has both ends near to it too.
+        // A short arc that ends at a side has both ends close to it.
         let run = (ends[1] - ends[0]).abs();
         let is_level = |k: usize| run[k] <= SIDE_SLOPE * run.max_element();
         let runs_along =
@@ -168,12 +169,12 @@ impl PairTask {
         job: &Job<'_>,
     ) -> Result<()> {
         let mut search = self.search(&whole.nets, pieces, job);
-        // Most pairs have one box: no copy of it, and no memory for more.
+        // Most pairs have one box, so it is borrowed and no memory is allocated.
         let done = search.run(Cow::Borrowed(whole));
         search.finish(done, whole)
     }
 
-    /// A search of the pair's boxes, which share its limit.
+    /// Creates a search whose boxes share the limit of the pair.
     pub(super) fn search<'a, const N: usize, const M: usize>(
         &'a self,
         equation: &'a Equation<N, M>,
@@ -184,29 +185,29 @@ impl PairTask {
     }
 }
 
-/// The greatest distance of control points from a point.
+/// The largest distance of control points from a point.
 fn radius_about<const N: usize>(centre: DVec3, patch: &Patch<N>) -> f64 {
     patch.points.as_flattened().iter().map(|corner| corner.distance(centre)).fold(0.0, f64::max)
 }
 
-/// The search of one pair of cells.
+/// The search in one pair of cells.
 pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
     task: &'a PairTask,
     equation: &'a Equation<N, M>,
-    /// What there was of other pairs.
+    /// The counts before the search.
     before: [usize; 3],
     examined: usize,
-    /// Whether boxes are split across the widest range, not across the longest side.
+    /// Whether boxes are split across the widest range instead of the longest side.
     is_near: bool,
     pieces: &'a mut FoundArcs,
     job: &'a Job<'a>,
 }
 
-/// Why a search ends early.
+/// The reason why a search ends early.
 pub(super) enum Stop {
-    /// The cells touch in many places, or have no area.
+    /// The cells touch at many places, or have zero area.
     Degenerate,
-    /// All permitted boxes have been examined.
+    /// The limit of boxes is reached.
     Exhausted,
     Failed(Error),
 }
@@ -219,12 +220,12 @@ impl From<Error> for Stop {
 
 impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>, 2> for PairSearch<'_, N, M> {
     /// The ends of an arc, and its free parameter.
-    type Solution = ([End; 2], usize);
-    /// The parameter whose range is halved.
+    type Solution = ([ArcEnd; 2], usize);
+    /// The parameter to halve.
     type Split = usize;
     type Stop = Stop;
 
-    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
+    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, Stop> {
         let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
         if self.examined.is_multiple_of(BOXES_PER_STEP) {
@@ -237,25 +238,26 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         if self.examined > self.task.max_boxes {
             return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
         }
-        // Where half of the boxes did not resolve a contact, others will not: the rest goes to the
-        // branches elsewhere, and contacts are left as they are at the tolerance.
+        // If half of the boxes did not resolve a contact, more will not. The other half is spent on
+        // branches elsewhere, and contacts are left unresolved at the tolerance.
         let is_put_back = !self.task.last && resolution < tolerance;
         let is_fine = self.examined <= self.task.max_boxes / 2 || is_put_back;
         let frame = equation.frame(part.middle());
         let mut unclear = None;
         match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
             BoxTest::Empty => {
-                // Apart, but not by more than a tolerance that is wider than the surfaces' own.
+                // Separated, but by less than an option that is greater than the surfaces' own
+                // tolerance.
                 let is_near = !is_fine && resolution < tolerance && !frame.is_transversal();
                 let touches = is_near && part.is_within(&frame, tolerance, tolerance);
                 return Ok(if touches { BoxTest::Unresolved } else { BoxTest::Empty });
             }
             BoxTest::Unique(chart) => {
                 let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
-                let found = match search.along_line(&frame) {
+                let found = match search.find_along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
-                    None => search.through_inside(&frame),
+                    None => search.find_from_inside(&frame),
                 };
                 match found {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
@@ -277,27 +279,27 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
             false => [tolerance, -tolerance],
         };
-        // Beside poles, and in cells that are small beside the tolerance, pieces that cross may be as
-        // thin in both directions.
+        // Beside poles, and in cells that are small relative to the tolerance, crossing pieces may
+        // be as thin in both directions.
         let unresolved =
             extents[longest] <= 0.25 * resolution || !is_slender && part.is_within(&frame, thickness, reach);
         let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
-        // Near poles pieces are too short in one direction for that to be the longest ever.
+        // Near poles, pieces are too short in one direction for it ever to be the longest one.
         let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
         let split = if self.is_near { widest() } else { unclear.filter(is_long).unwrap_or(longest) };
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(split) })
     }
 
-    /// Adds an arc, unless it is as short as may be dropped.
-    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
-        // By rising free parameter; but the curve runs along N_A x N_B.
+    /// Adds an arc, unless it is short enough to be dropped.
+    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([ArcEnd; 2], usize)) -> Result<(), Stop> {
+        // The ends come by rising free parameter, but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let (equation, points) = (self.equation, &mut self.pieces.points);
         let places = ends.map(|end| equation.point(end.x));
         let is_near = |point: DVec3| places[0].distance(point) <= self.task.shortest;
         let is_closed = is_near(places[1]);
-        // Half way round, if it is no point.
+        // The point half way around the curve, if the arc is not a single point.
         let half_way = || equation.solve(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
         let is_within = |x: DVec4| (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_ROUNDING;
         let is_away = |x: &DVec4| is_within(*x) && !is_near(equation.point(*x));
@@ -307,20 +309,31 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         let from = points.len() as u32;
         alloc::push(points, ends[0].x)?;
-        ArcRefinement { equation, free, chord: self.task.chord }.between(ends, places, points)?;
+        ArcRefinement { equation, free, chord: self.task.chord }.insert_points(ends, places, points)?;
         if let Some(away) = away.filter(|_| points.len() as u32 == from + 1) {
             alloc::push(points, away)?;
         }
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
         let pair = self.task.pair;
-        let is_along_side = !is_closed && part.has_on_side(ends.map(|end| end.x), SIDE_SLACK);
+        let is_along_side = !is_closed && part.has_side_through(ends.map(|end| end.x), SIDE_SLACK);
         let at_border = self.task.are_at_border(ends.map(|end| end.x), is_along_side);
-        // Those of Newton's last step but one are off by that step, over the distance from a crossing.
-        let exact = |end: End| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
+        // Directions from the last Newton iterate are off by the last step divided by the distance
+        // from a crossing.
+        let exact = |end: ArcEnd| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
         let directions = ends.map(|end| exact(end).normalize_or_zero());
         let ends = places;
-        let arc = Arc { pair, from, to, ends, directions, at_border, is_cut: [false; 2], is_closed, is_along_side };
+        let arc = IntersectionArc {
+            pair,
+            from,
+            to,
+            ends,
+            directions,
+            at_border,
+            is_cut: [false; 2],
+            is_closed,
+            is_along_side,
+        };
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 
@@ -336,27 +349,27 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
 }
 
 impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
-    /// Adds the arcs of a box.
+    /// Finds the arcs in a box.
     fn run(&mut self, part: Cow<'_, ParameterBox<N, M>>) -> Result<(), Stop> {
         let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
         subdivide(self, part, &mut Vec::new(), limits)
     }
 
-    /// Adds the arcs of a box of a pair of cells that have points in common: contact in many
-    /// places says nothing of these, and next to a pinch they are longer in one direction the
-    /// nearer they are to it, which no proof minds.
+    /// Finds the arcs in a box of a pair of cells with common points. Multiple contacts mean
+    /// nothing for such cells. Boxes closer to a pinch point are more elongated, which does not
+    /// affect the proofs.
     pub(super) fn run_near(&mut self, part: &ParameterBox<N, M>) -> Result<(), Stop> {
         self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
         self.is_near = true;
         self.run(Cow::Borrowed(part))
     }
 
-    /// Reports to the job: how much is left of a pair is not known.
+    /// Reports progress. The remaining work of a pair is unknown.
     pub(super) fn step(&self) -> Result<()> {
         self.job.step(0.0, "intersection")
     }
 
-    /// Ends the search of a pair.
+    /// Ends the search in a pair.
     #[expect(clippy::needless_pass_by_value, reason = "what a search ends with ends here")]
     pub(super) fn finish(mut self, done: Result<(), Stop>, whole: &ParameterBox<N, M>) -> Result<()> {
         match done {
@@ -374,12 +387,12 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         }
     }
 
-    /// Reports a box by a ball round it: those of the same pair that touch are merged.
+    /// Reports a box as a ball around it. Merges balls of the same pair that touch.
     pub(super) fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
         let (PairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
         let frame = equation.frame(x);
-        // What both have in common is in either piece; where one is far smaller, that says more.
+        // Common points lie in both pieces. If one piece is much smaller, it locates them better.
         let (a, b) = (equation.point(x), equation.point(x) - frame.miss);
         let (of_a, of_b) = (radius_about(a, &part.nets.a.patch()), radius_about(b, &part.nets.b.patch()));
         let (centre, radius) = if of_a <= 2.0 * of_b { (a, of_a) } else { (b, of_b) };
@@ -388,7 +401,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
         let own = &mut self.pieces.balls[self.before[2]..];
         let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + resolution;
-        // Of too many apart from each other, the nearest one takes another.
+        // Beyond the largest number of separate balls, the nearest ball absorbs the new one.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
         let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));
         let found = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
@@ -408,8 +421,8 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         }
     }
 
-    /// Whether the cells touch at three places at least, as far as a few points show: it is no use
-    /// to look closer then.
+    /// Whether a few sample points show that the cells touch in at least three places. More
+    /// subdivision would then be useless.
     fn coincide(&self) -> bool {
         let mut contacts = [DVec3::ZERO; 3];
         let mut count = 0;
@@ -429,7 +442,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         false
     }
 
-    /// The point of the one cell at the given parameters, if the other cell touches it there.
+    /// The point of one cell at the given parameters, if the other cell touches it there.
     fn contact(&self, along: f64, across: f64, on_a: bool) -> Option<DVec3> {
         let equation = self.equation;
         let fixed = if on_a { 0 } else { 2 };
@@ -444,7 +457,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
                 let touches = a.cross(b).length() <= 1e-4 * a.length() * b.length();
                 return touches.then(|| equation.point(x));
             }
-            // Gauss and Newton's step towards the nearest point.
+            // A Gauss-Newton step towards the nearest point.
             let (aa, ab, bb) = (one.length_squared(), one.dot(other), other.length_squared());
             let determinant = aa * bb - ab * ab;
             let (f, g) = (frame.miss.dot(one), frame.miss.dot(other));

@@ -1,65 +1,65 @@
-//! Arcs of self-intersections, joined to paths.
+//! Joins arcs of self-intersections to paths.
 //!
-//! An arc is of two pieces of one surface, of which neither is the first: N_A x N_B points one way
-//! or the other, as the two are called. So arcs have ends, and neither a start nor a goal; which
-//! end is joined with which follows from the place, the direction, and the two tangent planes.
+//! The two pieces of surface at an arc are not ordered, so the direction of N_A x N_B is arbitrary.
+//! An arc therefore has two equal ends instead of a start and an end. Ends are joined by their
+//! positions, directions, and pairs of tangent planes.
 //!
-//! Invariant: an end is joined with one other end at most. Cost: O(n log n) for n arcs.
+//! Invariant: an end is joined to at most one other end. Cost: O(n log n) for n arcs.
 
-use super::intersection_chain::{REACH, near_pairs, repeated};
+use super::intersection_chain::{REACH, find_repeated, near_pairs};
 use super::links::NONE;
-use super::solve::Arc;
+use super::solve::IntersectionArc;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// Arcs whose ends are as unlike as this go different ways.
+/// Arcs whose ends differ by at least this cost belong to different paths.
 const MAX_COST: f64 = 0.75;
-/// Ends as alike as this may be those of one arc, found twice.
+/// Ends whose tangent planes differ by at most this cost may belong to copies of one arc.
 const REPEATED_COST: f64 = 1e-6;
 
 /// An arc of a path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step {
     pub(super) arc: u32,
-    /// Whether it is run through from its last point to the first.
+    /// Whether the arc is traversed from its last point to its first.
     pub(super) reversed: bool,
-    /// Whether the second of its places is on the piece that the path calls the first.
+    /// Whether the second place of the arc is on the piece that the path calls the first.
     pub(super) swapped: bool,
 }
 
-/// Arcs each of which goes on where the one before ends.
+/// A sequence of arcs, each of which continues where the previous one ends.
 #[derive(Debug)]
 pub(super) struct Trail {
     pub(super) steps: Vec<Step>,
     pub(super) closed: bool,
 }
 
-/// How unlike the tangent planes of two ends are, and whether the first of the one is the second of
-/// the other.
-fn unlike(a: &[DVec3; 2], b: &[DVec3; 2]) -> (f64, bool) {
+/// The difference of the tangent planes of two ends, and whether the first plane of one corresponds
+/// to the second of the other.
+fn plane_difference(a: &[DVec3; 2], b: &[DVec3; 2]) -> (f64, bool) {
     let cost = |p: usize, q: usize| 2.0 - a[0].dot(b[p]).abs() - a[1].dot(b[q]).abs();
     let (same, swapped) = (cost(0, 1), cost(1, 0));
     if same <= swapped { (same, false) } else { (swapped, true) }
 }
 
-/// Arcs with the normals of both pieces at their ends: those of arc k at 2 k and 2 k + 1.
+/// Arcs, and the normals of both pieces at their ends. Arc k has the ends 2 k and 2 k + 1.
 pub(super) struct Trails<'a> {
-    pub(super) arcs: &'a [Arc],
+    pub(super) arcs: &'a [IntersectionArc],
     pub(super) normals: &'a [[DVec3; 2]],
-    /// How exactly ends are known.
+    /// Accuracy of ends.
     pub(super) resolution: f64,
 }
 
 impl Trails<'_> {
-    /// The paths, by their first arcs.
+    /// Returns the paths, ordered by their first arcs.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Trail>> {
         let (mates, dropped) = self.mates(job)?;
         let mut done = dropped;
         let mut trails = Vec::new();
-        // First those that have an end, from there.
+        // Open paths first, starting at an end.
         for ends in [true, false] {
             for k in 0..self.arcs.len() as u32 {
                 let first = [0, 1].into_iter().find(|end| mates[(2 * k + end) as usize] == NONE);
@@ -73,7 +73,7 @@ impl Trails<'_> {
         Ok(trails)
     }
 
-    /// The path from an end on.
+    /// The path that starts at an end.
     fn trail(&self, first: u32, mates: &[u32], done: &mut [bool]) -> Result<Trail> {
         let mut trail = Trail { steps: Vec::new(), closed: false };
         let (mut at, mut swapped) = (first, first % 2 == 1);
@@ -86,21 +86,21 @@ impl Trails<'_> {
                 trail.closed = next == first;
                 return Ok(trail);
             }
-            swapped ^= unlike(&self.normals[last as usize], &self.normals[next as usize]).1;
+            swapped ^= plane_difference(&self.normals[last as usize], &self.normals[next as usize]).1;
             at = next;
         }
     }
 
-    /// The end that each end is joined with, and which arcs are others once more.
+    /// For each end, the end that it is joined to, and for each arc, whether it is a duplicate.
     fn mates(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
         let near = near_pairs(&ends, REACH * self.resolution, job)?;
-        let alike = |p: u32, q: u32| unlike(&self.normals[p as usize], &self.normals[q as usize]).0;
+        let alike = |p: u32, q: u32| plane_difference(&self.normals[p as usize], &self.normals[q as usize]).0;
         let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= REPEATED_COST))?;
-        let dropped = repeated(arcs, &same, true, self.resolution)?;
+        let dropped = find_repeated(arcs, &same, true, self.resolution)?;
         let mut joints = Vec::new();
-        // The directions in which arcs go on beyond their ends.
+        // The directions in which arcs continue beyond their ends.
         let outwards = |end: u32| {
             let direction = arcs[end as usize / 2].directions[end as usize % 2];
             if end % 2 == 1 { direction } else { -direction }

@@ -1,31 +1,30 @@
 //! A proven bound of the distance between a polynomial piece and a rational one.
 //!
-//! With the weights' polynomial w and the numerator P of the rational piece S = P / w, and the
-//! polynomial piece A, N = w A - P is a polynomial of degree p + 7, q + 7, and A - S = N / w. Raised
-//! to the same degree, w has control values W > 0, and with the Bernstein polynomials B
-//!
+//! Let the rational piece be S = P / w with weight polynomial w and numerator P, and let A be the
+//! polynomial piece. N = w A - P is a polynomial of degree p + 7, q + 7, and A - S = N / w. Raised
+//! to the same degree, w has control values W > 0. With the Bernstein polynomials B,
 //! ```text
 //! N / w = sum B N_ij / sum B W_ij = sum (B W_ij / sum B W_kl) N_ij / W_ij,
 //! ```
 //!
-//! an average of N_ij / W_ij: |A - S| is at most the greatest |N_ij| / W_ij. Over halves, whose
-//! control values de Casteljau's scheme makes as averages, the bound is nearer to the truth.
+//! This is an average of N_ij / W_ij, so |A - S| is at most the largest |N_ij| / W_ij. Halves give
+//! a closer bound, because de Casteljau's algorithm averages their control values.
 
-use super::super::spline::Net;
+use super::super::spline::PieceNet;
 use crate::MAX_DEGREE;
 use glam::{DVec3, DVec4};
 use gusset_base::geom::bernstein::{binomial_row, halve};
 
-/// Control values in a direction: the degree of the weights, of the piece, and 1.
+/// Largest number of control values in a direction: the degrees of weights and piece, plus 1.
 const SIZE: usize = 2 * MAX_DEGREE + 1;
 
-/// How often pieces are quartered for a nearer bound.
+/// Number of times that pieces are quartered for a closer bound.
 const DEPTH: usize = 3;
 
-/// Of bounds so many times the tolerance, quarters would not come below it.
+/// If the bound exceeds this multiple of the tolerance, quarters would exceed the tolerance too.
 const HOPELESS: f64 = 4096.0;
 
-/// N and, as the fourth coordinate, w raised to its degree, in Bernstein form.
+/// N and, as the fourth coordinate, w raised to the same degree, in Bernstein form.
 #[derive(Clone, Copy)]
 pub(super) struct Difference {
     net: [[DVec4; SIZE]; SIZE],
@@ -33,9 +32,10 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    /// Of the control points of A and the homogeneous ones of S, of these degrees. Relative to W_ij
-    /// (|A| + |S|), N_ij is right to 2^-53 times (p + 1) (q + 1) + 5.
-    pub(super) fn new(own: &Net<DVec3>, homogeneous: &Net<DVec4>, [p, q]: [usize; 2]) -> Self {
+    /// Computes N from the control points of A and the homogeneous control points of S, which has
+    /// the given degrees. The error of N_ij, relative to W_ij (|A| + |S|), is at most 2^-53 times
+    /// (p + 1) (q + 1) + 5.
+    pub(super) fn new(own: &PieceNet<DVec3>, homogeneous: &PieceNet<DVec4>, [p, q]: [usize; 2]) -> Self {
         let [sevenths, ps, qs] = [MAX_DEGREE, p, q].map(binomial_row::<{ MAX_DEGREE + 1 }>);
         let counts = [p + MAX_DEGREE + 1, q + MAX_DEGREE + 1];
         let mut net = [[DVec4::ZERO; SIZE]; SIZE];
@@ -45,7 +45,7 @@ impl Difference {
             for (c, row) in own.iter().enumerate() {
                 let across = weight * sevenths[c];
                 for (d, &point) in row.iter().enumerate() {
-                    // All these factors are whole numbers, and exact.
+                    // All these factors are integers, and exact.
                     net[a + c][b + d] += (w * point - numerator).extend(w) * (across * sevenths[d]);
                 }
             }
@@ -57,28 +57,32 @@ impl Difference {
         Difference { net, counts }
     }
 
-    /// A bound of |N| / w, near if it decides whether that is within the target.
+    /// A bound of |N| / w, close enough to decide whether |N| / w is within the target.
     pub(super) fn bound(&self, target: f64) -> f64 {
         let rough = self.greatest();
-        // The rounding of quarters, and of what is divided, is far below this, relative to it.
-        (1.0 + 1e-12) * if rough > HOPELESS * target { rough } else { self.refined(rough, target, DEPTH) }
+        // Rounding in quarters and divisions is far below this relative margin.
+        (1.0 + 1e-12) * if rough > HOPELESS * target { rough } else { self.refined_bound(rough, target, DEPTH) }
     }
 
-    /// The greatest |N_ij| / W_ij.
+    /// The largest |N_ij| / W_ij.
     fn greatest(&self) -> f64 {
         let values = self.net[..self.counts[0]].iter().flat_map(|row| &row[..self.counts[1]]);
         let ratios = values.map(|value| value.truncate().length() / value.w);
-        // What is no number proves nothing.
+        // NaN proves nothing.
         ratios.map(|ratio| if ratio.is_nan() { f64::INFINITY } else { ratio }).fold(0.0, f64::max)
     }
 
-    fn refined(&self, bound: f64, target: f64, depth: usize) -> f64 {
+    fn refined_bound(&self, bound: f64, target: f64, depth: usize) -> f64 {
         if bound <= target || depth == 0 {
             return bound;
         }
         let [low, high] = self.halves();
-        let quarters = [low, high].map(|half| half.turned().halves());
-        quarters.as_flattened().iter().map(|part| part.refined(part.greatest(), target, depth - 1)).fold(0.0, f64::max)
+        let quarters = [low, high].map(|half| half.transposed().halves());
+        quarters
+            .as_flattened()
+            .iter()
+            .map(|part| part.refined_bound(part.greatest(), target, depth - 1))
+            .fold(0.0, f64::max)
     }
 
     fn halves(&self) -> [Self; 2] {
@@ -87,8 +91,8 @@ impl Difference {
         [before, after]
     }
 
-    /// The same with u and v exchanged.
-    fn turned(&self) -> Self {
+    /// The difference with u and v exchanged.
+    fn transposed(&self) -> Self {
         let net = std::array::from_fn(|i| std::array::from_fn(|j| self.net[j][i]));
         Difference { net, counts: [self.counts[1], self.counts[0]] }
     }

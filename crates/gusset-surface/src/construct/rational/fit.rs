@@ -1,14 +1,16 @@
-//! A polynomial piece of degree 7 that is nearly the best for a rational one.
+//! A polynomial piece of degree 7 that is nearly the best approximation of a rational one.
 //!
-//! In each direction the piece has values and first derivatives of the rational one at both ends,
-//! and values at four parameters between. These make the greatest value of x^2 (1 - x)^2 times the
-//! product of the distances from them least, to which the error is proportional: 7.4e-5, where the
-//! Chebyshev polynomial without conditions at the ends has 3.1e-5, and the values of four
-//! derivatives at both ends 3.9e-3. As a tensor product, the piece's sides follow from the rational
-//! one's sides, and its derivatives across them from the derivatives there: pieces that meet share
-//! their sides, and tangents go on where those of the rational surface do.
+//! In each direction, the piece has the values and first derivatives of the rational piece at both
+//! ends, and its values at four inner parameters. The parameters minimise the largest value of x^2
+//! (1 - x)^2 times the product of the distances from them, to which the error is proportional. This
+//! value is 7.4e-5. The Chebyshev polynomial without conditions at the ends has 3.1e-5; four
+//! derivatives at both ends would give 3.9e-3.
+//!
+//! The piece is a tensor product. Its sides depend only on the rational sides, and its cross
+//! derivatives only on the rational ones there. Adjacent pieces therefore share their sides. Their
+//! tangents are continuous wherever the tangents of the rational surface are.
 
-use super::super::spline::Net;
+use super::super::spline::PieceNet;
 use crate::MAX_DEGREE;
 use glam::DVec3;
 use glam::DVec4;
@@ -16,44 +18,45 @@ use gusset_base::error::Result;
 use gusset_base::geom::bernstein::{basis, evaluate};
 use gusset_base::geom::linear::dense::Dense;
 
-/// Data in each direction, in this order: the value and the derivative at 0, values within, the
-/// derivative and the value at 1.
+/// Number of data in each direction: the value and derivative at 0, inner values, the derivative
+/// and value at 1.
 const DATA: usize = MAX_DEGREE + 1;
 
-/// The parameters of values: the zeros of (1 - t^2)^2 (t^2 - A) (t^2 - B) over -1 <= t <= 1, with A
-/// = 0.048143381178 and B = 0.393282575607, for which its extrema are equal.
+/// The inner parameters: the zeros of (1 - t^2)^2 (t^2 - A) (t^2 - B) over -1 <= t <= 1. For A =
+/// 0.048143381178 and B = 0.393282575607, all extrema have equal magnitude.
 const WITHIN: [f64; 4] =
     [0.186_438_771_685_935_4, 0.390_291_999_860_562_7, 0.609_708_000_139_437_3, 0.813_561_228_314_064_6];
 
-/// Where that has its extrema.
+/// The parameters of these extrema.
 const BETWEEN: [f64; 5] = [0.0983, 0.2846, 0.5, 0.7154, 0.9017];
 
-/// The places among the data that are values.
+/// The indices of the data that are values.
 const VALUES: [usize; 6] = [0, 2, 3, 4, 5, 7];
 
-/// The place of the value at the same parameter.
+/// For each datum, the index of the value at the same parameter.
 const VALUE_AT: [usize; DATA] = [0, 0, 2, 3, 4, 5, 7, 7];
 
 /// Rows of factors of control points, or of data.
 type Matrix<const ROWS: usize> = [[f64; DATA]; ROWS];
 
-/// Points of a piece that are known exactly: at its corners and along its sides.
+/// Points of a piece that are known exactly, at its corners and along its sides.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Known {
-    /// The point of the side at u = 0 and u = 1, at v = 0 and v = 1, if it is one point.
+pub(super) struct ExactPoints {
+    /// The sides at u = 0 and u = 1, then at v = 0 and v = 1. Contains the point if the side is a
+    /// single point.
     pub(super) sides: [[Option<DVec3>; 2]; 2],
-    /// By u and v.
+    /// The corners, indexed by u and v.
     pub(super) corners: [[Option<DVec3>; 2]; 2],
 }
 
-impl Known {
+impl ExactPoints {
     pub(super) fn map(self, to: impl Fn(DVec3) -> DVec3) -> Self {
         let all = |points: [[Option<DVec3>; 2]; 2]| points.map(|pair| pair.map(|point| point.map(&to)));
-        Known { sides: all(self.sides), corners: all(self.corners) }
+        ExactPoints { sides: all(self.sides), corners: all(self.corners) }
     }
 
-    /// Sets the control points that are known.
-    pub(super) fn restore(&self, points: &mut Net<DVec3>) {
+    /// Overwrites the control points that are known exactly.
+    pub(super) fn restore(&self, points: &mut PieceNet<DVec3>) {
         for (end, k) in [(0, 0), (1, MAX_DEGREE)] {
             for (other, l) in [(0, 0), (1, MAX_DEGREE)] {
                 points[k][l] = self.corners[end][other].unwrap_or(points[k][l]);
@@ -68,25 +71,25 @@ impl Known {
     }
 }
 
-/// What is the same for all pieces of two degrees.
+/// The factors that all pieces of two degrees share.
 pub(super) struct Fit {
     degrees: [usize; 2],
-    /// The data of control points, in u and in v.
+    /// Factors that compute the data from control points, in u and in v.
     data: [Matrix<DATA>; 2],
-    /// Values at [`BETWEEN`].
+    /// Factors that compute the values at [`BETWEEN`].
     between: [Matrix<5>; 2],
-    /// The control points of degree 7 of data.
+    /// Factors that compute the control points of degree 7 from data.
     control: Matrix<DATA>,
 }
 
 /// A piece: its data, which neighbours share at sides, and its control points.
-pub(super) struct Piece {
-    data: Net<DVec3>,
+pub(super) struct FittedPiece {
+    data: PieceNet<DVec3>,
     /// The control points.
-    pub(super) points: Net<DVec3>,
+    pub(super) points: PieceNet<DVec3>,
 }
 
-/// The data of control points.
+/// The factors that compute data from control points.
 fn functionals(degree: usize) -> Matrix<DATA> {
     let (mut rows, n) = ([[0.0; DATA]; DATA], degree as f64);
     rows[0][0] = 1.0;
@@ -99,8 +102,8 @@ fn functionals(degree: usize) -> Matrix<DATA> {
     rows
 }
 
-/// The sum of `values` by factors.
-fn sum<T: Default + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>>(
+/// The weighted sum of values.
+fn weighted_sum<T: Default + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>>(
     factors: &[f64],
     value: impl Fn(usize) -> T,
 ) -> T {
@@ -112,7 +115,7 @@ impl Fit {
         let mut system = Dense::default();
         system.resize(DATA)?;
         functionals(MAX_DEGREE).iter().enumerate().for_each(|(k, row)| system.row(k).copy_from_slice(row));
-        // Its determinant is a constant other than 0.
+        // The determinant of the system is a nonzero constant.
         system.factor();
         let mut control = [[0.0; DATA]; DATA];
         for datum in 0..DATA {
@@ -130,27 +133,27 @@ impl Fit {
         Ok(Fit { degrees, data: degrees.map(functionals), between, control })
     }
 
-    /// The piece for a rational one with these homogeneous control points, w x, w y, w z and w.
-    pub(super) fn piece(&self, homogeneous: &Net<DVec4>, known: &Known) -> Piece {
+    /// Fits a rational piece with the given homogeneous control points: w x, w y, w z and w.
+    pub(super) fn piece(&self, homogeneous: &PieceNet<DVec4>, known: &ExactPoints) -> FittedPiece {
         let data = self.project(&self.homogeneous_data(homogeneous), known);
-        // First along the rows, then across them; what is at sides depends on these alone.
-        let along = data.map(|row| self.through(&row));
-        let columns: Net<DVec3> = std::array::from_fn(|b| self.through(&along.map(|row| row[b])));
-        let mut points: Net<DVec3> = std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a]));
+        // First along the rows, then across them, so that sides depend on data at the sides only.
+        let along = data.map(|row| self.interpolate(&row));
+        let columns: PieceNet<DVec3> = std::array::from_fn(|b| self.interpolate(&along.map(|row| row[b])));
+        let mut points: PieceNet<DVec3> = std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a]));
         known.restore(&mut points);
-        Piece { data, points }
+        FittedPiece { data, points }
     }
 
-    fn homogeneous_data(&self, net: &Net<DVec4>) -> Net<DVec4> {
+    fn homogeneous_data(&self, net: &PieceNet<DVec4>) -> PieceNet<DVec4> {
         let [p, q] = self.degrees;
-        let along = net.map(|points| self.data[1].map(|row| sum(&row[..=q], |b| points[b])));
-        self.data[0].map(|row| std::array::from_fn(|l| sum(&row[..=p], |a| along[a][l])))
+        let along = net.map(|points| self.data[1].map(|row| weighted_sum(&row[..=q], |b| points[b])));
+        self.data[0].map(|row| std::array::from_fn(|l| weighted_sum(&row[..=p], |a| along[a][l])))
     }
 
-    /// Values and derivatives of P / w of those of P and w: from P = w S,
-    /// P_u = w_u S + w S_u, P_uv = w_uv S + w_u S_v + w_v S_u + w S_uv.
-    fn project(&self, data: &Net<DVec4>, known: &Known) -> Net<DVec3> {
-        let mut out = Net::<DVec3>::default();
+    /// Values and derivatives of S = P / w from those of P and w. They follow from P = w S, P_u =
+    /// w_u S + w S_u and P_uv = w_uv S + w_u S_v + w_v S_u + w S_uv.
+    fn project(&self, data: &PieceNet<DVec4>, known: &ExactPoints) -> PieceNet<DVec3> {
+        let mut out = PieceNet::<DVec3>::default();
         for (k, l) in VALUES.into_iter().flat_map(|k| VALUES.map(|l| (k, l))) {
             out[k][l] = data[k][l].truncate() / data[k][l].w;
         }
@@ -162,7 +165,7 @@ impl Fit {
             known.sides[1][end].into_iter().for_each(|point| VALUES.into_iter().for_each(|k| out[k][at] = point));
         }
         let slopes = [1, DATA - 2];
-        // Along a side that is one point, the derivative is 0 beyond rounding.
+        // Along a side that is a single point, the derivative is set to 0 exactly.
         let is_point = |d: usize, l: usize| {
             (l == 0 && known.sides[d][0].is_some()) || (l == DATA - 1 && known.sides[d][1].is_some())
         };
@@ -180,28 +183,29 @@ impl Fit {
         out
     }
 
-    /// The control points of a curve of degree 7 with these data.
-    fn through(&self, data: &[DVec3; DATA]) -> [DVec3; DATA] {
-        // From the first value, which makes rounding as small as the piece.
+    /// The control points of a curve of degree 7 with the given data.
+    fn interpolate(&self, data: &[DVec3; DATA]) -> [DVec3; DATA] {
+        // Relative to the first value, so that rounding is proportional to the size of the piece.
         let from = data[0];
         let steps: [DVec3; DATA] = std::array::from_fn(|k| if VALUES.contains(&k) { data[k] - from } else { data[k] });
-        let mut points = self.control.map(|row| from + sum(&row, |k| steps[k]));
+        let mut points = self.control.map(|row| from + weighted_sum(&row, |k| steps[k]));
         (points[0], points[DATA - 1]) = (from, data[DATA - 1]);
         points
     }
 
-    /// How far the piece is from the rational one in u alone and in v alone, at the places where
-    /// that is most: the one direction's error is seen where the other's data are values.
-    pub(super) fn errors(&self, piece: &Piece, homogeneous: &Net<DVec4>) -> [f64; 2] {
+    /// The largest errors in u alone and in v alone, sampled where the error is largest. The error
+    /// in one direction is visible where the data of the other direction are values.
+    pub(super) fn errors(&self, piece: &FittedPiece, homogeneous: &PieceNet<DVec4>) -> [f64; 2] {
         [0, 1].map(|d| {
             let mut worst = 0.0_f64;
             for l in VALUES {
-                let curve =
-                    self.through(&std::array::from_fn(|k| if d == 0 { piece.data[k][l] } else { piece.data[l][k] }));
+                let curve = self
+                    .interpolate(&std::array::from_fn(|k| if d == 0 { piece.data[k][l] } else { piece.data[l][k] }));
                 let row = &self.data[1 - d][l][..=self.degrees[1 - d]];
                 for (t, between) in BETWEEN.into_iter().zip(&self.between[d]) {
-                    let at = |k: usize| sum(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] });
-                    let point = sum(&between[..=self.degrees[d]], at);
+                    let at =
+                        |k: usize| weighted_sum(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] });
+                    let point = weighted_sum(&between[..=self.degrees[d]], at);
                     worst = worst.max(evaluate(&curve, t).distance(point.truncate() / point.w));
                 }
             }

@@ -1,16 +1,16 @@
-//! Rational splines as polynomial patches of degree 7 in the same parameters.
+//! Converts rational splines to polynomial patches of degree 7 in the same parameters.
 //!
-//! The spans of the spline are cut, whole rows and columns at a time, until the piece that
-//! [`fit`] makes for each cell is within the tolerance, which [`bound`] proves: not by samples, but
-//! for all parameters. Rounding is in the bound: that of the control points of cells, that of the
-//! bound itself, and that of the result. Errors fall with the eighth power of the size of cells.
+//! The spans of the spline are cut, whole rows and columns at a time, until the piece of every cell
+//! is within the tolerance. [`fit`] computes the pieces. [`bound`] proves their distance for all
+//! parameters. The bound includes the rounding of the cells' control points, of the bound itself,
+//! and of the result. Errors decrease with the eighth power of the size of cells.
 
 mod bound;
 mod fit;
 
 use self::bound::Difference;
-use self::fit::{Fit, Known};
-use super::spline::{Interval, Net, Piece, Spline, SplineOptions, knots_of};
+use self::fit::{ExactPoints, Fit};
+use super::spline::{Interval, PieceNet, Spline, SplineOptions, SplinePiece, border_knots};
 use crate::patches::Origin;
 use crate::{Patch, Patches};
 use glam::DVec3;
@@ -21,30 +21,29 @@ use gusset_base::geom::scale::{common_unit, floor_to_power_of_two};
 use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
-/// The most cells, if the caller does not say.
+/// Default for the largest number of cells.
 const MAX_CELLS: usize = 1 << 20;
 
-/// The tolerance relative to the diagonal of the box of the control points, if the caller does not
-/// say.
+/// Default tolerance, relative to the diagonal of the bounding box of the control points.
 const TOLERANCE: f64 = 1e-12;
 
-/// The least weight, relative to the greatest: products of fewer lose nothing to underflow that
-/// could be seen.
+/// Smallest weight relative to the largest one. Products of larger weights do not underflow
+/// noticeably.
 const LEAST_WEIGHT: f64 = 1.183_052_186_166_774e-271;
 
-/// The rounding of an operation, 2^-53.
+/// The relative rounding error of one operation, 2^-53.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// The most parts that an interval is cut into at a time.
+/// Largest number of parts that an interval is cut into in one pass.
 const MAX_PARTS: f64 = 16.0;
 
-/// Cells that a thread makes at a time: some milliseconds.
+/// Number of cells that a thread computes in one task, which takes some milliseconds.
 const CELLS_PER_TASK: usize = 64;
-/// Cells that are copied between two progress reports, 1.5 KB each.
+/// Number of cells copied between two progress reports, 1.5 KB each.
 const CELLS_PER_REPORT: usize = 1 << 12;
 const STAGE: &str = "fitting patches";
 
-/// Whether the spline has weights that are not all the same.
+/// Whether the spline has weights that differ.
 ///
 /// # Errors
 /// [`Error::BadWeight`], [`Error::ArrayTooShort`].
@@ -65,35 +64,35 @@ pub(super) fn has_different_weights(spline: &Spline<'_>) -> Result<bool> {
     Ok(weights.iter().any(|&weight| weight != weights[0]))
 }
 
-/// A spline in a unit and from an origin that make its coordinates at most 1 or so.
+/// A spline in a scaled and shifted system in which its coordinates are about 1 or less.
 struct Rational<'a> {
     spline: &'a Spline<'a>,
-    /// A power of two.
+    /// The scale, a power of two.
     unit: f64,
-    /// In this unit, the middle of the control points' box.
+    /// The centre of the bounding box of the control points, in this scale.
     middle: DVec3,
-    /// w x, w y, w z and w of the control points.
+    /// Homogeneous coordinates w x, w y, w z and w of the control points.
     homogeneous: Vec<DVec4>,
     fit: Fit,
-    /// What the bounds of cells may be, in this unit.
+    /// Largest permitted bound of a cell, in this scale.
     target: f64,
-    /// What rounding adds to them.
+    /// Rounding to add to the bounds.
     rounding: f64,
-    /// The greatest distance of a control point from the middle.
+    /// The largest distance of a control point from the centre.
     radius: f64,
 }
 
-/// What became of a cell.
+/// The fitted cell.
 #[derive(Clone, Copy)]
 struct Cell {
     patch: Patch<8>,
-    /// How far it is from the rational surface, but for rounding.
+    /// Bound of the distance from the rational surface, without rounding.
     bound: f64,
-    /// Into how many parts it should be cut in u and in v.
+    /// Number of parts that the cell should be cut into in u and in v.
     parts: [u8; 2],
 }
 
-/// Patches within the tolerance of the spline over intervals that are all of its spans.
+/// Computes patches within the tolerance of the spline, over intervals that cover all its spans.
 pub(super) fn patches(
     spline: &Spline<'_>,
     mut intervals: [Vec<Interval>; 2],
@@ -102,16 +101,16 @@ pub(super) fn patches(
 ) -> Result<Patches<8>> {
     let rational = Rational::new(spline, options)?;
     let limit = options.max_cells.unwrap_or(MAX_CELLS) as u64;
-    // All that were made, by tasks so that they are not moved, and the number of each in the grid.
+    // All cells ever computed, by task so that they do not move, and the index of each grid cell.
     let mut tasks: Vec<Vec<Cell>> = Vec::new();
     let mut grid: Vec<usize> = Vec::new();
-    // Where the cells of a row, and of a column, are in the grid of the pass before.
+    // For each row and each column, its index in the grid of the previous pass, if it was not cut.
     let mut kept: [Vec<Option<usize>>; 2] = Default::default();
     let mut width = 0;
     for pass in 0.. {
         let counts = [intervals[0].len(), intervals[1].len()];
         Error::check_count("cells", counts[0] as u64 * counts[1] as u64, limit)?;
-        // However many passes there are, the progress does not fall.
+        // Progress increases monotonically for any number of passes.
         let part = job.part(1.0 - 0.5_f64.powi(pass), 1.0 - 0.5_f64.powi(pass + 1));
         let [u, v] = spline.pieces(&intervals)?;
         let known = |i: usize, j: usize| -> Option<usize> {
@@ -141,7 +140,7 @@ pub(super) fn patches(
         let mut parts = [alloc::filled(1_u8, counts[0])?, alloc::filled(1_u8, counts[1])?];
         for (k, &cell) in grid.iter().enumerate() {
             for (parts, (place, wanted)) in
-                parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell_of(&tasks, cell).parts))
+                parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell_by_index(&tasks, cell).parts))
             {
                 parts[place] = parts[place].max(wanted);
             }
@@ -157,20 +156,22 @@ pub(super) fn patches(
     let mut deviation = 0.0_f64;
     for (k, &cell) in grid.iter().enumerate() {
         job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), STAGE)?;
-        let cell = cell_of(&tasks, cell);
+        let cell = cell_by_index(&tasks, cell);
         deviation = deviation.max(cell.bound);
         patches.push(cell.patch);
     }
-    let origin = Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: knots_of(&intervals)? };
-    Ok(Patches::of(patches, intervals[0].len(), intervals[1].len()).with(origin))
+    let origin =
+        Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: border_knots(&intervals)? };
+    Ok(Patches::from_patches(patches, intervals[0].len(), intervals[1].len()).with_origin(origin))
 }
 
-/// A cell by its number.
-fn cell_of(tasks: &[Vec<Cell>], number: usize) -> &Cell {
+/// The cell with the given index.
+fn cell_by_index(tasks: &[Vec<Cell>], number: usize) -> &Cell {
     &tasks[number / CELLS_PER_TASK][number % CELLS_PER_TASK]
 }
 
-/// Intervals cut into equal parts, and where those that are whole were before.
+/// Cuts intervals into equal parts. Also returns the previous index of each interval that was not
+/// cut.
 fn cut(intervals: &[Interval], parts: &[u8], direction: u32) -> Result<(Vec<Interval>, Vec<Option<usize>>)> {
     let count = parts.iter().map(|&parts| usize::from(parts)).sum();
     let (mut all, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
@@ -204,10 +205,10 @@ impl<'a> Rational<'a> {
         let homogeneous = alloc::collect(local)?;
         let radius = given.iter().map(|&point| (point / unit).distance(middle)).fold(0.0, f64::max);
         let degrees = [0, 1].map(|d| spline.axes[d].degree);
-        // Control points of cells: of p + q steps of blossoms, each with 6 roundings, of sums of p +
-        // 1 and q + 1 terms, of products by weights and of the middle's subtraction, both in P and
-        // in w. Then those of N, of terms w A and P. The last are of the result, A + middle. All are
-        // of coordinates, of which a vector has three.
+        // Rounding of the cells' control points: p + q steps of blossoms with 6 roundings each,
+        // sums of p + 1 and q + 1 terms, products by weights and the subtraction of the centre,
+        // both in P and in w. Then rounding in N, from the terms w A and P, and of the result, A +
+        // centre. All count per coordinate, of which a vector has three.
         let [p, q] = degrees.map(|degree| degree as f64);
         let (control, product) = (2.0 * (7.0 * (p + q) + 8.0), 2.0 * ((p + 1.0) * (q + 1.0) + 5.0));
         let largest = bounds.low.abs().max(bounds.high.abs()).max_element();
@@ -224,8 +225,8 @@ impl<'a> Rational<'a> {
         Ok(Rational { spline, unit, middle, homogeneous, fit: Fit::new(degrees)?, target, rounding, radius })
     }
 
-    fn cell(&self, rows: &Piece, columns: &Piece) -> Cell {
-        let homogeneous: Net<DVec4> = self.spline.net(&self.homogeneous, rows, columns);
+    fn cell(&self, rows: &SplinePiece, columns: &SplinePiece) -> Cell {
+        let homogeneous: PieceNet<DVec4> = self.spline.net(&self.homogeneous, rows, columns);
         let exact = self.exact_points(rows, columns);
         let known = exact.map(|point| point / self.unit - self.middle);
         let piece = self.fit.piece(&homogeneous, &known);
@@ -240,11 +241,11 @@ impl<'a> Rational<'a> {
         Cell { patch, bound, parts }
     }
 
-    /// Into how many parts a cell with these errors in u and in v should be cut, so that each is at
-    /// most 5/13 of the target: its bound is up to 1.3 times the sum.
+    /// Number of parts to cut a cell with these errors in u and in v into, so that each error is at
+    /// most 5/13 of the target. The bound is up to 1.3 times the sum of both errors.
     fn parts(&self, errors: [f64; 2]) -> [u8; 2] {
         let parts = errors.map(|error| match 2.6 * error / self.target {
-            // The error does not fall with the eighth power yet.
+            // Errors this large do not yet decrease with the eighth power.
             _ if error >= 1e-3 * self.radius => 2,
             excess if excess <= 1.0 => 1,
             excess => libm::pow(excess, 0.125).ceil().min(MAX_PARTS) as u8,
@@ -256,13 +257,14 @@ impl<'a> Rational<'a> {
         }
     }
 
-    /// Points that are control points because all those that they depend on are one: corners of
-    /// clamped splines, and sides that are poles.
-    fn exact_points(&self, rows: &Piece, columns: &Piece) -> Known {
+    /// Points that are known exactly, because all control points that they depend on are equal:
+    /// corners of clamped splines, and sides that are poles.
+    fn exact_points(&self, rows: &SplinePiece, columns: &SplinePiece) -> ExactPoints {
         let [p, q] = [0, 1].map(|d| self.spline.axes[d].degree);
         let one = |in_u: Option<usize>, in_v: Option<usize>| {
-            let counts =
-                |piece: &Piece, point: Option<usize>, k: usize| point.is_none_or(|at| piece.weights[at][k] != 0.0);
+            let counts = |piece: &SplinePiece, point: Option<usize>, k: usize| {
+                point.is_none_or(|at| piece.weights[at][k] != 0.0)
+            };
             let places = (0..=p)
                 .filter(|&a| counts(rows, in_u, a))
                 .flat_map(|a| (0..=q).filter(|&b| counts(columns, in_v, b)).map(move |b| (a, b)));
@@ -271,7 +273,7 @@ impl<'a> Rational<'a> {
             points.all(|point| point == first).then_some(first)
         };
         let (us, vs) = ([Some(0), Some(p)], [Some(0), Some(q)]);
-        Known {
+        ExactPoints {
             sides: [us.map(|u| one(u, None)), vs.map(|v| one(None, v))],
             corners: us.map(|u| vs.map(|v| one(u, v))),
         }
