@@ -159,7 +159,7 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
     let mut edges = loops.edges_between(&base.done.mesh)?;
     let mean_side = std::cell::OnceCell::new();
     options.strip.note_unread(job);
-    let strips = stitch::Options { twist: 0, ..options.strip.of_strip() };
+    let strips = stitch::Options { twist: 0, ..options.strip.strip_options() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.4, 1.0).share(k, found.len());
         let sides = loops.sides(facing)?;
@@ -185,7 +185,7 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
             // At its ends there are edges already.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
             let mean = || *mean_side.get_or_init(|| base.done.mesh.mean_side()) / loops.unit;
-            match Strip::between(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
+            match Strip::build(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {

@@ -66,7 +66,7 @@ impl Edges {
         }
         edges.retain(|edge| !(is_slit && ends.contains(edge)));
         sort_distinct(&mut edges);
-        Ok(Bridges::of(edges))
+        Ok(Bridges::from_edges(edges))
     }
 }
 

@@ -54,7 +54,7 @@ impl Loops {
         for (number, found) in boundary.iter().enumerate() {
             job.part(1.0, 1.0).step_every(LOOPS_PER_REPORT, number, boundary.len(), STAGE)?;
             if is_usable(&found) {
-                alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
+                alloc::push(&mut loops.rims, Rim::from_loop(&view, &found)?)?;
             } else {
                 let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
                 alloc::push(
