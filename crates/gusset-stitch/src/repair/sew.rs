@@ -71,7 +71,7 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
         Some(tolerance) => Source::Given(tolerance),
         None => Source::Found(first.tolerance),
     };
-    let mut done = Sew::of(first)?;
+    let mut done = Sew::from_weld(first)?;
     if done.mesh.face_count() == 0 {
         return Ok(done);
     }
@@ -101,7 +101,7 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
 
 impl Sew {
     /// What welding alone makes.
-    pub fn of(weld: Weld) -> Result<Self> {
+    pub fn from_weld(weld: Weld) -> Result<Self> {
         let kept = weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE);
         let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
         count_sources(&weld.vertex_map, |_| 1, &mut sources);

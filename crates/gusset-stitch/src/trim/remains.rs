@@ -37,7 +37,7 @@ impl Remains {
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn of(pieces: &[MeshView<'_>], trimmed: &Trimmed, job: &Job<'_>) -> Result<Remains> {
+    pub fn new(pieces: &[MeshView<'_>], trimmed: &Trimmed, job: &Job<'_>) -> Result<Remains> {
         let job = &job.part(0.0, 0.0);
         let (whole, places) = concatenate(pieces, job)?;
         let count = trimmed.kept.iter().map(Vec::len).sum();
