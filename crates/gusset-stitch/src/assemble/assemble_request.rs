@@ -14,8 +14,8 @@ pub enum MaxGap {
     /// A limit for each kind of gap.
     ///
     /// * Whole loops: a fifth of the larger component's size, or the mean radius of the smaller
-    ///   loop (the mean distance of its vertices from their centre) if that is larger. The only two
-    ///   loops, of two pieces, are joined at any distance.
+    ///   loop if that is larger. The radius is the mean distance of the vertices from their centre.
+    ///   The only two loops, of two pieces, are joined at any distance.
     /// * Runs of loops: half the smaller radius, and at most four edges of the loop with longer
     ///   edges.
     /// * Slits that sewing left between two borders: half the loop's radius, and at most one mean

@@ -78,8 +78,8 @@ const REPORT_INTERVAL: usize = 1 << 16;
 const STAGE: &str = "orienting faces";
 
 /// Makes the orientation of each component consistent, and turns over as few faces as possible. If
-/// both sides have equally many faces, the component's smallest face stays. Extra memory: about 20
-/// bytes per half-edge.
+/// both sides have the same number of faces, the component's smallest face stays. Extra memory:
+/// about 20 bytes per half-edge.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),

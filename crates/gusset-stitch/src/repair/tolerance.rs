@@ -7,10 +7,10 @@
 //!   2^-19 of its magnitude for 32 bits and 2^-48 for 64. In 32 bits this covers numbers written
 //!   with seven significant digits, for any first digit: sqrt 3 units of 1e-6.
 //! * **The visible digits**, for files with fewer digits than the type holds. A decimal step u =
-//!   10^p is visible if at least a third of the coordinates that are not round are multiples of u,
-//!   up to rounding; the coarsest such step applies. With one more digit, a tenth are multiples by
-//!   chance. The test uses the coordinates of the largest decade, where significant digits and
-//!   decimals have the same step, and the differences of successive coordinates, which are
+//!   10^p is visible if at least a third of the non-round coordinates are multiples of u, up to
+//!   rounding. The coarsest visible step applies. With one more digit, a tenth are multiples by
+//!   chance. The test uses the coordinates of the largest decade, in which significant digits and
+//!   decimals have the same step. It also uses the differences of successive coordinates, which are
 //!   invariant under translation. Round numbers, the multiples of 1e-4 of the size, are ignored:
 //!   they come from coarse grids. Two copies rounded to neighbouring steps are u apart along each
 //!   axis, and sqrt 3 u in space. The tolerance is 2 u, because conversions round too.
