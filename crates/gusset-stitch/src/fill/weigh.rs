@@ -9,7 +9,7 @@
 //! units of 1 / 140 of the rim's length. A triangle with the bulges b1, b2, b3 has the mean square
 //! (b1^2 + b2^2 + b3^2 + b1 b2 + b2 b3 + b3 b1) / 6. The second term is the mean over the
 //! triangles. Both terms are invariant under refinement of the rim. Strips are chosen in the same
-//! way. Among the weights tried, this one gives the triangulations nearest to surfaces cut out of
+//! way. Among the weights tried, this one gives the triangulations nearest to the parts cut out of
 //! closed meshes (`make bench ONLY=fill/truth`).
 //!
 //! The other weights follow the sources.
