@@ -2,7 +2,7 @@
 
 use super::ring::{MAX_SMOOTH_BEND, OldRing};
 use crate::fair::mean_curvature;
-use crate::remesh::{PatchMesh, Sizing, even, growth, insert, needed};
+use crate::remesh::{PatchMesh, Sizing, even, insert, size_growth, vertices_needed};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -92,13 +92,13 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
         size.iter_mut().for_each(|s| *s *= RELATIVE_SIZE);
         let at_rim = limits.at_rim.saturating_mul(rim as u32);
         let limit = limits.new.max(at_rim);
-        let needed = needed(&mesh, &size);
+        let needed = vertices_needed(&mesh, &size);
         // Sides of length 0 make the estimate infinite.
         if !needed.is_finite() {
             return Ok(None);
         }
         let needed = needed.min(f64::from(limit));
-        let grown = growth(&mesh, &size, limit);
+        let grown = size_growth(&mesh, &size, limit);
         if grown > limits.growth {
             return Ok(None);
         }

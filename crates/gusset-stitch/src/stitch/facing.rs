@@ -158,7 +158,7 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
         check_points(side, points)?;
     }
     check_tolerance(options.tolerance)?;
-    // Scale to a unit in which products neither overflow nor vanish.
+    // Scale to a unit in which products do not overflow or vanish.
     let unit = common_unit(a.iter().chain(b));
     let small = |points: &[DVec3]| alloc::collect(points.iter().map(|&p| p / unit));
     let (small_a, small_b) = (small(a)?, small(b)?);
